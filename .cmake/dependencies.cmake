@@ -1,0 +1,36 @@
+# Every library that the program needs, each checked for the features it must have, each with the sentence that says
+# what to install when it is missing.
+
+macro(birdstrike_require condition sentence)
+  if(NOT ${condition})
+    message(FATAL_ERROR "${sentence}")
+  endif()
+endmacro()
+
+find_package(deal.II 9.4 QUIET HINTS $ENV{DEAL_II_DIR})
+birdstrike_require(deal.II_FOUND "deal.II 9.4 or newer is needed: apt-get install libdeal.ii-dev, or set DEAL_II_DIR.")
+foreach(feature MPI P4EST TRILINOS HDF5)
+  birdstrike_require(DEAL_II_WITH_${feature}
+    "deal.II was built without ${feature}: install libdeal.ii-dev (Debian) or rebuild deal.II with -DDEAL_II_WITH_${feature}=ON.")
+endforeach()
+
+find_package(Eigen3 3.4 QUIET NO_MODULE)
+birdstrike_require(Eigen3_FOUND "Eigen 3.4 or newer is needed: apt-get install libeigen3-dev.")
+find_package(spdlog 1.10 QUIET)
+birdstrike_require(spdlog_FOUND "spdlog 1.10 or newer is needed: apt-get install libspdlog-dev libfmt-dev.")
+find_package(CLI11 2.1 QUIET)
+birdstrike_require(CLI11_FOUND "CLI11 2.1 or newer is needed: apt-get install libcli11-dev.")
+find_package(nlohmann_json 3.11 QUIET)
+birdstrike_require(nlohmann_json_FOUND "JSON for Modern C++ 3.11 or newer is needed: apt-get install nlohmann-json3-dev.")
+find_package(Threads QUIET)
+birdstrike_require(Threads_FOUND "A thread library is needed: install the C library's development files.")
+if(BIRDSTRIKE_TESTS)
+  find_package(GTest 1.12 QUIET)
+  birdstrike_require(GTest_FOUND "GoogleTest 1.12 or newer is needed: apt-get install libgtest-dev (or -DBIRDSTRIKE_TESTS=OFF).")
+endif()
+
+# deal.II's own compile flags (unrolling, its warning list) stay out: only headers, libraries and its DEBUG switch.
+add_library(birdstrike_dealii INTERFACE)
+target_include_directories(birdstrike_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+target_link_libraries(birdstrike_dealii INTERFACE ${DEAL_II_LIBRARIES})
+target_compile_definitions(birdstrike_dealii INTERFACE $<$<CONFIG:Debug>:DEBUG>)

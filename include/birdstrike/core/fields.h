@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// One quantity on the nodes or on the cells of a snapshot. A vector quantity has 3 components per entity.
+  struct Field
+  {
+    std::string         name; ///< e.g. "equivalent_plastic_strain_layer_1"
+    std::string         unit; ///< "m", "Pa", "-"
+    bool                on_cells     = false;
+    unsigned int        n_components = 1;
+    std::vector<double> values; ///< [n_entities][n_components]
+  };
+
+  /// What a part shows at one instant: geometry and fields, in plain arrays, so that one writer serves every part.
+  struct FieldSnapshot
+  {
+    unsigned int               dim = 0; ///< 0 points, 2 quadrilaterals, 3 hexahedra
+    std::vector<double>        points;  ///< [n_points][3], m, reference position of a blade (fields hold its displacement), current position of particles
+    std::vector<std::uint32_t> cells;   ///< [n_cells][2^dim], deal.II's (lexicographic) vertex order; points: identity
+    std::vector<Field>         fields;
+  };
+} // namespace birdstrike

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace birdstrike
+{
+  /// A persistent pool with static partition. Results must not depend on the number of threads: a loop body writes only
+  /// to entities of its own range, and sums go through `ordered_sum`, whose chunks do not depend on the thread count.
+  ///
+  /// Nested use is not supported (asserted). An exception thrown by a body is re-thrown in the caller, lowest range first.
+  class ThreadPool
+  {
+  public:
+    explicit ThreadPool(std::size_t n_threads = 1);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool &)            = delete;
+    ThreadPool &operator=(const ThreadPool &) = delete;
+
+    std::size_t n_threads() const;
+
+    /// Calls body(begin, end) on disjoint ranges that cover [0, n); range borders are multiples of `grain` (so that
+    /// SIMD batches stay whole). A loop of no more than `grain` entities, or a pool of one thread, runs in the caller.
+    void parallel_for(std::size_t n, std::size_t grain,
+                      const std::function<void(std::size_t begin, std::size_t end)> &body);
+
+    /// As above with a cost per entity: prefix[k] is the summed cost of entities [0, k), prefix has n + 1 entries.
+    void parallel_for_balanced(std::size_t n, std::size_t grain, const std::size_t *prefix,
+                               const std::function<void(std::size_t begin, std::size_t end)> &body);
+
+    /// Sum of term(begin, end) over fixed chunks of `chunk` entities, added in chunk order: bitwise the same for any
+    /// number of threads.
+    double ordered_sum(std::size_t n, const std::function<double(std::size_t begin, std::size_t end)> &term,
+                       std::size_t chunk = 4096);
+
+    /// Maximum of term(begin, end) over the same chunks; -infinity for n = 0.
+    double ordered_max(std::size_t n, const std::function<double(std::size_t begin, std::size_t end)> &term,
+                       std::size_t chunk = 4096);
+
+  private:
+    class Workers;
+    std::unique_ptr<Workers> workers;
+  };
+} // namespace birdstrike

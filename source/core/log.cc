@@ -1,0 +1,44 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/log.h>
+
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+namespace birdstrike
+{
+  spdlog::logger &log()
+  {
+    static const std::shared_ptr<spdlog::logger> logger = [] {
+      auto console = std::make_shared<spdlog::sinks::stdout_color_sink_mt>();
+      auto made    = std::make_shared<spdlog::logger>("birdstrike", console);
+      made->set_pattern("%^%v%$");
+      made->set_level(spdlog::level::trace);
+      made->sinks().front()->set_level(spdlog::level::info);
+      return made;
+    }();
+    return *logger;
+  }
+
+  void log_to_file(const std::string &path)
+  {
+    try
+      {
+        auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path, true);
+        file->set_level(spdlog::level::debug);
+        file->set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
+        auto &sinks = log().sinks();
+        sinks.resize(1);
+        sinks.push_back(std::move(file));
+      }
+    catch (const spdlog::spdlog_ex &error)
+      {
+        throw InputError("Cannot write the log file " + path + ": " + error.what());
+      }
+  }
+
+  void set_console_level(const std::string &level)
+  {
+    log().sinks().front()->set_level(spdlog::level::from_str(level));
+  }
+} // namespace birdstrike
