@@ -1,0 +1,45 @@
+#pragma once
+
+#include <birdstrike/core/step_limit.h>
+
+#include <optional>
+
+namespace birdstrike
+{
+  /// One macro step: both parts meet at its ends; one of the two counts is 1.
+  struct Schedule
+  {
+    double       step    = 0.; ///< s
+    unsigned int n_bird  = 1;  ///< bird (and contact) sub-steps of step / n_bird
+    unsigned int n_blade = 1;  ///< blade sub-steps of step / n_blade
+    StepLimit    limiter;      ///< the vote that set the step
+
+    double bird_step() const
+    {
+      return step / n_bird;
+    }
+    double blade_step() const
+    {
+      return step / n_blade;
+    }
+  };
+
+  /// What one part brings to the choice of a schedule; absent parts have no vote.
+  struct StepVote
+  {
+    StepLimit limit; ///< largest stable step, scale factor included
+    double    cost;  ///< work of one of its steps, any unit common to both parts
+  };
+
+  /// The cheapest stable schedule. Candidates are the integer ratios 1 ... max_ratio in either direction; a candidate's
+  /// macro step is the largest that keeps every sub-step at or below its part's limit, and its price is work per unit of
+  /// time. Costs are counts times constants, never clock readings, so that the same run takes the same steps anywhere.
+  ///
+  /// Multirate by impulses (r-RESPA; Tuckerman, Berne and Martyna 1992): the parts exchange forces only at the ends of
+  /// macro steps (n_bird = 1) or of the bird's sub-steps (n_blade = 1).
+  ///
+  /// @param remaining  time to the end of the run (s): the last step ends there.
+  /// @throws NumericalFailure if a limit is not positive and finite while its part exists.
+  Schedule plan_step(const std::optional<StepVote> &bird, const std::optional<StepVote> &blade, unsigned int max_ratio,
+                     double remaining);
+} // namespace birdstrike
