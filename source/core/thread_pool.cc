@@ -28,9 +28,7 @@ namespace birdstrike
   class ThreadPool::Workers
   {
   public:
-    explicit Workers(const std::size_t n_threads)
-      : errors(n_threads)
-      , task(nullptr)
+    explicit Workers(const std::size_t n_threads) : errors(n_threads), task(nullptr)
     {
       for (std::size_t t = 1; t < n_threads; ++t)
         threads.emplace_back([this, t] { work(t); });
@@ -117,7 +115,8 @@ namespace birdstrike
 
   ThreadPool::ThreadPool(const std::size_t n_threads)
     : workers(std::make_unique<Workers>(std::max<std::size_t>(n_threads, 1)))
-  {}
+  {
+  }
 
   ThreadPool::~ThreadPool() = default;
 

@@ -13,10 +13,9 @@ namespace birdstrike
   } // namespace
 
   Timings::Scope::Scope(Timings &timings, const std::size_t section)
-    : timings(timings)
-    , section(section)
-    , start(std::chrono::steady_clock::now())
-  {}
+    : timings(timings), section(section), start(std::chrono::steady_clock::now())
+  {
+  }
 
   Timings::Scope::~Scope()
   {
@@ -24,9 +23,9 @@ namespace birdstrike
     ++timings.all[section].calls;
   }
 
-  Timings::Timings()
-    : start(std::chrono::steady_clock::now())
-  {}
+  Timings::Timings() : start(std::chrono::steady_clock::now())
+  {
+  }
 
   std::size_t Timings::section(const std::string &name)
   {

@@ -10,11 +10,12 @@ namespace birdstrike
   template <class T>
   struct CacheLineAllocator
   {
-    using value_type = T;
+    using value_type     = T;
     CacheLineAllocator() = default;
     template <class U>
     CacheLineAllocator(const CacheLineAllocator<U> &)
-    {}
+    {
+    }
     T *allocate(const std::size_t n)
     {
       return static_cast<T *>(::operator new(n * sizeof(T), std::align_val_t(64)));

@@ -13,35 +13,35 @@ namespace birdstrike
   struct PointsView
   {
     std::size_t                   n = 0;
-    std::array<const double *, 3> position{};    ///< m
-    std::array<const double *, 3> velocity{};    ///< m/s, at the half step
-    const double                 *mass        = nullptr; ///< kg
-    const double                 *volume      = nullptr; ///< m^3, current (mass/density)
-    const double                 *density     = nullptr; ///< kg/m^3
-    const double                 *sound_speed = nullptr; ///< m/s, at the present density
-    const std::uint32_t          *id          = nullptr; ///< persistent identity, < n_ids
-    std::size_t                   n_ids       = 0;       ///< one more than the largest id that ever existed
-    double                        spacing     = 0.;      ///< m, initial particle spacing
-    double                        hugoniot_slope = 0.;   ///< s in p = rho c u (1 + s u/c), from the equation of state
-    std::uint64_t                 revision    = 0;       ///< grows whenever points are re-ordered or removed
-    std::array<double *, 3>       force{};               ///< N, contact force on each point: contact adds here
+    std::array<const double *, 3> position{};               ///< m
+    std::array<const double *, 3> velocity{};               ///< m/s, at the half step
+    const double                 *mass           = nullptr; ///< kg
+    const double                 *volume         = nullptr; ///< m^3, current (mass/density)
+    const double                 *density        = nullptr; ///< kg/m^3
+    const double                 *sound_speed    = nullptr; ///< m/s, at the present density
+    const std::uint32_t          *id             = nullptr; ///< persistent identity, < n_ids
+    std::size_t                   n_ids          = 0;       ///< one more than the largest id that ever existed
+    double                        spacing        = 0.;      ///< m, initial particle spacing
+    double                        hugoniot_slope = 0.; ///< s in p = rho c u (1 + s u/c), from the equation of state
+    std::uint64_t                 revision       = 0;  ///< grows whenever points are re-ordered or removed
+    std::array<double *, 3>       force{};             ///< N, contact force on each point: contact adds here
   };
 
   /// Quadrilateral (or triangular: last node repeated) facets of a deformable or rigid surface.
   struct FacetsView
   {
-    std::size_t   n_nodes      = 0;
-    const double *position     = nullptr; ///< [n_nodes][3], m, current
-    const double *velocity     = nullptr; ///< [n_nodes][velocity_stride], m/s, at the half step, translations first
-    double       *force        = nullptr; ///< [n_nodes][velocity_stride], N: contact adds to the translations
-    const double *inverse_mass = nullptr; ///< [n_nodes], 1/kg; 0 where the node is held or rigid
+    std::size_t   n_nodes         = 0;
+    const double *position        = nullptr; ///< [n_nodes][3], m, current
+    const double *velocity        = nullptr; ///< [n_nodes][velocity_stride], m/s, at the half step, translations first
+    double       *force           = nullptr; ///< [n_nodes][velocity_stride], N: contact adds to the translations
+    const double *inverse_mass    = nullptr; ///< [n_nodes], 1/kg; 0 where the node is held or rigid
     std::size_t   velocity_stride = 3;
 
     std::size_t                         n_facets = 0;
     const std::array<std::uint32_t, 4> *nodes    = nullptr; ///< [n_facets], counter-clockwise about the facet normal
-    const std::array<std::int32_t, 4>  *neighbor = nullptr; ///< [n_facets], facet across edge (k, k+1 mod 4), -1 if free
-    const double                       *half_thickness = nullptr; ///< [n_facets], m: material beyond the facet's surface
-    bool                                two_sided = true; ///< false for the skin of a solid: only the normal side is outside
-    std::uint64_t                       revision  = 0;    ///< grows whenever facets appear or vanish
+    const std::array<std::int32_t, 4> *neighbor = nullptr; ///< [n_facets], facet across edge (k, k+1 mod 4), -1 if free
+    const double                      *half_thickness = nullptr; ///< [n_facets], m: material beyond the facet's surface
+    bool          two_sided = true; ///< false for the skin of a solid: only the normal side is outside
+    std::uint64_t revision  = 0;    ///< grows whenever facets appear or vanish
   };
 } // namespace birdstrike

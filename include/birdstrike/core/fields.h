@@ -19,9 +19,10 @@ namespace birdstrike
   /// What a part shows at one instant: geometry and fields, in plain arrays, so that one writer serves every part.
   struct FieldSnapshot
   {
-    unsigned int               dim = 0; ///< 0 points, 2 quadrilaterals, 3 hexahedra
-    std::vector<double>        points;  ///< [n_points][3], m, reference position of a blade (fields hold its displacement), current position of particles
-    std::vector<std::uint32_t> cells;   ///< [n_cells][2^dim], deal.II's (lexicographic) vertex order; points: identity
+    unsigned int        dim = 0; ///< 0 points, 2 quadrilaterals, 3 hexahedra
+    std::vector<double> points;  ///< [n_points][3], m, reference position of a blade (fields hold its displacement),
+                                 ///< current position of particles
+    std::vector<std::uint32_t> cells; ///< [n_cells][2^dim], deal.II's (lexicographic) vertex order; points: identity
     std::vector<Field>         fields;
   };
 } // namespace birdstrike

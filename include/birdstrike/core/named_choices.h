@@ -13,9 +13,9 @@ namespace birdstrike
   class NamedChoices
   {
   public:
-    NamedChoices(std::initializer_list<std::pair<std::string, Value>> entries)
-      : entries(entries)
-    {}
+    NamedChoices(std::initializer_list<std::pair<std::string, Value>> entries) : entries(entries)
+    {
+    }
 
     /// "a|b|c", for dealii::Patterns::Selection.
     std::string selection() const

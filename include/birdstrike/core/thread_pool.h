@@ -9,7 +9,8 @@ namespace birdstrike
   /// A persistent pool with static partition. Results must not depend on the number of threads: a loop body writes only
   /// to entities of its own range, and sums go through `ordered_sum`, whose chunks do not depend on the thread count.
   ///
-  /// Nested use is not supported (asserted). An exception thrown by a body is re-thrown in the caller, lowest range first.
+  /// Nested use is not supported (asserted). An exception thrown by a body is re-thrown in the caller, lowest range
+  /// first.
   class ThreadPool
   {
   public:

@@ -63,9 +63,8 @@ TEST(ThreadPool, RethrowsTheErrorOfTheLowestRange)
   ThreadPool pool(3);
   try
     {
-      pool.parallel_for(300, 1, [](const std::size_t begin, std::size_t) {
-        throw std::runtime_error(begin == 0 ? "first" : "later");
-      });
+      pool.parallel_for(
+        300, 1, [](const std::size_t begin, std::size_t) { throw std::runtime_error(begin == 0 ? "first" : "later"); });
       FAIL() << "no exception";
     }
   catch (const std::runtime_error &error)
