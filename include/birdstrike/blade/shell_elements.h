@@ -1,0 +1,115 @@
+#pragma once
+
+#include <birdstrike/core/number.h>
+#include <birdstrike/core/step_limit.h>
+#include <birdstrike/core/thread_pool.h>
+#include <birdstrike/material/metal.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace birdstrike
+{
+  enum class ShellFormulation
+  {
+    one_point_physical, ///< covariant one-point quadrilateral with physical stabilisation (default)
+    belytschko_tsay     ///< Belytschko, Lin & Tsay (1984) with perturbation hourglass control
+  };
+
+  enum class ThicknessRule
+  {
+    gauss,
+    lobatto
+  };
+
+  /// What all elements of a blade share.
+  struct ShellSection
+  {
+    ShellFormulation formulation = ShellFormulation::one_point_physical;
+    ThicknessRule    rule        = ThicknessRule::gauss;
+    unsigned int     n_points    = 5; ///< through the thickness: 3, 5 or 7
+    Metal            material;
+    double           hourglass_coefficient = 0.05;    ///< Belytschko-Tsay: membrane, w and theta alike
+    double           shear_factor          = 5. / 6.; ///< Reissner's kappa
+    bool             has_thinning          = true;    ///< the thickness follows the plane-stress strain
+  };
+
+  /// State of one element for output, in its frame (axes in the columns of `axes`, third the normal).
+  struct ShellState
+  {
+    Matrix3<double>       axes;
+    std::array<double, 3> membrane_force; ///< N_xx, N_yy, N_xy, N/m
+    std::array<double, 3> moment;         ///< M_xx, M_yy, M_xy, N (per length)
+    std::array<double, 2> shear_force;    ///< Q_x, Q_y, N/m
+    double                thickness;      ///< m
+    double                max_plastic_strain;
+  };
+
+  enum class ShellLayer
+  {
+    bottom, ///< z = -t/2 (Lobatto) or the outermost point there (Gauss)
+    middle,
+    top
+  };
+
+  /// All shell elements of a blade: their strain increments, stresses, internal forces and energies.
+  ///
+  /// Reissner-Mindlin kinematics, 3 displacements and 3 global rotation increments a node, finite rotations; the theory
+  /// stands in shell_kernel.h. Strains are taken on the midpoint geometry x - dx/2, forces on the end geometry.
+  /// The stiffness against drilling is zero; the moment on a node has no component along the averaged normal there
+  /// (default formulation), and the rotation about it has no effect.
+  ///
+  /// Not here: mass, supports, loads, time. Throws InputError for a degenerate element or an impossible section,
+  /// NumericalFailure when an element collapses or a force is not finite.
+  class ShellElements
+  {
+  public:
+    /// Cells are counter-clockwise about the positive normal; thickness (m) per cell. The pool must outlive this.
+    ShellElements(std::vector<Point3> nodes, std::vector<std::array<std::uint32_t, 4>> cells,
+                  std::vector<double> thickness, const ShellSection &section, ThreadPool &pool);
+    ~ShellElements();
+    ShellElements(ShellElements &&) noexcept;
+
+    /// position [n_nodes][3] at t^{n+1} (m); increment [n_nodes][6] of displacement (m) and rotation (rad) since the
+    /// last call; force [n_nodes][6] is overwritten with what the elements exert on the nodes, -f_int (N, N m).
+    void compute_internal_forces(const double *position, const double *increment, double dt, double *force);
+
+    /// 2/omega_max by a bound on the largest eigenvalue of every element, for nodal masses and inertias that are not
+    /// smaller than those of the two functions below. No safety factor.
+    StepLimit step_limit() const;
+    /// Masses (kg) that the nodes really carry, [n_nodes]: the bound then allows for shares other than a quarter.
+    void use_nodal_masses(std::span<const double> mass);
+    /// A quarter of each element's mass to each of its nodes (kg), [n_nodes].
+    std::vector<double> compute_nodal_masses() const;
+    /// Rotary inertia (kg m^2) per node, a quarter of m max(t^2/12, A/8) of each element: bending never sets the step.
+    std::vector<double> compute_rotary_inertias() const;
+
+    /// Cumulative energies (J), trapezoidal in time; their sum is the work of the nodal forces to round-off.
+    double elastic_energy() const;
+    double plastic_work() const;
+    double hourglass_energy() const;
+
+    std::size_t n_elements() const;
+    std::size_t n_promoted() const; ///< elements that store points because an outer fibre met the yield stress
+    ShellState  state(std::size_t element) const;
+    /// sxx, syy, sxy (Pa) in the element frame.
+    std::array<double, 3> layer_stress(std::size_t element, ShellLayer layer) const;
+    /// sxx, syy, szz, sxy, syz, szx (Pa) in global axes.
+    std::array<double, 6> global_layer_stress(std::size_t element, ShellLayer layer) const;
+    double                layer_plastic_strain(std::size_t element, ShellLayer layer) const;
+
+    struct MaxPlasticStrain
+    {
+      double      value   = 0.;
+      std::size_t element = 0;
+    };
+    MaxPlasticStrain max_plastic_strain() const;
+
+  private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace birdstrike

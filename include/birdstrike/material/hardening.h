@@ -1,0 +1,122 @@
+#pragma once
+
+#include <birdstrike/core/number.h>
+
+#include <limits>
+
+namespace birdstrike
+{
+  /// How the flow stress grows with the equivalent plastic strain p.
+  enum class HardeningLaw
+  {
+    elastic,      ///< never yields
+    perfect,      ///< s = A
+    linear,       ///< s = A + B p
+    swift,        ///< s = A (1 + p / e0)^n                     (Swift 1952)
+    voce,         ///< s = A + Q (1 - exp(-b p))                (Voce 1948)
+    johnson_cook, ///< s = (A + B p^n) (1 + C ln r*) (1 - T*^m) (Johnson & Cook 1983, eq. 1)
+  };
+
+  /// Constants of a flow stress. Johnson-Cook's rate term, r* = max(p_dot / reference_rate, 1), may be added to every
+  /// law by rate_factor C > 0, its softening by heat_capacity > 0 (adiabatic: all plastic work times taylor_quinney
+  /// heats).
+  struct Hardening
+  {
+    HardeningLaw law      = HardeningLaw::perfect;
+    double       yield    = 880e6; ///< A, Pa
+    double       modulus  = 0.;    ///< B (linear, Johnson-Cook) or Q (Voce), Pa
+    double       exponent = 1.;    ///< n (Swift, Johnson-Cook) or b (Voce), -
+    double       strain   = 0.01;  ///< e0 (Swift), -
+
+    double rate_factor    = 0.; ///< C, -
+    double reference_rate = 1.; ///< 1/s
+
+    double softening_exponent  = 1.; ///< m, -
+    double heat_capacity       = 0.; ///< c_p, J/(kg K); 0: isothermal
+    double density             = 1.; ///< kg/m^3, of the heated mass
+    double taylor_quinney      = 0.9;
+    double initial_temperature = 293.;  ///< K
+    double room_temperature    = 293.;  ///< K, where T* = 0
+    double melting_temperature = 1873.; ///< K, where T* = 1
+  };
+
+  /// Flow stress (Pa) and its derivative with respect to the plastic strain of the step (Pa).
+  template <class Number>
+  struct FlowStress
+  {
+    Number value;
+    Number slope;
+  };
+
+  namespace internal
+  {
+    /// The quasi-static curve s(p) and s'(p). Power laws start with a vertical tangent: below p = 1e-9 it is cut.
+    template <class Number>
+    inline FlowStress<Number> static_flow_stress(const Hardening &h, const Number &p)
+    {
+      switch (h.law)
+        {
+        case HardeningLaw::linear:
+          return {h.yield + h.modulus * p, Number(h.modulus)};
+        case HardeningLaw::swift:
+          {
+            const Number s = h.yield * exp(h.exponent * log(Number(1.) + p / h.strain));
+            return {s, h.exponent * s / (h.strain + p)};
+          }
+        case HardeningLaw::voce:
+          {
+            const Number e = h.modulus * exp(-h.exponent * p);
+            return {h.yield + h.modulus - e, h.exponent * e};
+          }
+        case HardeningLaw::johnson_cook:
+          {
+            const Number q = max(p, Number(1e-9)), s = h.modulus * exp(h.exponent * log(q));
+            return {h.yield + s, h.exponent * s / q};
+          }
+        case HardeningLaw::elastic:
+          return {Number(std::numeric_limits<double>::max()), Number(0.)};
+        case HardeningLaw::perfect:
+          break;
+        }
+      return {Number(h.yield), Number(0.)};
+    }
+  } // namespace internal
+
+  /// 1 - T*^m, with T the present temperature (K); 1 where nothing heats.
+  template <class Number>
+  inline Number thermal_softening(const Hardening &h, const Number &temperature)
+  {
+    if (h.heat_capacity <= 0.)
+      return Number(1.);
+    const Number ratio = (temperature - h.room_temperature) / (h.melting_temperature - h.room_temperature);
+    const Number t     = min(max(ratio, Number(1e-12)), Number(1.));
+    return Number(1.) - exp(h.softening_exponent * log(t));
+  }
+
+  /// Temperature (K) after the plastic work w (J/m^3) of an adiabatic process.
+  template <class Number>
+  inline Number adiabatic_temperature(const Hardening &h, const Number &plastic_work)
+  {
+    if (h.heat_capacity <= 0.)
+      return Number(h.initial_temperature);
+    return h.initial_temperature + (h.taylor_quinney / (h.density * h.heat_capacity)) * plastic_work;
+  }
+
+  /// Flow stress after the plastic strain grew from p to p + dp within dt (s), with given thermal softening.
+  template <class Number>
+  inline FlowStress<Number> compute_flow_stress(const Hardening &h, const Number &p, const Number &dp, const double dt,
+                                                const Number &softening)
+  {
+    FlowStress<Number> s = internal::static_flow_stress(h, Number(p + dp));
+    if (h.rate_factor > 0.)
+      {
+        const Number rate   = dp / (dt * h.reference_rate);
+        const auto   fast   = rate > Number(1.);
+        const Number factor = Number(1.) + h.rate_factor * log(select(fast, rate, Number(1.)));
+        const Number growth = select(fast, h.rate_factor / max(dp, Number(1e-30)), Number(0.));
+        s.slope             = s.slope * factor + s.value * growth;
+        s.value             = s.value * factor;
+      }
+    return {s.value * softening, s.slope * softening};
+  }
+} // namespace birdstrike
