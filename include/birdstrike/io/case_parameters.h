@@ -1,0 +1,39 @@
+#pragma once
+
+#include <birdstrike/bird/parameters.h>
+#include <birdstrike/blade/parameters.h>
+#include <birdstrike/contact/parameters.h>
+#include <birdstrike/io/output_parameters.h>
+#include <birdstrike/io/parameter_file.h>
+#include <birdstrike/time_control/parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// Everything one case is made of. The members are bound to `file`, so the object can neither be copied nor moved.
+  struct CaseParameters
+  {
+    std::string name;        ///< empty in the file: the file's name without ".prm"
+    std::string description; ///< one sentence
+
+    BladeParameters   blade;
+    BirdParameters    bird;
+    ContactParameters contact;
+    TimeParameters    time;
+    OutputParameters  output;
+
+    ParameterFile file;
+
+    CaseParameters();
+    CaseParameters(const CaseParameters &)            = delete;
+    CaseParameters &operator=(const CaseParameters &) = delete;
+
+    /// Reads and checks a case; see ParameterFile::read. Raises InputError.
+    void read(const std::string &path, const std::vector<std::string> &overrides = {});
+
+    /// Where the run writes: `Output/Directory`, or runs/<case name>.
+    std::string run_directory() const;
+  };
+} // namespace birdstrike

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace birdstrike
+{
+  struct FieldSnapshot;
+
+  /// A series of field files for ParaView: <folder>/<name>.pvd lists <folder>/fields/<name>_0000.vtu, ... with their
+  /// times. The list is rewritten after every file, so that an unfinished run can be looked at.
+  ///
+  /// Written by deal.II's DataOutInterface (VTU, zlib, single precision); units stand in the files as field data
+  /// attributes. Nodes are repeated for every cell, so a cell field is constant over each cell without averaging.
+  /// Raises std::logic_error for a snapshot whose arrays do not fit together, std::runtime_error where the disk
+  /// refuses.
+  class FieldSeries
+  {
+  public:
+    FieldSeries(const std::filesystem::path &folder, const std::string &name);
+
+    void write(const FieldSnapshot &snapshot, double time);
+
+    std::size_t n_files() const;
+    std::size_t n_bytes() const; ///< on disk, so far
+
+  private:
+    std::filesystem::path                       folder;
+    std::string                                 name;
+    std::vector<std::pair<double, std::string>> times_and_names;
+    std::size_t                                 bytes = 0;
+  };
+
+  /// Size in memory of the numbers of one snapshot file before compression, for a forecast of disk space (bytes).
+  std::size_t compute_field_file_bytes(const FieldSnapshot &snapshot);
+} // namespace birdstrike

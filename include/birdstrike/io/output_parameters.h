@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace birdstrike
+{
+  /// What a run leaves behind, and how often. Section `Output`. Intervals of simulated time are in s, of the console in
+  /// s of wall time. Raises InputError from check().
+  struct OutputParameters
+  {
+    std::string directory;                 ///< empty: runs/<case name>
+    double      history_interval = 10e-6;  ///< s, between rows of history.csv
+    double      field_interval   = 0.5e-3; ///< s, between field files; 0: only the first and the last state
+    double      console_interval = 2.;     ///< s of wall time between progress lines
+    double      flush_interval   = 30.;    ///< s of wall time between flushes of the histories to disk
+    bool        blade_fields     = true;   ///< blade.pvd
+    bool        bird_fields      = true;   ///< bird.pvd
+    bool        hdf5             = true;   ///< results.h5 beside history.csv
+
+    void declare(dealii::ParameterHandler &prm);
+    void check() const;
+  };
+} // namespace birdstrike

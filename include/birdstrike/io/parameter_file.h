@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  class ParameterTree;
+}
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace birdstrike
+{
+  /// Anything with declare(ParameterHandler &) and check() const. The object must outlive the group.
+  struct ParameterGroup
+  {
+    std::function<void(dealii::ParameterHandler &)> declare;
+    std::function<void()>                           check;
+
+    template <class Parameters>
+    static ParameterGroup of(Parameters &p)
+    {
+      return {[&p](dealii::ParameterHandler &prm) { p.declare(prm); }, [&p] { p.check(); }};
+    }
+  };
+
+  /// The parameter file: owns the handler to which groups of parameters are bound, reads values into them and prints
+  /// them. Raises InputError (at most six lines: file, line, section, what was read, what is allowed, nearest name) for
+  /// bad input; never prints. A file that fails leaves the bound parameters half set: do not use them.
+  class ParameterFile
+  {
+  public:
+    explicit ParameterFile(const std::vector<ParameterGroup> &groups);
+    ~ParameterFile();
+    ParameterFile(const ParameterFile &)            = delete;
+    ParameterFile &operator=(const ParameterFile &) = delete;
+
+    /// Reads the file, then the overrides "Section/Entry=value", and checks every group.
+    void read(const std::string &path, const std::vector<std::string> &overrides = {});
+
+    /// The text of the file that was read, verbatim.
+    const std::string &original() const;
+
+    /// Every entry with its text, unit, range and default, at its present value: a file that can be read again and
+    /// gives the same values to the last digit.
+    std::string as_prm() const;
+
+    /// The same as JSON: sections nest, an entry is {"text", "unit", "range", "default", "value"}.
+    std::string as_json() const;
+
+    ParameterTree tree() const;
+
+  private:
+    std::vector<ParameterGroup>               groups;
+    std::unique_ptr<dealii::ParameterHandler> prm;
+    std::string                               original_text;
+  };
+} // namespace birdstrike

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace birdstrike
+{
+  /// The folder of one run. It is recognised by a marker file, `.birdstrike`, that tells the state of the run
+  /// ("running", "done", "failed: ..."), and it is locked while this object lives, so that two runs never write into
+  /// one folder.
+  ///
+  /// A missing or empty folder is taken; a folder that holds the marker is emptied of the files that a run writes (and
+  /// of nothing else); any other folder is refused with an InputError. `summary.json` is written last, by rename: where
+  /// it stands, the run is complete.
+  class RunFolder
+  {
+  public:
+    explicit RunFolder(const std::filesystem::path &directory);
+    ~RunFolder(); ///< a run that was neither finished nor failed is marked "failed: interrupted"
+    RunFolder(const RunFolder &)            = delete;
+    RunFolder &operator=(const RunFolder &) = delete;
+
+    const std::filesystem::path &path() const;
+    std::filesystem::path        file(const std::string &name) const;
+
+    /// Writes a whole file; the name appears only once the text is complete on disk. Throws std::runtime_error if the
+    /// disk refuses.
+    void write_text(const std::string &name, const std::string &text) const;
+
+    /// Writes summary.json and marks the run as done: the last act of a run.
+    void finish(const std::string &summary_json);
+
+    /// Marks the run as failed; the folder keeps its histories but gets no summary.
+    void fail(const std::string &reason) noexcept;
+
+  private:
+    std::filesystem::path directory;
+    int                   lock     = -1;
+    bool                  is_ended = false;
+
+    void take();
+    void mark(const std::string &state) const;
+  };
+} // namespace birdstrike

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace birdstrike
+{
+  /// The outcome of a run in stable keys for scripts (summary.json): SI units, absent parts are zero, a quantity that
+  /// could not be computed (NaN) becomes null. The members are the keys.
+  struct Summary
+  {
+    std::string case_name; ///< key "case"
+    struct
+    {
+      double      time = 0.; ///< s
+      std::string reason;
+    } end;
+    struct
+    {
+      std::string kind     = "none"; ///< shell, rigid, none
+      std::size_t elements = 0;
+      std::size_t nodes    = 0;
+      double      mass     = 0.; ///< kg
+    } blade;
+    struct
+    {
+      std::size_t           particles      = 0;
+      double                mass           = 0.; ///< kg
+      double                kinetic_energy = 0.; ///< J, at the start
+      std::array<double, 3> momentum{};          ///< N s, at the start
+    } bird;
+    struct
+    {
+      std::size_t blade = 0;
+      std::size_t bird  = 0;
+    } steps;
+    struct
+    {
+      double peak = 0., peak_time = 0.,
+             final = 0.; ///< m, s, m: mid-chord, along the strike normal, positive with the bird
+    } tip;
+    struct
+    {
+      double peak_normal_stress      = 0.; ///< Pa
+      double peak_normal_stress_time = 0.; ///< s
+      double peak_moment             = 0.; ///< N m
+      double peak_force              = 0.; ///< N
+    } root;
+    struct
+    {
+      std::array<double, 3> impulse{};                         ///< N s, on the blade
+      double                peak_force                   = 0.; ///< N
+      double                max_penetration              = 0.; ///< m
+      double                max_penetration_over_spacing = 0.;
+    } contact;
+    struct
+    {
+      double                max_strain = 0.;
+      std::array<double, 3> position{}; ///< m, reference position of the largest strain
+      double                work = 0.;  ///< J
+    } plastic;
+    struct
+    {
+      double                        initial                     = 0.; ///< J
+      double                        final                       = 0.; ///< J
+      double                        max_relative_error          = 0.;
+      double                        max_hourglass_over_internal = 0.;
+      std::map<std::string, double> parts; ///< J at the end, e.g. "blade_elastic"
+    } energy;
+    struct
+    {
+      double max_relative_error = 0.;
+    } momentum;
+    struct
+    {
+      std::size_t particles = 0;
+      double      mass      = 0.; ///< kg
+      double      energy    = 0.; ///< J
+    } retired;
+    std::map<std::string, double> skipped; ///< what was not computed, e.g. "flight_time" (s), "contact_searches"
+    struct
+    {
+      double      wall                 = 0.; ///< s
+      std::size_t threads              = 1;
+      double      ns_per_particle_step = 0.;
+      double      ns_per_element_step  = 0.;
+      std::size_t peak_memory          = 0; ///< bytes, resident
+    } cost;
+  };
+
+  void to_json(nlohmann::json &json, const Summary &summary);
+
+  /// The text of summary.json.
+  std::string to_text(const Summary &summary);
+
+  /// Largest resident memory of this process so far (bytes).
+  std::size_t compute_peak_memory();
+} // namespace birdstrike
