@@ -91,16 +91,9 @@ namespace birdstrike
   {
     return a < b ? b : a;
   }
-  template <class T, class Abi>
-  inline stdx::simd<T, Abi> min(const stdx::simd<T, Abi> &a, const stdx::simd<T, Abi> &b)
-  {
-    return stdx::min(a, b);
-  }
-  template <class T, class Abi>
-  inline stdx::simd<T, Abi> max(const stdx::simd<T, Abi> &a, const stdx::simd<T, Abi> &b)
-  {
-    return stdx::max(a, b);
-  }
+  // stdx::min and stdx::max are found by argument; a template of the same signature here would be ambiguous.
+  using stdx::max;
+  using stdx::min;
 
   /// Lane k of a number; for `double` the number itself.
   inline double lane(const double a, std::size_t)
