@@ -1,0 +1,202 @@
+#include <birdstrike/core/log.h>
+#include <birdstrike/io/history.h>
+
+#include <algorithm>
+#include <charconv>
+#include <spdlog/spdlog.h>
+#include <stdexcept>
+
+#include "history_hdf5.h"
+
+namespace birdstrike
+{
+  namespace
+  {
+    std::size_t compute_size(const std::vector<History::Axis> &axes)
+    {
+      std::size_t size = 1;
+      for (const History::Axis &axis : axes)
+        size *= axis.values.size();
+      return size;
+    }
+
+    /// The shortest digits that read back as the same number.
+    void add_number(std::string &line, const double value)
+    {
+      char       digits[32];
+      const auto end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
+      line.append(digits, end);
+    }
+  } // namespace
+
+  History::History(const std::filesystem::path &folder, const bool write_hdf5)
+    : folder(folder), write_hdf5(write_hdf5), csv(folder / "history.csv", std::ios::binary)
+  {
+    if (!csv)
+      throw std::runtime_error("Cannot write " + (folder / "history.csv").string());
+  }
+
+  History::~History()
+  {
+    try
+      {
+        flush();
+      }
+    catch (const std::exception &error)
+      {
+        log().error("{}", error.what());
+      }
+  }
+
+  void History::require_new_name(const std::string &name) const
+  {
+    const auto is_taken = [&](const auto &item) { return item.name == name; };
+    if (name.empty() || name == "history" || std::any_of(columns.begin(), columns.end(), is_taken) ||
+        std::any_of(profiles.begin(), profiles.end(), is_taken))
+      throw std::logic_error("History: the name '" + name + "' is empty or taken.");
+    if (rows > 0)
+      throw std::logic_error("History: '" + name + "' is added after the first row.");
+  }
+
+  void History::add_column(const std::string &name, const std::string &unit, std::function<double()> value)
+  {
+    require_new_name(name);
+    if (name.find_first_of(", \n/") != std::string::npos)
+      throw std::logic_error("History: the name '" + name + "' holds a comma, a blank or a slash.");
+    columns.push_back({name, unit, std::move(value), {}});
+  }
+
+  void History::add_profile(const std::string &name, const std::string &unit, std::vector<Axis> axes,
+                            std::function<void(std::span<double>)> fill)
+  {
+    require_new_name(name);
+    const std::size_t size = compute_size(axes);
+    if (size > 0 && write_hdf5)
+      profiles.push_back({name, unit, std::move(axes), size, std::move(fill), {}});
+  }
+
+  void History::set_constant(const std::string &name, const std::string &unit, std::vector<Axis> axes,
+                             std::vector<double> values)
+  {
+    const std::size_t size = compute_size(axes);
+    if (size != values.size() || name == "history")
+      throw std::logic_error("History: '" + name + "' has " + std::to_string(values.size()) + " values for " +
+                             std::to_string(size) + " places.");
+    if (size > 0)
+      constants[name] = {name, unit, std::move(axes), size, {}, std::move(values)};
+  }
+
+  void History::append_row()
+  {
+    for (Column &column : columns)
+      column.rows.push_back(column.value());
+    for (Profile &profile : profiles)
+      {
+        profile.rows.resize(profile.rows.size() + profile.size);
+        profile.fill(std::span<double>(profile.rows).last(profile.size));
+      }
+    ++rows;
+  }
+
+  void History::write_csv_header()
+  {
+    std::string names;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      {
+        csv << "# " << i + 1 << ": " << columns[i].name << " [" << columns[i].unit << "]\n";
+        names += (i > 0 ? "," : "") + columns[i].name;
+      }
+    csv << names << '\n';
+  }
+
+  void History::write_csv_rows()
+  {
+    if (rows_in_file == 0 && rows > 0)
+      write_csv_header();
+    std::string line;
+    for (; rows_in_file < rows; ++rows_in_file)
+      {
+        line.clear();
+        for (const Column &column : columns)
+          {
+            if (!line.empty())
+              line += ',';
+            add_number(line, column.rows[rows_in_file]);
+          }
+        csv << line << '\n';
+      }
+    csv.flush();
+    if (!csv)
+      throw std::runtime_error("Cannot write " + (folder / "history.csv").string() + ": is the disk full?");
+  }
+
+  void History::flush()
+  {
+    const bool has_new_rows = rows_in_file < rows;
+    write_csv_rows();
+    if (write_hdf5 && (has_new_rows || !constants.empty()))
+      write_results();
+  }
+
+  void History::write_results() const
+  {
+    ResultsFile results(folder / "results.h5");
+    for (const Column &column : columns)
+      if (rows > 0)
+        results.write("history", column.name, column.unit, {rows}, column.rows);
+    const auto write_axes = [&](const Profile &profile) {
+      for (const Axis &axis : profile.axes)
+        results.write(profile.name, axis.name, axis.unit, {axis.values.size()}, axis.values);
+    };
+    const auto shape_of = [](const Profile &profile) {
+      std::vector<std::size_t> shape;
+      for (const Axis &axis : profile.axes)
+        shape.push_back(axis.values.size());
+      return shape;
+    };
+    for (const Profile &profile : profiles)
+      {
+        auto shape = shape_of(profile);
+        shape.insert(shape.begin(), rows);
+        write_axes(profile);
+        if (rows > 0)
+          results.write(profile.name, "values", profile.unit, shape, profile.rows);
+      }
+    for (const auto &[name, constant] : constants)
+      {
+        write_axes(constant);
+        results.write(name, "values", constant.unit, shape_of(constant), constant.rows);
+      }
+    results.close();
+  }
+
+  std::size_t History::n_rows() const
+  {
+    return rows;
+  }
+
+  std::vector<std::string> History::column_names() const
+  {
+    std::vector<std::string> names;
+    for (const Column &column : columns)
+      names.push_back(column.name);
+    return names;
+  }
+
+  const std::vector<double> &History::column(const std::string &name) const
+  {
+    for (const Column &column : columns)
+      if (column.name == name)
+        return column.rows;
+    throw std::logic_error("History: there is no column '" + name + "'.");
+  }
+
+  std::size_t History::bytes_per_row() const
+  {
+    // 18 characters are the mean length of a printed double with its comma (measured on sampled sines).
+    std::size_t bytes = columns.size() * (18 + (write_hdf5 ? sizeof(double) : 0));
+    for (const Profile &profile : profiles)
+      bytes += profile.size * sizeof(double);
+    return bytes;
+  }
+} // namespace birdstrike

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// Writes one HDF5 file whole: under a temporary name until close(), so that a reader never meets half a file.
+  /// Throws std::runtime_error where the disk refuses.
+  class ResultsFile
+  {
+  public:
+    explicit ResultsFile(const std::filesystem::path &path);
+    ~ResultsFile();
+
+    /// /<group>/<name>, row-major, with the attribute "unit".
+    void write(const std::string &group, const std::string &name, const std::string &unit,
+               const std::vector<std::size_t> &shape, const std::vector<double> &values);
+
+    void close();
+
+  private:
+    struct Open;
+    std::filesystem::path path, part;
+    std::unique_ptr<Open> open;
+    std::size_t           n_bytes = 0;
+  };
+} // namespace birdstrike

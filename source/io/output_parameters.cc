@@ -1,0 +1,35 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/output_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace birdstrike
+{
+  void OutputParameters::declare(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.enter_subsection("Output");
+    prm.add_parameter("Directory", directory, "Folder of the run; empty stands for runs/<case name>. [-]");
+    prm.add_parameter("History interval", history_interval,
+                      "Simulated time between two rows of the histories; 0 writes every step. [s]", Double(0.));
+    prm.add_parameter("Field interval", field_interval,
+                      "Simulated time between two field files; 0 writes the first and the last state only. [s]",
+                      Double(0.));
+    prm.add_parameter("Console interval", console_interval, "Time on the clock between two progress lines. [s]",
+                      Double(0.));
+    prm.add_parameter("Flush interval", flush_interval,
+                      "Time on the clock after which the histories on disk are brought up to date. [s]", Double(0.));
+    prm.add_parameter("Blade fields", blade_fields, "Whether fields of the blade are written for ParaView. [-]",
+                      Bool());
+    prm.add_parameter("Bird fields", bird_fields, "Whether fields of the bird are written for ParaView. [-]", Bool());
+    prm.add_parameter("HDF5", hdf5, "Whether histories and root profiles are also written to results.h5. [-]", Bool());
+    prm.leave_subsection();
+  }
+
+  void OutputParameters::check() const
+  {
+    if (!(console_interval > 0.))
+      throw InputError("Output/Console interval is 0 s: a line for every step would be most of the work.\n"
+                       "  Allowed: a number above 0; 2 is a good value.");
+  }
+} // namespace birdstrike

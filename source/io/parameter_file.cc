@@ -1,0 +1,164 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/parameter_file.h>
+#include <birdstrike/io/parameter_scan.h>
+#include <birdstrike/io/parameter_tree.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// What an exception of deal.II says, without its frame and stack, on one line.
+    std::string short_text(const std::exception &error)
+    {
+      std::ostringstream text;
+      if (const auto *of_library = dynamic_cast<const dealii::ExceptionBase *>(&error))
+        of_library->print_info(text);
+      else
+        text << error.what();
+      std::istringstream words(text.str());
+      std::string        word, line;
+      while (words >> word && line.size() < 160)
+        line += (line.empty() ? "" : " ") + word;
+      return line;
+    }
+
+    void assign(dealii::ParameterHandler &prm, const Assignment &assignment)
+    {
+      for (const std::string &name : assignment.section)
+        prm.enter_subsection(name);
+      try
+        {
+          prm.set(assignment.name, assignment.value);
+        }
+      catch (const std::exception &error)
+        {
+          throw InputError(assignment.where.text() + ", section '" + to_string(assignment.section) + "': '" +
+                           assignment.name + "' cannot be '" + assignment.value + "'.\n  Reason: " + short_text(error));
+        }
+      for (std::size_t i = 0; i < assignment.section.size(); ++i)
+        prm.leave_subsection();
+    }
+
+    /// Appends text as comment lines of at most 100 columns.
+    void add_comment(std::string &out, const std::string &indent, const std::string &text)
+    {
+      std::istringstream words(text);
+      std::string        word, line = indent + "#";
+      while (words >> word)
+        {
+          if (line.size() + word.size() + 1 > 100)
+            {
+              out += line + "\n";
+              line = indent + "#";
+            }
+          line += " " + word;
+        }
+      out += line + "\n";
+    }
+
+    void add_prm_section(std::string &out, const ParameterTree &tree, const SectionPath &section)
+    {
+      const std::string indent(2 * section.size(), ' ');
+      for (const KnownEntry &entry : tree.entries())
+        if (entry.section == section)
+          {
+            add_comment(out, indent, entry.text + (entry.unit.empty() ? "" : " [" + entry.unit + "]"));
+            add_comment(out, indent,
+                        "Range: " + entry.range +
+                          ". Default: " + (entry.default_value.empty() ? "empty" : entry.default_value) + ".");
+            out += indent + "set " + entry.name + " =" + (entry.value.empty() ? "" : " ") + entry.value + "\n\n";
+          }
+      for (const std::string &name : tree.subsection_names(section))
+        {
+          SectionPath inner = section;
+          inner.push_back(name);
+          out += indent + "subsection " + name + "\n";
+          add_prm_section(out, tree, inner);
+          if (out.size() > 2 && out.compare(out.size() - 2, 2, "\n\n") == 0)
+            out.pop_back();
+          out += indent + "end\n\n";
+        }
+    }
+
+    std::string read_text(const std::string &path)
+    {
+      std::ifstream      in(path, std::ios::binary);
+      std::ostringstream text;
+      text << in.rdbuf();
+      return text.str();
+    }
+  } // namespace
+
+  ParameterFile::ParameterFile(const std::vector<ParameterGroup> &groups)
+    : groups(groups), prm(std::make_unique<dealii::ParameterHandler>())
+  {
+    for (const ParameterGroup &group : groups)
+      group.declare(*prm);
+  }
+
+  ParameterFile::~ParameterFile() = default;
+
+  void ParameterFile::read(const std::string &path, const std::vector<std::string> &overrides)
+  {
+    const ParameterTree     known       = tree();
+    std::vector<Assignment> assignments = scan_parameter_file(path, known);
+    for (const std::string &text : overrides)
+      assignments.push_back(scan_override(text, known));
+    original_text = read_text(path);
+    for (const Assignment &assignment : assignments)
+      assign(*prm, assignment);
+    for (const ParameterGroup &group : groups)
+      try
+        {
+          group.check();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(path + ": " + error.what());
+        }
+  }
+
+  const std::string &ParameterFile::original() const
+  {
+    return original_text;
+  }
+
+  std::string ParameterFile::as_prm() const
+  {
+    std::string text;
+    add_prm_section(text, tree(), {});
+    while (text.size() > 1 && text.compare(text.size() - 2, 2, "\n\n") == 0)
+      text.pop_back();
+    return text;
+  }
+
+  std::string ParameterFile::as_json() const
+  {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const KnownEntry &entry : tree().entries())
+      {
+        nlohmann::ordered_json *node = &json;
+        for (const std::string &name : entry.section)
+          node = &(*node)[name];
+        (*node)[entry.name] = {{"text", entry.text},
+                               {"unit", entry.unit},
+                               {"range", entry.range},
+                               {"default", entry.default_value},
+                               {"value", entry.value}};
+      }
+    return json.dump(2) + "\n";
+  }
+
+  ParameterTree ParameterFile::tree() const
+  {
+    return ParameterTree(*prm);
+  }
+} // namespace birdstrike

@@ -1,0 +1,147 @@
+#include "parameter_messages.h"
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    std::string list_names(const std::vector<std::string> &names)
+    {
+      std::string text;
+      for (const std::string &name : names)
+        {
+          if (text.size() + name.size() > 100)
+            return text + ", ...";
+          text += (text.empty() ? "" : ", ") + name;
+        }
+      return text;
+    }
+
+    std::vector<std::string> all_entry_names(const ParameterTree &known)
+    {
+      std::vector<std::string> names;
+      for (const KnownEntry &entry : known.entries())
+        names.push_back(entry.name);
+      return names;
+    }
+
+    std::string list_sections(const std::vector<SectionPath> &sections)
+    {
+      std::vector<std::string> names;
+      for (const SectionPath &section : sections)
+        names.push_back("'" + to_string(section) + "'");
+      return list_names(names);
+    }
+
+    std::string describe_entry(const KnownEntry &entry)
+    {
+      return entry.range + (entry.unit.empty() ? "" : " [" + entry.unit + "]") + "; default " +
+             quote(entry.default_value);
+    }
+  } // namespace
+
+  std::string message(const std::initializer_list<std::string> lines)
+  {
+    std::string text;
+    for (const std::string &line : lines)
+      if (!line.empty())
+        text += (text.empty() ? "" : "\n") + line;
+    return text;
+  }
+
+  std::string quote(const std::string &text)
+  {
+    return "'" + (text.size() > 80 ? text.substr(0, 77) + "..." : text) + "'";
+  }
+
+  std::string describe_unknown_entry(const SourceLine &where, const SectionPath &section, const std::string &name,
+                                     const ParameterTree &known)
+  {
+    const std::vector<SectionPath> elsewhere = known.sections_with(name);
+    const std::string              here      = nearest_name(name, known.entry_names(section));
+    std::string                    advice;
+    if (!elsewhere.empty())
+      advice = "  " + quote(name) + " is an entry of section " + list_sections(elsewhere) + ": set it there.";
+    else if (!here.empty())
+      advice = "  Nearest name here: '" + here + "' (" + describe_entry(*known.find(section, here)) + ").";
+    else if (const std::string anywhere = nearest_name(name, all_entry_names(known)); !anywhere.empty())
+      advice = "  Nearest name: '" + anywhere + "' in section " + list_sections(known.sections_with(anywhere)) + ".";
+    const std::string names = list_names(known.entry_names(section));
+    return message(
+      {where.text() + ", section '" + to_string(section) + "': there is no entry " + quote(name) + " here.", advice,
+       "  Entries here: " + (names.empty() ? "none" : names),
+       "  Action: correct the name; 'birdstrike parameters' prints every entry."});
+  }
+
+  std::string describe_unknown_section(const SourceLine &where, const SectionPath &section,
+                                       const unsigned int opened_at, const std::string &name,
+                                       const ParameterTree &known)
+  {
+    std::string forgotten_end;
+    SectionPath outer = section;
+    while (!outer.empty() && forgotten_end.empty())
+      {
+        outer.pop_back();
+        SectionPath candidate = outer;
+        candidate.push_back(name);
+        if (known.has_section(candidate) && opened_at > 0)
+          forgotten_end = "  " + quote(name) + " is a section of " + to_string(outer) + ": is 'end' missing for '" +
+                          section.back() + "', opened in line " + std::to_string(opened_at) + "?";
+      }
+    const std::vector<std::string> here    = known.subsection_names(section);
+    const std::string              nearest = nearest_name(name, here);
+    const std::string              names   = list_names(here);
+    return message({where.text() + ": there is no subsection " + quote(name) + " in " +
+                      (section.empty() ? to_string(section) : "'" + to_string(section) + "'") + ".",
+                    forgotten_end, nearest.empty() ? "" : "  Nearest name here: '" + nearest + "'.",
+                    "  Subsections here: " + (names.empty() ? "none" : names),
+                    "  Action: correct the name; 'birdstrike parameters' prints every section."});
+  }
+
+  std::string describe_bad_value(const SourceLine &where, const KnownEntry &entry, const std::string &value)
+  {
+    std::string nearest;
+    if (entry.range.rfind("one of ", 0) == 0)
+      {
+        std::vector<std::string> choices;
+        for (std::size_t begin = 7; begin < entry.range.size();)
+          {
+            const std::size_t end = std::min(entry.range.find(", ", begin), entry.range.size());
+            choices.push_back(entry.range.substr(begin, end - begin));
+            begin = end + 2;
+          }
+        nearest = nearest_name(value, choices);
+      }
+    return message({where.text() + ", section '" + to_string(entry.section) + "': '" + entry.name + "' cannot be " +
+                      quote(value) + ".",
+                    "  Allowed: " + describe_entry(entry) + ".",
+                    nearest.empty() ? "" : "  Nearest choice: '" + nearest + "'.", "  Meaning: " + entry.text});
+  }
+
+  std::string describe_bad_statement(const SourceLine &where, const std::string &statement)
+  {
+    return message({where.text() + ": this is no statement of a parameter file.", "  Read: " + quote(statement),
+                    "  Allowed: subsection NAME | end | set ENTRY = VALUE | include FILE | # comment"});
+  }
+
+  std::string describe_missing_file(const std::filesystem::path &path, const SourceLine &includer)
+  {
+    namespace fs = std::filesystem;
+    std::error_code          error;
+    std::vector<std::string> others;
+    const fs::path           folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    for (const auto &other : fs::directory_iterator(folder, error))
+      if (other.path().extension() == path.extension() || other.path().extension() == ".prm")
+        others.push_back(other.path().filename().string());
+    std::sort(others.begin(), others.end());
+    const std::string nearest = nearest_name(path.filename().string(), others);
+    const std::string reason  = fs::is_directory(path, error) ? "it is a folder"
+                                : fs::exists(path, error)     ? "it cannot be opened"
+                                                              : "there is no such file";
+    return message({"Cannot read the parameter file '" + path.string() + "': " + reason + ".",
+                    includer.line > 0 ? "  Included by " + includer.text() + "." : "",
+                    nearest.empty() ? "" : "  Nearest name there: '" + (folder / nearest).string() + "'.",
+                    "  Action: correct the path."});
+  }
+} // namespace birdstrike

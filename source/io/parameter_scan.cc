@@ -1,0 +1,217 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/parameter_scan.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "parameter_messages.h"
+
+namespace birdstrike
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /// Outer blanks removed, inner runs of blanks made one: deal.II's own reading of a line.
+    std::string normalise(const std::string &text)
+    {
+      std::istringstream in(text);
+      std::string        word, result;
+      while (in >> word)
+        result += (result.empty() ? "" : " ") + word;
+      return result;
+    }
+
+    std::string without_comment(const std::string &text)
+    {
+      return text.substr(0, text.find('#'));
+    }
+
+    /// Truth as people write it, in deal.II's spelling.
+    std::string normalise_value(const std::string &value, const KnownEntry &entry)
+    {
+      if (entry.pattern != "[Bool]")
+        return value;
+      if (value == "on" || value == "yes")
+        return "true";
+      return value == "off" || value == "no" ? "false" : value;
+    }
+
+    Assignment make_assignment(const SectionPath &section, const std::string &statement, const SourceLine &where,
+                               const ParameterTree &known)
+    {
+      const std::size_t equals = statement.find('=');
+      if (equals == std::string::npos)
+        throw InputError(message({where.text() + ", section '" + to_string(section) + "': '=' is missing.",
+                                  "  Read: " + quote(statement), "  Allowed: set ENTRY = VALUE"}));
+      const std::string name  = normalise(statement.substr(0, equals));
+      const KnownEntry *entry = known.find(section, name);
+      if (entry == nullptr)
+        throw InputError(describe_unknown_entry(where, section, name, known));
+      const std::string value = normalise_value(normalise(statement.substr(equals + 1)), *entry);
+      if (!entry->allows(value))
+        throw InputError(describe_bad_value(where, *entry, value));
+      return {section, name, value, where};
+    }
+
+    /// One file: the state between its lines.
+    class FileScanner
+    {
+    public:
+      FileScanner(const fs::path &path, const SectionPath &start, const ParameterTree &known, const unsigned int depth)
+        : path(path), known(known), depth(depth), start(start), section(start)
+      {
+      }
+
+      std::vector<Assignment> scan()
+      {
+        std::ifstream in(path);
+        if (!in || fs::is_directory(path))
+          throw InputError(describe_missing_file(path, includer));
+        std::string  line;
+        unsigned int number = 0;
+        while (std::getline(in, line))
+          {
+            where             = {path.string(), ++number};
+            std::string whole = line;
+            while (is_continued(whole) && std::getline(in, line))
+              {
+                ++number;
+                const std::size_t first = line.find_first_not_of(" \t");
+                whole.erase(whole.find_last_of('\\'));
+                whole += first == std::string::npos ? "" : line.substr(first);
+              }
+            read_statement(normalise(without_comment(whole)));
+          }
+        if (!opened_at.empty())
+          throw InputError(message({path.string() + ": subsection '" + section.back() + "', opened in line " +
+                                      std::to_string(opened_at.back()) + ", has no 'end'.",
+                                    "  Action: close every 'subsection NAME' with a line 'end'."}));
+        return std::move(assignments);
+      }
+
+      SourceLine includer; ///< the line that named this file; line 0 for the outermost
+
+    private:
+      fs::path                  path;
+      const ParameterTree      &known;
+      unsigned int              depth;
+      SectionPath               start;
+      SectionPath               section;
+      std::vector<unsigned int> opened_at;
+      std::vector<Assignment>   assignments;
+      SourceLine                where;
+
+      static bool is_continued(const std::string &line)
+      {
+        const std::size_t last = line.find_last_not_of(" \t\r");
+        return last != std::string::npos && line[last] == '\\';
+      }
+
+      void read_statement(const std::string &statement)
+      {
+        const std::size_t blank   = statement.find(' ');
+        std::string       keyword = statement.substr(0, blank);
+        const std::string rest    = blank == std::string::npos ? "" : statement.substr(blank + 1);
+        if (std::all_of(keyword.begin(), keyword.end(), [](const unsigned char c) { return std::isupper(c); }))
+          std::transform(keyword.begin(), keyword.end(), keyword.begin(),
+                         [](const unsigned char c) { return std::tolower(c); });
+        if (statement.empty())
+          return;
+        if (keyword == "subsection" && !rest.empty())
+          enter(rest);
+        else if (keyword == "end" && rest.empty())
+          leave();
+        else if (keyword == "set" && !rest.empty())
+          add(make_assignment(section, rest, where, known));
+        else if (keyword == "include" && !rest.empty())
+          include(rest);
+        else
+          throw InputError(describe_bad_statement(where, statement));
+      }
+
+      void enter(const std::string &name)
+      {
+        SectionPath inner = section;
+        inner.push_back(name);
+        if (!known.has_section(inner))
+          throw InputError(
+            describe_unknown_section(where, section, opened_at.empty() ? 0 : opened_at.back(), name, known));
+        section = inner;
+        opened_at.push_back(where.line);
+      }
+
+      void leave()
+      {
+        if (opened_at.empty())
+          throw InputError(message({where.text() + ": 'end' without an open subsection.",
+                                    "  Action: remove the line, or open the section that it closes."}));
+        opened_at.pop_back();
+        section.pop_back();
+      }
+
+      void add(const Assignment &assignment)
+      {
+        for (const Assignment &earlier : assignments)
+          if (earlier.section == assignment.section && earlier.name == assignment.name &&
+              earlier.where.file == where.file)
+            throw InputError(message(
+              {where.text() + ", section '" + to_string(section) + "': '" + assignment.name + "' is set a second time.",
+               "  Read: " + quote(earlier.value) + " in line " + std::to_string(earlier.where.line) + ", now " +
+                 quote(assignment.value) + ".",
+               "  Action: remove one of the two lines."}));
+        assignments.push_back(assignment);
+      }
+
+      void include(const std::string &name)
+      {
+        // A chain of this length can only be a file that includes itself.
+        if (depth == 16)
+          throw InputError(
+            message({where.text() + ": files include each other without end.", "  Read: include " + name}));
+        FileScanner inner(path.parent_path() / name, section, known, depth + 1);
+        inner.includer = where;
+        for (Assignment &assignment : inner.scan())
+          assignments.push_back(std::move(assignment));
+      }
+    };
+  } // namespace
+
+  std::string SourceLine::text() const
+  {
+    return line > 0 ? file + ", line " + std::to_string(line) : file;
+  }
+
+  std::vector<Assignment> scan_parameter_file(const std::string &path, const ParameterTree &known)
+  {
+    return FileScanner(path, {}, known, 0).scan();
+  }
+
+  Assignment scan_override(const std::string &text, const ParameterTree &known)
+  {
+    const SourceLine  where{"--set " + quote(text), 0};
+    const std::size_t equals = text.find('=');
+    const std::size_t slash  = equals == std::string::npos ? equals : text.rfind('/', equals);
+    if (equals == std::string::npos || slash == std::string::npos)
+      throw InputError(
+        message({where.text() + ": no section or no value.", "  Allowed: --set \"Section/Sub section/Entry=value\""}));
+    if (text.find_first_of("#\n\\") != std::string::npos)
+      throw InputError(message(
+        {where.text() + ": '#', '\\' and line breaks cannot stand in a parameter file.", "  Action: leave them out."}));
+    SectionPath        section;
+    std::istringstream in(text.substr(0, slash));
+    for (std::string name; std::getline(in, name, '/');)
+      {
+        name              = normalise(name);
+        SectionPath inner = section;
+        inner.push_back(name);
+        if (!known.has_section(inner))
+          throw InputError(describe_unknown_section(where, section, 0, name, known));
+        section = inner;
+      }
+    return make_assignment(section, text.substr(slash + 1), where, known);
+  }
+} // namespace birdstrike

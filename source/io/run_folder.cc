@@ -1,0 +1,151 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/run_folder.h>
+
+#include <sys/file.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <unistd.h>
+
+namespace birdstrike
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    constexpr auto marker = ".birdstrike";
+
+    bool is_written_by_a_run(const fs::path &path)
+    {
+      const std::string name = path.filename().string(), extension = path.extension().string();
+      for (const char *known :
+           {"original.prm", "parameters.prm", "log.txt", "history.csv", "results.h5", "summary.json"})
+        if (name == known || name == std::string(known) + ".part")
+          return true;
+      return extension == ".pvd" || extension == ".vtu" || extension == ".checkpoint";
+    }
+
+    /// Removes the files of an earlier run and folders that this leaves empty.
+    void remove_results(const fs::path &folder)
+    {
+      for (const auto &entry : fs::directory_iterator(folder))
+        if (entry.is_regular_file() && is_written_by_a_run(entry.path()))
+          fs::remove(entry.path());
+      const fs::path fields = folder / "fields";
+      if (!fs::is_directory(fs::symlink_status(fields)))
+        return;
+      remove_results(fields);
+      if (fs::is_empty(fields))
+        fs::remove(fields);
+    }
+  } // namespace
+
+  RunFolder::RunFolder(const fs::path &directory) : directory(directory)
+  {
+    try
+      {
+        take();
+      }
+    catch (const fs::filesystem_error &error)
+      {
+        if (lock >= 0)
+          ::close(lock);
+        throw InputError("Cannot write into the run folder '" + directory.string() + "': " + error.code().message() +
+                         ".\n  Action: choose another folder with --output DIR.");
+      }
+    catch (...)
+      {
+        if (lock >= 0)
+          ::close(lock);
+        throw;
+      }
+  }
+
+  RunFolder::~RunFolder()
+  {
+    if (!is_ended)
+      fail("interrupted");
+    ::close(lock);
+  }
+
+  void RunFolder::take()
+  {
+    if (fs::exists(directory) && !fs::is_directory(directory))
+      throw InputError("The run folder '" + directory.string() +
+                       "' is a file.\n  Action: choose another folder with --output DIR.");
+    fs::create_directories(directory);
+    if (!fs::exists(file(marker)) && !fs::is_empty(directory))
+      throw InputError("The folder '" + directory.string() +
+                       "' holds files that no run has written.\n  Allowed: a new or empty folder, or that of an "
+                       "earlier run, which is replaced.\n  Action: choose another folder with --output DIR.");
+    lock = ::open(file(marker).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (lock < 0)
+      throw fs::filesystem_error("marker", file(marker), std::error_code(errno, std::generic_category()));
+    // Some network file systems know no locks: there, nothing stops a second run.
+    if (::flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+      throw InputError("Another run is writing into the folder '" + directory.string() +
+                       "'.\n  Action: wait for it, or choose another folder with --output DIR.");
+    remove_results(directory);
+    mark("running");
+  }
+
+  void RunFolder::mark(const std::string &state) const
+  {
+    // In place, not by rename: the lock belongs to this very file.
+    const std::string line = state + "\n";
+    if (::ftruncate(lock, 0) != 0 || ::pwrite(lock, line.data(), line.size(), 0) != static_cast<ssize_t>(line.size()))
+      throw std::runtime_error("Cannot write " + file(marker).string() + ": " + std::strerror(errno));
+  }
+
+  const fs::path &RunFolder::path() const
+  {
+    return directory;
+  }
+
+  fs::path RunFolder::file(const std::string &name) const
+  {
+    return directory / name;
+  }
+
+  void RunFolder::write_text(const std::string &name, const std::string &text) const
+  {
+    const fs::path part = file(name + ".part");
+    {
+      std::ofstream out(part, std::ios::binary);
+      out << text;
+      out.flush();
+      if (!out)
+        throw std::runtime_error("Cannot write " + part.string() + ": " + std::strerror(errno));
+    }
+    // The name must not reach the disk before the text does.
+    const int descriptor = ::open(part.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor >= 0)
+      {
+        ::fsync(descriptor);
+        ::close(descriptor);
+      }
+    fs::rename(part, file(name));
+  }
+
+  void RunFolder::finish(const std::string &summary_json)
+  {
+    write_text("summary.json", summary_json);
+    is_ended = true;
+    mark("done");
+  }
+
+  void RunFolder::fail(const std::string &reason) noexcept
+  {
+    is_ended = true;
+    try
+      {
+        mark("failed: " + reason.substr(0, reason.find('\n')));
+      }
+    catch (const std::exception &)
+      {
+        // The marker still says "running" and there is no summary: nobody takes this for a result.
+      }
+  }
+} // namespace birdstrike

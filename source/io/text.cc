@@ -1,0 +1,102 @@
+#include <birdstrike/io/text.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace birdstrike
+{
+  namespace
+  {
+    template <class... Arguments>
+    std::string print(const char *format, const Arguments... arguments)
+    {
+      std::array<char, 64> text;
+      std::snprintf(text.data(), text.size(), format, arguments...);
+      return text.data();
+    }
+  } // namespace
+
+  std::string format_quantity(const double value, const std::string &unit)
+  {
+    const std::string blank_unit = unit.empty() || unit == "-" ? "" : " " + unit;
+    const bool        takes_prefix =
+      unit == "m" || unit == "s" || unit == "Pa" || unit == "J" || unit == "N" || unit == "N m" || unit == "W";
+    if (!takes_prefix || value == 0. || !std::isfinite(value))
+      return print("%.4g", value) + blank_unit;
+    static constexpr std::array<const char *, 8> prefixes{{"n", "u", "m", "", "k", "M", "G", "T"}};
+    // Rounded to the printed digits first: 999.96 is 1000, which is 1 k.
+    const double rounded  = std::strtod(print("%.3e", value).c_str(), nullptr);
+    const int    exponent = std::clamp(static_cast<int>(std::floor(std::log10(std::abs(rounded)) / 3. + 1e-12)), -3, 4);
+    const int    used     = unit == "m" ? std::min(exponent, 1) : exponent;
+    return print("%.4g ", value / std::pow(1000., used)) + prefixes[used + 3] + unit;
+  }
+
+  std::string format_bytes(const double bytes)
+  {
+    static constexpr std::array<const char *, 5> units{{"B", "KiB", "MiB", "GiB", "TiB"}};
+    double                                       value = bytes;
+    std::size_t                                  k     = 0;
+    for (; value >= 1000. && k + 1 < units.size(); ++k)
+      value /= 1024.;
+    return print("%.3g ", value) + units[k];
+  }
+
+  std::string format_count(const std::uint64_t n)
+  {
+    std::string digits = std::to_string(n);
+    for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+      digits.insert(i, " ");
+    return digits;
+  }
+
+  std::string format_duration(const double seconds)
+  {
+    if (!std::isfinite(seconds) || seconds < 0.)
+      return "unknown";
+    if (seconds < 59.95)
+      return print("%.1f s", seconds);
+    const auto whole = static_cast<unsigned long>(std::llround(seconds));
+    if (whole < 3600)
+      return print("%lu min %02lu s", whole / 60, whole % 60);
+    return print("%lu h %02lu min", whole / 3600, whole % 3600 / 60);
+  }
+
+  std::string format_share(const double share)
+  {
+    return print("%.3g %%", 100. * share);
+  }
+
+  TextTable::TextTable(std::string title) : title(std::move(title))
+  {
+  }
+
+  void TextTable::add_heading(const std::string &heading)
+  {
+    rows.push_back({heading, "", true});
+  }
+
+  void TextTable::add(const std::string &key, const std::string &value)
+  {
+    rows.push_back({key, value, false});
+  }
+
+  void TextTable::add(const std::string &key, const double value, const std::string &unit)
+  {
+    add(key, format_quantity(value, unit));
+  }
+
+  std::string TextTable::text() const
+  {
+    std::size_t width = 0;
+    for (const Row &row : rows)
+      if (!row.is_heading)
+        width = std::max(width, row.key.size());
+    std::string text = title.empty() ? "" : title + "\n";
+    for (const Row &row : rows)
+      text += row.is_heading ? row.key + "\n"
+                             : "  " + row.key + std::string(width - row.key.size() + 2, ' ') + row.value + "\n";
+    return text;
+  }
+} // namespace birdstrike
