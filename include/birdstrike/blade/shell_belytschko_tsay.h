@@ -1,0 +1,110 @@
+#pragma once
+
+#include <birdstrike/blade/shell_kernel.h>
+
+namespace birdstrike
+{
+  /// Belytschko, Lin & Tsay (1984): plane kinematics at the centre, director e3, perturbation hourglass control with
+  /// one coefficient r for membrane, w and theta modes. Stiffnesses of the five modes q = gamma_I v_I (their eq. 27):
+  ///   r/8 E t A B.B (membrane),  r/12 kappa G t^3 B.B (w),  r/192 E t^3 A B.B (theta),
+  /// written as strain-like amplitudes so that the section treats them as it treats physical stabilisation.
+  /// The rotation about the averaged nodal normal n is replaced by the spin of the element about n, and the moment
+  /// about n becomes the forces that work on this spin: free drilling makes curved shells converge to a wrong value.
+  ///
+  /// Known limits: fails the bending patch test on irregular meshes, and warped elements (twisted beam).
+  template <class Number>
+  struct BelytschkoTsay
+  {
+    const ShellGeometry<Number> &g;
+    Vector3<Number>              b1, b2; ///< contravariant base vectors, 1/m
+    Number                       membrane, w, theta;
+
+    BelytschkoTsay(const ShellGeometry<Number> &g, const Number &thickness, const double coefficient)
+      : g(g), b1(g.c1x * g.e1 + g.c1y * g.e2), b2(g.c2x * g.e1 + g.c2y * g.e2)
+    {
+      // B.B = sum_I (b_xI^2 + b_yI^2); 4: q = h_I v_I - ... = 4 u_gamma
+      const Number bb = 0.25 * (b1.dot(b1) + b2.dot(b2));
+      membrane        = 4. * sqrt(3. / 8. * coefficient * bb);
+      theta           = 4. * sqrt(3. / 16. * coefficient * bb);
+      w               = 4. * thickness * sqrt(0.25 * coefficient * bb / g.area);
+    }
+
+    /// Spin of the element from the displacement modes.
+    Vector3<Number> compute_spin(const ShellModes<Number> &u) const
+    {
+      const Vector3<Number> &n = g.e3;
+      const Number           z = b1.cross(u.m1).dot(n) + b2.cross(u.m2).dot(n);
+      return n.dot(u.m1) * b1.cross(n) + n.dot(u.m2) * b2.cross(n) + (0.5 * z) * n;
+    }
+
+    ShellVector<Number> compute_strains(const Vector3<Number> (&displacement)[4], const Vector3<Number> (&rotation)[4],
+                                        const Vector3<Number> (&normal)[4]) const
+    {
+      const auto            u    = ShellModes<Number>::of_corners(displacement);
+      const Vector3<Number> spin = compute_spin(u);
+      Vector3<Number>       director[4];
+      for (int i = 0; i < 4; ++i)
+        {
+          const Vector3<Number> relative  = rotation[i] - spin;
+          const Vector3<Number> projected = rotation[i] - normal[i].dot(relative) * normal[i];
+          director[i]                     = projected.cross(g.e3);
+        }
+      const auto             dd = ShellModes<Number>::of_corners(director);
+      const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2;
+      ShellVector<Number>    s;
+      physical_shell::compute_tensor(g, Number(a1.dot(u.m1)), Number(a2.dot(u.m2)), Number(a1.dot(u.m2) + a2.dot(u.m1)),
+                                     s.membrane);
+      physical_shell::compute_tensor(g, Number(a1.dot(dd.m1)), Number(a2.dot(dd.m2)),
+                                     Number(a1.dot(dd.m2) + a2.dot(dd.m1)), s.curvature);
+      const Number g1 = a1.dot(dd.m0) + g.e3.dot(u.m1), g2 = a2.dot(dd.m0) + g.e3.dot(u.m2);
+      s.shear[0]                     = g1 * g.c1x + g2 * g.c2x;
+      s.shear[1]                     = g1 * g.c1y + g2 * g.c2y;
+      const Vector3<Number> u_gamma  = u.m3 - g.alpha * u.m1 - g.beta * u.m2;
+      const Vector3<Number> dd_gamma = dd.m3 - g.alpha * dd.m1 - g.beta * dd.m2;
+      s.linear_membrane[0]           = membrane * g.e1.dot(u_gamma);
+      s.linear_membrane[1]           = membrane * g.e2.dot(u_gamma);
+      s.linear_curvature[0]          = theta * g.e1.dot(dd_gamma);
+      s.linear_curvature[1]          = theta * g.e2.dot(dd_gamma);
+      s.linear_shear[0]              = w * g.e3.dot(u_gamma);
+      s.linear_shear[1]              = Number(0.);
+      return s;
+    }
+
+    void compute_corner_forces(const ShellVector<Number> &r, const Vector3<Number> (&normal)[4],
+                               Vector3<Number> (&force)[4], Vector3<Number> (&moment)[4]) const
+    {
+      const Vector3<Number>                      &a1 = g.x.m1, &a2 = g.x.m2, &n = g.e3;
+      const physical_shell::Contravariant<Number> N(g, r.membrane), M(g, r.curvature);
+      const Number                                q1      = g.area * (r.shear[0] * g.c1x + r.shear[1] * g.c1y);
+      const Number                                q2      = g.area * (r.shear[0] * g.c2x + r.shear[1] * g.c2y);
+      const Number                                third   = g.area / Number(3.);
+      const Vector3<Number>                       f_gamma = (third * membrane * r.linear_membrane[0]) * g.e1 +
+                                      (third * membrane * r.linear_membrane[1]) * g.e2 +
+                                      (third * w * r.linear_shear[0]) * n;
+      const Vector3<Number> fd_gamma =
+        (third * theta * r.linear_curvature[0]) * g.e1 + (third * theta * r.linear_curvature[1]) * g.e2;
+      ShellModes<Number> f, fd;
+      fd.m0 = q1 * a1 + q2 * a2;
+      fd.m1 = M.n11 * a1 + M.n12 * a2 - g.alpha * fd_gamma;
+      fd.m2 = M.n12 * a1 + M.n22 * a2 - g.beta * fd_gamma;
+      fd.m3 = fd_gamma;
+      fd.corner_shares(moment);
+      Vector3<Number> about_normals = Vector3<Number>::Constant(Number(0.));
+      for (int i = 0; i < 4; ++i)
+        {
+          const Vector3<Number> m = n.cross(moment[i]);
+          const Vector3<Number> c = normal[i].dot(m) * normal[i];
+          moment[i]               = m - c;
+          about_normals += c;
+        }
+      const Number half = 0.5 * about_normals.dot(n);
+      f.m0              = Vector3<Number>::Constant(Number(0.));
+      f.m1 =
+        N.n11 * a1 + N.n12 * a2 - g.alpha * f_gamma + (q1 + about_normals.dot(b1.cross(n))) * n + half * n.cross(b1);
+      f.m2 =
+        N.n12 * a1 + N.n22 * a2 - g.beta * f_gamma + (q2 + about_normals.dot(b2.cross(n))) * n + half * n.cross(b2);
+      f.m3 = f_gamma;
+      f.corner_shares(force);
+    }
+  };
+} // namespace birdstrike

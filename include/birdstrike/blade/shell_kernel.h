@@ -1,0 +1,121 @@
+#pragma once
+
+#include <birdstrike/blade/shell_geometry.h>
+
+namespace birdstrike
+{
+  /// Strain increments of a one-point shell element, or the resultants that work on them: power per area is
+  ///   N.membrane + M.curvature + Q.shear, and a third of it for the linear parts (the mean of xi^2 and of eta^2).
+  template <class Number>
+  struct ShellVector
+  {
+    Number membrane[3];  ///< xx, yy, 2xy (strain, -); N_xx, N_yy, N_xy (N/m)
+    Number curvature[3]; ///< 1/m; M, N
+    Number shear[2];     ///< x, y; Q, N/m
+    // linear parts, as physical components along a1 and a2
+    Number linear_membrane[2]; ///< e_11 ~ eta, e_22 ~ xi
+    Number linear_curvature[2];
+    Number linear_shear[2]; ///< g_1 ~ eta, g_2 ~ xi
+  };
+
+  /// One-point quadrilateral shell, default formulation.
+  ///
+  /// Surface x and unit directors d (the averaged nodal normals) are bilinear; a node has displacement u and rotation
+  /// theta, its director moves by delta d = theta x d. Covariant increments (Dvorkin & Bathe 1984, eqs 6-10)
+  ///   e_ab = sym(x,a . u,b),  k_ab = sym(x,a . delta d,b + d,a . u,b),  g_a = x,a . delta d + d . u,a,
+  /// vanish for every rigid motion, of a warped element too, and do not contain the rotation about d: no drilling.
+  /// Warping enters through d,a and the warp of x (the z_gamma terms of Belytschko, Wong & Chiang 1992).
+  ///
+  /// Kept are the values at the centre, and of the rest what the stabilisation needs, so that nothing locks:
+  /// - e_11 linear in eta and e_22 linear in xi, less what a constant strain contributes, with the uncoupled modulus E
+  /// of
+  ///   Pian & Sumihara (1984), which is their element in closed form on a constant Jacobian; the same for k;
+  /// - g_1 linear in eta, g_2 linear in xi, tied at the edge midpoints as in MITC4 (Dvorkin & Bathe 1984).
+  /// This is physical stabilisation in the sense of Belytschko & Leviathan (1994) and Zeng & Combescure (1998): no
+  /// coefficient. The strain is 14-dimensional on 20 displacements (drilling apart): 6 rigid modes, no other.
+  namespace physical_shell
+  {
+    template <class Number>
+    inline void compute_tensor(const ShellGeometry<Number> &g, const Number &k11, const Number &k22,
+                               const Number &two_k12, Number (&k)[3])
+    {
+      k[0] = k11 * g.c1x * g.c1x + k22 * g.c2x * g.c2x + two_k12 * g.c1x * g.c2x;
+      k[1] = k11 * g.c1y * g.c1y + k22 * g.c2y * g.c2y + two_k12 * g.c1y * g.c2y;
+      k[2] = 2. * (k11 * g.c1x * g.c1y + k22 * g.c2x * g.c2y) + two_k12 * (g.c1x * g.c2y + g.c1y * g.c2x);
+    }
+
+    /// From displacement modes u and director increment modes dd.
+    template <class Number>
+    inline ShellVector<Number> compute_strains(const ShellGeometry<Number> &g, const ShellModes<Number> &u,
+                                               const ShellModes<Number> &dd)
+    {
+      const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
+      const Vector3<Number> &d0 = g.d.m0, &d1 = g.d.m1, &d2 = g.d.m2;
+      ShellVector<Number>    s;
+      compute_tensor(g, Number(a1.dot(u.m1)), Number(a2.dot(u.m2)), Number(a1.dot(u.m2) + a2.dot(u.m1)), s.membrane);
+      compute_tensor(g, Number(a1.dot(dd.m1) + d1.dot(u.m1)), Number(a2.dot(dd.m2) + d2.dot(u.m2)),
+                     Number(a1.dot(dd.m2) + a2.dot(dd.m1) + d1.dot(u.m2) + d2.dot(u.m1)), s.curvature);
+      const Number g1 = a1.dot(dd.m0) + a3.dot(dd.m2) + d0.dot(u.m1) + d2.dot(u.m3);
+      const Number g2 = a2.dot(dd.m0) + a3.dot(dd.m1) + d0.dot(u.m2) + d1.dot(u.m3);
+      s.shear[0]      = g1 * g.c1x + g2 * g.c2x;
+      s.shear[1]      = g1 * g.c1y + g2 * g.c2y;
+
+      const Vector3<Number> u_gamma  = u.m3 - g.alpha * u.m1 - g.beta * u.m2;
+      const Vector3<Number> dd_gamma = dd.m3 - g.alpha * dd.m1 - g.beta * dd.m2;
+      const Number          l1 = Number(1.) / a1.dot(a1), l2 = Number(1.) / a2.dot(a2);
+      s.linear_membrane[0] = l1 * (a1.dot(u_gamma) + g.warp * g.e3.dot(u.m1));
+      s.linear_membrane[1] = l2 * (a2.dot(u_gamma) + g.warp * g.e3.dot(u.m2));
+      s.linear_curvature[0] =
+        l1 * (a1.dot(dd_gamma) + g.warp * g.e3.dot(dd.m1) + d1.dot(u_gamma) + g.d_gamma.dot(u.m1));
+      s.linear_curvature[1] =
+        l2 * (a2.dot(dd_gamma) + g.warp * g.e3.dot(dd.m2) + d2.dot(u_gamma) + g.d_gamma.dot(u.m2));
+      const Number common = a3.dot(dd.m0) + d0.dot(u.m3);
+      s.linear_shear[0]   = sqrt(g.c1x * g.c1x + g.c1y * g.c1y) * (a1.dot(dd.m2) + d2.dot(u.m1) + common);
+      s.linear_shear[1]   = sqrt(g.c2x * g.c2x + g.c2y * g.c2y) * (a2.dot(dd.m1) + d1.dot(u.m2) + common);
+      return s;
+    }
+
+    template <class Number>
+    struct Contravariant
+    {
+      Number n11, n22, n12;
+      Contravariant(const ShellGeometry<Number> &g, const Number (&n)[3])
+        : n11(g.area * (n[0] * g.c1x * g.c1x + n[1] * g.c1y * g.c1y + 2. * n[2] * g.c1x * g.c1y))
+        , n22(g.area * (n[0] * g.c2x * g.c2x + n[1] * g.c2y * g.c2y + 2. * n[2] * g.c2x * g.c2y))
+        , n12(g.area * (n[0] * g.c1x * g.c2x + n[1] * g.c1y * g.c2y + n[2] * (g.c1x * g.c2y + g.c1y * g.c2x)))
+      {
+      }
+    };
+
+    /// The transpose of compute_strains, times the area: forces f on the modes of u, and fd on the modes of dd.
+    template <class Number>
+    inline void compute_mode_forces(const ShellGeometry<Number> &g, const ShellVector<Number> &r, ShellModes<Number> &f,
+                                    ShellModes<Number> &fd)
+    {
+      const Vector3<Number>      &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
+      const Vector3<Number>      &d0 = g.d.m0, &d1 = g.d.m1, &d2 = g.d.m2;
+      const Contravariant<Number> n(g, r.membrane), m(g, r.curvature);
+      const Number                third = g.area / Number(3.);
+      const Number                l1 = third / a1.dot(a1), l2 = third / a2.dot(a2);
+      const Number                h1 = l1 * r.linear_membrane[0], h2 = l2 * r.linear_membrane[1];
+      const Number                b1 = l1 * r.linear_curvature[0], b2 = l2 * r.linear_curvature[1];
+      const Number                q1 = g.area * (r.shear[0] * g.c1x + r.shear[1] * g.c1y);
+      const Number                q2 = g.area * (r.shear[0] * g.c2x + r.shear[1] * g.c2y);
+      const Number                r1 = third * sqrt(g.c1x * g.c1x + g.c1y * g.c1y) * r.linear_shear[0];
+      const Number                r2 = third * sqrt(g.c2x * g.c2x + g.c2y * g.c2y) * r.linear_shear[1];
+
+      const Vector3<Number> f_gamma  = h1 * a1 + h2 * a2 + b1 * d1 + b2 * d2;
+      const Vector3<Number> fd_gamma = b1 * a1 + b2 * a2;
+      f.m0                           = Vector3<Number>::Constant(Number(0.));
+      f.m1 = n.n11 * a1 + n.n12 * a2 + m.n11 * d1 + m.n12 * d2 + (h1 * g.warp) * g.e3 + b1 * g.d_gamma + q1 * d0 +
+             r1 * d2 - g.alpha * f_gamma;
+      f.m2 = n.n12 * a1 + n.n22 * a2 + m.n12 * d1 + m.n22 * d2 + (h2 * g.warp) * g.e3 + b2 * g.d_gamma + q2 * d0 +
+             r2 * d1 - g.beta * f_gamma;
+      f.m3  = q1 * d2 + q2 * d1 + (r1 + r2) * d0 + f_gamma;
+      fd.m0 = q1 * a1 + q2 * a2 + (r1 + r2) * a3;
+      fd.m1 = m.n11 * a1 + m.n12 * a2 + (b1 * g.warp) * g.e3 + q2 * a3 + r2 * a2 - g.alpha * fd_gamma;
+      fd.m2 = m.n12 * a1 + m.n22 * a2 + (b2 * g.warp) * g.e3 + q1 * a3 + r1 * a1 - g.beta * fd_gamma;
+      fd.m3 = fd_gamma;
+    }
+  } // namespace physical_shell
+} // namespace birdstrike

@@ -1,0 +1,102 @@
+#include <birdstrike/blade/shell_implementation.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  double ShellElements::elastic_energy() const
+  {
+    return implementation->sum(&Implementation::Batch::work) - plastic_work() - hourglass_energy();
+  }
+  double ShellElements::plastic_work() const
+  {
+    return implementation->sum(&Implementation::Batch::plastic);
+  }
+  double ShellElements::hourglass_energy() const
+  {
+    return implementation->sum(&Implementation::Batch::hourglass);
+  }
+
+  std::size_t ShellElements::n_elements() const
+  {
+    return implementation->cells.size();
+  }
+  std::size_t ShellElements::n_promoted() const
+  {
+    std::size_t n = 0;
+    for (std::size_t e = 0; e < n_elements(); ++e)
+      n += !implementation->points[e / n_lanes].empty();
+    return n;
+  }
+
+  namespace
+  {
+    unsigned int point_of(const ShellLayer layer, const unsigned int n)
+    {
+      return layer == ShellLayer::bottom ? 0 : layer == ShellLayer::middle ? n / 2 : n - 1;
+    }
+  } // namespace
+
+  ShellState ShellElements::state(const std::size_t element) const
+  {
+    const Implementation       &my = *implementation;
+    const auto                 &s  = my.batches[element / n_lanes].stress;
+    const std::size_t           k  = element % n_lanes;
+    const ShellGeometry<double> g  = my.geometry(element);
+    const double                t  = lane(s.thickness, k);
+    ShellState                  state;
+    state.axes << g.e1, g.e2, g.e3;
+    for (int c = 0; c < 3; ++c)
+      {
+        state.membrane_force[c] = t * lane(s.mean[c], k);
+        state.moment[c]         = t * t / 6. * lane(s.outer[c], k);
+      }
+    for (int c = 0; c < 2; ++c)
+      state.shear_force[c] = t * lane(s.shear[c], k);
+    state.thickness          = t;
+    state.max_plastic_strain = 0.;
+    for (const auto &point : my.points[element / n_lanes])
+      state.max_plastic_strain = std::max(state.max_plastic_strain, lane(point.plastic_strain, k));
+    return state;
+  }
+
+  std::array<double, 3> ShellElements::layer_stress(const std::size_t element, const ShellLayer layer) const
+  {
+    const Implementation &my     = *implementation;
+    const auto           &points = my.points[element / n_lanes];
+    const auto           &s      = my.batches[element / n_lanes].stress;
+    const std::size_t     k      = element % n_lanes;
+    std::array<double, 3> result;
+    for (int c = 0; c < 3; ++c)
+      if (points.empty())
+        result[c] = lane(s.mean[c], k) + (int(layer) - 1) * lane(s.outer[c], k);
+      else
+        result[c] = lane(points[point_of(layer, points.size())].stress[c], k);
+    return result;
+  }
+
+  std::array<double, 6> ShellElements::global_layer_stress(const std::size_t element, const ShellLayer layer) const
+  {
+    const auto                  s = layer_stress(element, layer);
+    const ShellGeometry<double> g = implementation->geometry(element);
+    const Matrix3<double>       S = s[0] * g.e1 * g.e1.transpose() + s[1] * g.e2 * g.e2.transpose() +
+                              s[2] * (g.e1 * g.e2.transpose() + g.e2 * g.e1.transpose());
+    return {S(0, 0), S(1, 1), S(2, 2), S(0, 1), S(1, 2), S(2, 0)};
+  }
+
+  double ShellElements::layer_plastic_strain(const std::size_t element, const ShellLayer layer) const
+  {
+    const auto &points = implementation->points[element / n_lanes];
+    return points.empty() ? 0. : lane(points[point_of(layer, points.size())].plastic_strain, element % n_lanes);
+  }
+
+  ShellElements::MaxPlasticStrain ShellElements::max_plastic_strain() const
+  {
+    MaxPlasticStrain result;
+    for (std::size_t e = 0; e < n_elements(); ++e)
+      for (const auto &point : implementation->points[e / n_lanes])
+        if (lane(point.plastic_strain, e % n_lanes) > result.value)
+          result = {lane(point.plastic_strain, e % n_lanes), e};
+    return result;
+  }
+} // namespace birdstrike
