@@ -1,0 +1,71 @@
+#pragma once
+
+#include <birdstrike/core/timing.h>
+#include <birdstrike/io/progress.h>
+#include <birdstrike/simulation/balance.h>
+#include <birdstrike/simulation/observed.h>
+#include <birdstrike/simulation/recorder.h>
+#include <birdstrike/simulation/scene.h>
+#include <birdstrike/simulation/stepper.h>
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+namespace birdstrike
+{
+  struct CaseParameters;
+  struct Summary;
+
+  /// One strike from first touch to its end, on a scene that it is given. The members are the architecture: the scene
+  /// (parts), the stepper (order of the step), the balance (ledger), what is observed, the recorder (files), the clock.
+  ///
+  /// Raises NumericalFailure when a part loses its state or the ledger its energy; InputError from the scene.
+  class BirdStrike
+  {
+  public:
+    /// Without a folder nothing is written: for tests and for callers that look at the parts themselves.
+    BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder = {});
+
+    /// Steps until a stop criterion is met.
+    void run();
+
+    /// Asks a running loop to end after its present step, e.g. from a signal handler.
+    static void request_stop();
+
+    double             time() const;
+    const std::string &end_reason() const;
+    const Balance     &get_balance() const;
+    const Observed    &get_observed() const;
+    Summary            compute_summary() const;
+    std::string        closing_report() const;
+
+  private:
+    void        start();
+    void        advance();
+    void        observe();
+    void        retire_particles();
+    void        finish();
+    std::string reason_to_stop() const;
+
+    const CaseParameters   &parameters;
+    Timings                 timings;
+    Scene                  &scene;
+    Stepper                 stepper;
+    Balance                 balance;
+    Observed                observed;
+    std::optional<Recorder> recorder;
+    Progress                progress;
+
+    double        now     = 0.; ///< s since first touch
+    unsigned long n_steps = 0;
+    Schedule      schedule;
+    std::string   why_ended;
+
+    // What the bird was, kept when it has gone.
+    std::size_t           n_particles_at_start = 0, n_retired = 0;
+    double                bird_mass = 0., bird_kinetic = 0.;
+    std::array<double, 3> bird_momentum{};
+    double                time_bird_gone = -1.;
+  };
+} // namespace birdstrike

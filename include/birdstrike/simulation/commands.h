@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The verbs of the command line. Each throws InputError for what the user must change and NumericalFailure for a lost
+/// computation; `main` turns these into exit codes.
+namespace birdstrike
+{
+  /// What the command line says about one case.
+  struct CaseRequest
+  {
+    std::string              prm_file;
+    std::vector<std::string> overrides; ///< "Section/Sub section/Entry=value"
+    std::string              output;    ///< run folder instead of the one in the prm; empty: as in the prm
+  };
+
+  /// Runs the case to its end and leaves a run folder.
+  void run_case(const CaseRequest &request);
+
+  /// Prints what would be computed: mass, energy, momentum, particles, elements, first step and who limits it, expected
+  /// steps, memory and bytes. Builds the parts, takes no step, writes nothing.
+  void explain_case(const CaseRequest &request);
+
+  /// Reads and checks the case, mesh and first touch included. Builds the parts, takes no step, writes nothing.
+  void validate_case(const CaseRequest &request);
+
+  /// Prints every parameter with text, range, default and unit, as prm or as JSON.
+  void print_parameters(bool as_json);
+} // namespace birdstrike

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <birdstrike/blade/reports.h>
+#include <birdstrike/time_control/peak.h>
+
+#include <array>
+#include <vector>
+
+namespace birdstrike
+{
+  class Balance;
+  struct Scene;
+
+  /// What is watched of a run between its steps: present values and peaks. Peaks of root and tip are taken at every
+  /// observation, not only where a row of the history is due.
+  struct Observed
+  {
+    RootSectionReport        root;
+    TipDeflection            tip;
+    PeakPlasticStrain        plastic;
+    std::vector<ProbeValues> probes;
+
+    Peak tip_peak;                 ///< m, mid-chord
+    Peak root_stress, root_moment; ///< Pa, N m, absolute values
+    Peak root_force;               ///< N, norm of normal and transverse force
+    Peak contact_force;            ///< N, norm
+    Peak hourglass_share;          ///< hourglass over internal energy of the blade
+
+    RootSectionReport root_at_peak_stress; ///< the distribution along the chord when the stress peaks
+
+    double max_penetration = 0.; ///< m
+
+    void update(const Scene &scene, const Balance &balance, double time);
+  };
+} // namespace birdstrike

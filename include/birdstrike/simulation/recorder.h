@@ -1,0 +1,51 @@
+#pragma once
+
+#include <birdstrike/blade/reports.h>
+#include <birdstrike/io/fields.h>
+#include <birdstrike/io/history.h>
+#include <birdstrike/simulation/balance.h>
+#include <birdstrike/simulation/observed.h>
+#include <birdstrike/time_control/ticks.h>
+
+#include <optional>
+
+namespace birdstrike
+{
+  struct OutputParameters;
+  struct Scene;
+
+  /// Turns a scene into curves and fields: history.csv and results.h5, blade.pvd and bird.pvd. It looks at parts and
+  /// never acts on them. Columns of parts that the scene lacks do not exist.
+  class Recorder
+  {
+  public:
+    /// Opens the files in `folder`; `observed` and `balance` must outlive the recorder.
+    Recorder(const Scene &scene, const OutputParameters &parameters, const std::filesystem::path &folder,
+             const Observed &observed, const Balance &balance);
+
+    /// Writes what is due at this time.
+    void record(double time, unsigned long n_steps);
+
+    /// Writes the last state whatever the intervals say.
+    void finish(double time, unsigned long n_steps);
+
+    void flush();
+
+  private:
+    void add_clock_and_balance_columns();
+    void add_bird_and_contact_columns();
+    void add_blade_columns();
+    void add_root_profile();
+    void write_fields(double time);
+
+    const Scene               &scene;
+    const Observed            &observed;
+    const Balance             &balance;
+    History                    history;
+    std::optional<FieldSeries> blade_fields, bird_fields;
+    Ticks                      history_ticks, field_ticks;
+    double                     now      = 0.;
+    unsigned long              steps    = 0;
+    double                     last_row = -1., last_field = -1.;
+  };
+} // namespace birdstrike

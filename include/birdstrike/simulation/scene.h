@@ -1,0 +1,51 @@
+#pragma once
+
+#include <birdstrike/core/thread_pool.h>
+#include <birdstrike/simulation/balance.h>
+#include <birdstrike/time_control/schedule.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace birdstrike
+{
+  struct CaseParameters;
+  class Bird;
+  class Blade;
+  class Contact;
+
+  /// Which parts exist, and where they are when the clock starts. A part that the case lacks is never built: a rigid
+  /// target has no finite elements, a blade alone no particles, a bird alone no contact.
+  ///
+  /// The flight before first touch is not computed but skipped in closed form: the bird is moved along its velocity
+  /// until its first particle touches, and the clock starts there.
+  struct Scene
+  {
+    ThreadPool               pool;
+    std::unique_ptr<Blade>   blade;
+    std::unique_ptr<Bird>    bird;
+    std::unique_ptr<Contact> contact;
+    double                   flight_time = 0.; ///< s, skipped before first touch
+
+    /// @throws InputError for a case without parts, a bird that misses the blade or starts inside it.
+    explicit Scene(const CaseParameters &parameters);
+    ~Scene();
+
+    /// The parts' votes with the scale factors of the case; none for an absent part.
+    Schedule plan(double remaining) const;
+
+    /// Energies and momenta of what is there; a bird that has gone keeps its books in `gone`.
+    SystemState state() const;
+
+    /// Bird and contact are released; their last reports stay in the balance.
+    void drop_bird();
+
+  private:
+    const CaseParameters &parameters;
+    EnergyReport          gone_energy;
+    MomentumReport        gone_momentum;
+
+    void place_at_first_touch();
+  };
+} // namespace birdstrike

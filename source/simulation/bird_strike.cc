@@ -1,0 +1,153 @@
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/blade/blade.h>
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/core/log.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/text.h>
+#include <birdstrike/simulation/bird_strike.h>
+
+#include <spdlog/logger.h>
+
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Sums over all entities (energies, momenta, root section) every so many macro steps: a step changes them little,
+    /// and they cost about as much as a step of the elements.
+    constexpr unsigned long observation_stride = 10;
+
+    /// Looking for particles that have left costs a pass over them: seldom enough not to count.
+    constexpr unsigned long retirement_stride = 50;
+
+    /// A peak of the tip has passed when the tip has come back by this share of it, this long after (ripple is
+    /// shorter).
+    constexpr double peak_share = 0.02, peak_hold = 1e-3;
+
+    std::atomic<bool> stop_requested{false};
+
+    Stepper::Parts parts_of(Scene &scene)
+    {
+      return {scene.bird.get(), scene.blade.get(), scene.contact.get(), &scene.pool};
+    }
+  } // namespace
+
+  BirdStrike::BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder)
+    : parameters(parameters)
+    , scene(scene)
+    , stepper(parts_of(scene), timings)
+    , balance(parameters.time.energy_error_limit)
+    , progress(parameters.time.end_time, parameters.output.console_interval)
+  {
+    stop_requested = false;
+    if (!folder.empty())
+      recorder.emplace(scene, parameters.output, folder, observed, balance);
+    if (scene.bird)
+      {
+        n_particles_at_start = scene.bird->n_particles();
+        bird_mass            = scene.bird->mass();
+        bird_kinetic         = scene.bird->energies().kinetic;
+        bird_momentum        = scene.bird->momenta().momentum;
+      }
+  }
+
+  void BirdStrike::run()
+  {
+    start();
+    while ((why_ended = reason_to_stop()).empty())
+      advance();
+    finish();
+  }
+
+  void BirdStrike::start()
+  {
+    schedule = scene.plan(parameters.time.end_time);
+    stepper.compute_initial_forces(schedule.bird_step());
+    observe();
+  }
+
+  void BirdStrike::advance()
+  {
+    schedule = scene.plan(parameters.time.end_time - now);
+    stepper.advance(schedule);
+    now += schedule.step;
+    ++n_steps;
+    if (scene.bird && scene.contact && parameters.bird.retire && n_steps % retirement_stride == 0)
+      retire_particles();
+    if (n_steps % observation_stride == 0 || now >= parameters.time.end_time)
+      observe();
+  }
+
+  void BirdStrike::observe()
+  {
+    const Timings::Scope scope(timings, timings.section("balance and output"));
+    balance.update(scene.state(), now, n_steps);
+    observed.update(scene, balance, now);
+    if (recorder)
+      {
+        recorder->record(now, n_steps);
+        if (progress.is_due())
+          progress.print({now, schedule.step, n_steps, balance.energy_error()});
+      }
+  }
+
+  void BirdStrike::retire_particles()
+  {
+    n_retired += scene.bird->retire(scene.blade->facets());
+    if (scene.bird->n_particles() > 0)
+      return;
+    log().info("The last particle has left at t = {}: from here the blade runs on alone.", format_quantity(now, "s"));
+    stepper.drop_bird();
+    scene.drop_bird();
+    time_bird_gone = now;
+  }
+
+  std::string BirdStrike::reason_to_stop() const
+  {
+    const TimeParameters &limits = parameters.time;
+    if (now >= limits.end_time * (1. - 1e-12))
+      return "end time reached";
+    if (stop_requested)
+      return "stopped by a signal";
+    if (limits.maximum_wall_time > 0. && timings.wall() > limits.maximum_wall_time)
+      return "maximum wall time reached";
+    if (limits.stop_at_tip_peak && observed.tip_peak.is_passed(now, observed.tip.mid_chord, peak_share, peak_hold))
+      return "tip peak passed";
+    return "";
+  }
+
+  void BirdStrike::finish()
+  {
+    balance.update(scene.state(), now, n_steps);
+    observed.update(scene, balance, now);
+    if (recorder)
+      recorder->finish(now, n_steps);
+    progress.finish();
+  }
+
+  void BirdStrike::request_stop()
+  {
+    stop_requested = true;
+  }
+
+  double BirdStrike::time() const
+  {
+    return now;
+  }
+
+  const std::string &BirdStrike::end_reason() const
+  {
+    return why_ended;
+  }
+
+  const Balance &BirdStrike::get_balance() const
+  {
+    return balance;
+  }
+
+  const Observed &BirdStrike::get_observed() const
+  {
+    return observed;
+  }
+} // namespace birdstrike

@@ -1,0 +1,164 @@
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/blade/blade.h>
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/summary.h>
+#include <birdstrike/io/text.h>
+#include <birdstrike/simulation/bird_strike.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    double seconds_in(const Timings &timings, const std::initializer_list<const char *> names)
+    {
+      double sum = 0.;
+      for (const Timings::Section &section : timings.sections())
+        for (const char *name : names)
+          if (section.name == name)
+            sum += section.seconds;
+      return sum;
+    }
+
+    double nanoseconds_per(const double seconds, const std::uint64_t n)
+    {
+      return n > 0 ? 1e9 * seconds / static_cast<double>(n) : 0.;
+    }
+
+    std::map<std::string, double> energy_parts(const Balance &balance)
+    {
+      const EnergyReport &bird = balance.state().bird, &blade = balance.state().blade;
+      return {{"bird_kinetic", bird.kinetic},
+              {"bird_internal", bird.elastic},
+              {"bird_retired", bird.retired},
+              {"blade_kinetic", blade.kinetic},
+              {"blade_elastic", blade.elastic},
+              {"blade_plastic", blade.plastic},
+              {"blade_hourglass", blade.hourglass},
+              {"blade_damped", blade.dissipated},
+              {"external_work", blade.external_work},
+              {"contact_stored", balance.state().contact_stored},
+              {"contact_dissipated", balance.contact_dissipated()}};
+    }
+  } // namespace
+
+  Summary BirdStrike::compute_summary() const
+  {
+    Summary summary;
+    summary.case_name  = parameters.name;
+    summary.end.time   = now;
+    summary.end.reason = why_ended;
+    if (scene.blade)
+      {
+        summary.blade.kind     = scene.blade->kind();
+        summary.blade.elements = scene.blade->n_elements();
+        summary.blade.nodes    = scene.blade->n_nodes();
+        summary.blade.mass     = scene.blade->mass();
+      }
+    summary.bird.particles      = n_particles_at_start;
+    summary.bird.mass           = bird_mass;
+    summary.bird.kinetic_energy = bird_kinetic;
+    summary.bird.momentum       = bird_momentum;
+    summary.steps.blade         = stepper.counts().blade;
+    summary.steps.bird          = stepper.counts().bird;
+
+    summary.tip.peak                     = observed.tip_peak.value();
+    summary.tip.peak_time                = observed.tip_peak.time();
+    summary.tip.final                    = observed.tip.mid_chord;
+    summary.root.peak_normal_stress      = observed.root_stress.value();
+    summary.root.peak_normal_stress_time = observed.root_stress.time();
+    summary.root.peak_moment             = observed.root_moment.value();
+    summary.root.peak_force              = observed.root_force.value();
+
+    summary.contact.impulse         = balance.state().blade_momentum.contact_impulse;
+    summary.contact.peak_force      = observed.contact_force.value();
+    summary.contact.max_penetration = observed.max_penetration;
+    if (n_particles_at_start > 0)
+      summary.contact.max_penetration_over_spacing = observed.max_penetration / parameters.bird.spacing;
+
+    summary.plastic.max_strain = observed.plastic.value;
+    summary.plastic.position   = observed.plastic.position;
+    summary.plastic.work       = balance.state().blade.plastic;
+
+    summary.energy.initial                     = balance.initial_energy();
+    summary.energy.final                       = balance.energy();
+    summary.energy.max_relative_error          = balance.max_energy_error();
+    summary.energy.max_hourglass_over_internal = observed.hourglass_share.value();
+    summary.energy.parts                       = energy_parts(balance);
+    summary.momentum.max_relative_error        = balance.max_momentum_error();
+
+    summary.retired.particles = n_retired;
+    summary.retired.mass      = n_particles_at_start > 0 ? bird_mass * n_retired / n_particles_at_start : 0.;
+    summary.retired.energy    = balance.state().bird.retired;
+
+    summary.skipped["flight_time"] = scene.flight_time;
+    if (time_bird_gone >= 0.)
+      summary.skipped["time_without_bird"] = now - time_bird_gone;
+    const std::uint64_t full = n_particles_at_start * n_steps;
+    if (full > 0)
+      summary.skipped["particle_step_share"] =
+        1. - std::min(1., static_cast<double>(stepper.counts().particle_steps) / static_cast<double>(full));
+
+    summary.cost.wall    = timings.wall();
+    summary.cost.threads = parameters.time.n_threads();
+    summary.cost.ns_per_particle_step =
+      nanoseconds_per(seconds_in(timings, {"bird: rates", "bird: kick and drift"}), stepper.counts().particle_steps);
+    summary.cost.ns_per_element_step = nanoseconds_per(
+      seconds_in(timings, {"blade: internal forces", "blade: kick and drift"}), stepper.counts().element_steps);
+    summary.cost.peak_memory = compute_peak_memory();
+    return summary;
+  }
+
+  std::string BirdStrike::closing_report() const
+  {
+    const Summary summary = compute_summary();
+    TextTable     table("Ended at t = " + format_quantity(now, "s") + ": " + why_ended);
+    if (scene.blade && scene.blade->is_deformable())
+      {
+        table.add_heading("Blade");
+        table.add("tip peak (mid-chord)",
+                  format_quantity(summary.tip.peak, "m") + " at " + format_quantity(summary.tip.peak_time, "s"));
+        table.add("tip at the end", summary.tip.final, "m");
+        table.add("root peak normal stress", format_quantity(summary.root.peak_normal_stress, "Pa") + " at " +
+                                               format_quantity(summary.root.peak_normal_stress_time, "s"));
+        table.add("root peak moment", summary.root.peak_moment, "N m");
+        table.add("peak plastic strain",
+                  fmt::format("{:.4f} at ({:.4g}, {:.4g}, {:.4g}) m", summary.plastic.max_strain,
+                              summary.plastic.position[0], summary.plastic.position[1], summary.plastic.position[2]));
+      }
+    if (n_particles_at_start > 0 && summary.contact.peak_force > 0.)
+      {
+        table.add_heading("Contact");
+        table.add("impulse on the blade", fmt::format("({:.4g}, {:.4g}, {:.4g}) N s", summary.contact.impulse[0],
+                                                      summary.contact.impulse[1], summary.contact.impulse[2]));
+        table.add("peak force", summary.contact.peak_force, "N");
+        table.add("largest penetration", fmt::format("{} ({:.3f} of the particle spacing)",
+                                                     format_quantity(summary.contact.max_penetration, "m"),
+                                                     summary.contact.max_penetration_over_spacing));
+      }
+    table.add_heading("Balance");
+    table.add("initial energy", summary.energy.initial, "J");
+    for (const auto &[part, value] : summary.energy.parts)
+      if (value != 0.)
+        table.add("  " + part, fmt::format("{} ({})", format_quantity(value, "J"),
+                                           format_share(value / std::max(1e-300, std::abs(summary.energy.initial)))));
+    table.add("largest energy error", format_share(summary.energy.max_relative_error));
+    table.add("largest momentum error", fmt::format("{:.2e}", summary.momentum.max_relative_error));
+    table.add("hourglass over internal, at most", format_share(summary.energy.max_hourglass_over_internal));
+    table.add_heading("Skipped");
+    for (const auto &[what, value] : summary.skipped)
+      table.add(what, what.find("time") != std::string::npos ? format_quantity(value, "s") : format_share(value));
+    table.add("retired particles", format_count(n_retired) + " of " + format_count(n_particles_at_start));
+    table.add_heading("Cost");
+    table.add("steps", format_count(n_steps) + " macro, " + format_count(summary.steps.bird) + " bird, " +
+                         format_count(summary.steps.blade) + " blade");
+    table.add("per particle-step", fmt::format("{:.0f} ns", summary.cost.ns_per_particle_step));
+    table.add("per element-step", fmt::format("{:.0f} ns", summary.cost.ns_per_element_step));
+    table.add("peak memory", format_bytes(static_cast<double>(summary.cost.peak_memory)));
+    return table.text() + "\n" + timings.table();
+  }
+} // namespace birdstrike

@@ -1,0 +1,85 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/log.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/run_folder.h>
+#include <birdstrike/io/summary.h>
+#include <birdstrike/io/text.h>
+#include <birdstrike/simulation/bird_strike.h>
+#include <birdstrike/simulation/commands.h>
+#include <birdstrike/simulation/explain.h>
+
+#include <spdlog/logger.h>
+
+#include <csignal>
+#include <iostream>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Reads and checks a case; the command line's folder wins over the file's.
+    void read(CaseParameters &parameters, const CaseRequest &request)
+    {
+      parameters.read(request.prm_file, request.overrides);
+      if (!request.output.empty())
+        parameters.output.directory = request.output;
+    }
+
+    void stop_on_signal(int)
+    {
+      BirdStrike::request_stop();
+    }
+  } // namespace
+
+  void run_case(const CaseRequest &request)
+  {
+    CaseParameters parameters;
+    read(parameters, request);
+    Scene             scene(parameters); // refuses a bad case before a folder is touched
+    const std::string forecast = explain(parameters, scene);
+    RunFolder         folder(parameters.run_directory());
+    log_to_file(folder.file("log.txt").string());
+    folder.write_text("original.prm", parameters.file.original());
+    folder.write_text("parameters.prm", parameters.file.as_prm());
+    log().info("{}", forecast);
+
+    std::signal(SIGINT, stop_on_signal);
+    std::signal(SIGTERM, stop_on_signal);
+    try
+      {
+        BirdStrike strike(parameters, scene, folder.path());
+        strike.run();
+        log().info("{}", strike.closing_report());
+        folder.finish(to_text(strike.compute_summary()));
+        log().info("Results in {}", folder.path().string());
+      }
+    catch (const std::exception &error)
+      {
+        folder.fail(error.what());
+        throw;
+      }
+  }
+
+  void explain_case(const CaseRequest &request)
+  {
+    CaseParameters parameters;
+    read(parameters, request);
+    Scene scene(parameters);
+    std::cout << explain(parameters, scene);
+  }
+
+  void validate_case(const CaseRequest &request)
+  {
+    CaseParameters parameters;
+    read(parameters, request);
+    Scene scene(parameters);
+    explain(parameters, scene);
+    std::cout << request.prm_file << ": valid\n";
+  }
+
+  void print_parameters(const bool as_json)
+  {
+    const CaseParameters parameters;
+    std::cout << (as_json ? parameters.file.as_json() : parameters.file.as_prm());
+  }
+} // namespace birdstrike

@@ -1,0 +1,106 @@
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/blade/blade.h>
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/fields.h>
+#include <birdstrike/io/text.h>
+#include <birdstrike/simulation/explain.h>
+#include <birdstrike/simulation/scene.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Measured on one core (see the README, "Speed"); a forecast, not a promise.
+    constexpr double particle_step_ns = 250., element_step_ns = 250.;
+
+    std::string vector_text(const std::array<double, 3> &a, const char *unit)
+    {
+      return fmt::format("({:.4g}, {:.4g}, {:.4g}) {}", a[0], a[1], a[2], unit);
+    }
+
+    void add_blade(TextTable &table, const Blade &blade)
+    {
+      const BladeCensus census = blade.census();
+      table.add_heading("Blade: " + blade.kind());
+      table.add("elements, nodes", format_count(blade.n_elements()) + ", " + format_count(blade.n_nodes()));
+      if (!blade.is_deformable())
+        return;
+      table.add("mass", census.mass, "kg");
+      table.add("area", fmt::format("{:.4g} m^2", census.area));
+      table.add("smallest element edge",
+                format_quantity(census.smallest_edge, "m") + " at " + vector_text(census.smallest_at, "m"));
+      table.add("largest over smallest element", fmt::format("{:.3g}", census.largest_edge_ratio));
+      table.add("held unknowns", format_count(census.n_held_dofs));
+      table.add("memory", format_bytes(census.bytes));
+    }
+
+    void add_bird(TextTable &table, const Bird &bird, const BirdParameters &parameters)
+    {
+      table.add_heading("Bird: " + parameters.shape + ", " + parameters.formulation);
+      table.add("particles", format_count(bird.n_particles()));
+      table.add("mass", fmt::format("{:.9g} kg", bird.mass()));
+      for (const auto &[key, value] : bird.description())
+        table.add(key, value);
+      table.add("kinetic energy", bird.energies().kinetic, "J");
+      table.add("momentum", vector_text(bird.momenta().momentum, "N s"));
+    }
+
+    void add_steps(TextTable &table, const CaseParameters &parameters, Scene &scene)
+    {
+      const Schedule schedule = scene.plan(parameters.time.end_time);
+      const double   n_macro  = std::ceil(parameters.time.end_time / schedule.step);
+      table.add_heading("Time");
+      table.add("end time", parameters.time.end_time, "s");
+      table.add("flight skipped before first touch", scene.flight_time, "s");
+      table.add("first macro step", format_quantity(schedule.step, "s"));
+      table.add("limited by",
+                schedule.limiter.reason + (schedule.limiter.where.empty() ? "" : ", ") + schedule.limiter.where);
+      table.add("sub-steps in it", fmt::format("bird {}, blade {}", schedule.n_bird, schedule.n_blade));
+      table.add("macro steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
+      double ns = 0.;
+      if (scene.bird)
+        ns += n_macro * schedule.n_bird * static_cast<double>(scene.bird->n_particles()) * particle_step_ns;
+      if (scene.blade && scene.blade->is_deformable())
+        ns += n_macro * schedule.n_blade * static_cast<double>(scene.blade->n_elements()) * element_step_ns;
+      table.add("run time on one core, at most about", format_duration(1e-9 * ns));
+      table.add("threads", std::to_string(parameters.time.n_threads()));
+    }
+
+    void add_files(TextTable &table, const CaseParameters &parameters, const Scene &scene)
+    {
+      const OutputParameters &output   = parameters.output;
+      const double            end_time = parameters.time.end_time;
+      const double n_fields = 2. + (output.field_interval > 0. ? std::floor(end_time / output.field_interval) : 0.);
+      const double n_rows   = output.history_interval > 0. ? end_time / output.history_interval + 2. : 0.;
+      double       bytes    = 0.;
+      if (scene.blade && output.blade_fields)
+        bytes += n_fields * static_cast<double>(compute_field_file_bytes(scene.blade->snapshot()));
+      if (scene.bird && output.bird_fields)
+        bytes += n_fields * static_cast<double>(compute_field_file_bytes(scene.bird->snapshot()));
+      table.add_heading("Files");
+      table.add("folder", parameters.run_directory());
+      table.add("history rows", format_count(static_cast<std::uint64_t>(n_rows)));
+      table.add("field files, before compression, at most", format_bytes(bytes));
+    }
+  } // namespace
+
+  std::string explain(const CaseParameters &parameters, Scene &scene)
+  {
+    TextTable table(parameters.name + (parameters.description.empty() ? "" : ": " + parameters.description));
+    if (scene.blade)
+      add_blade(table, *scene.blade);
+    if (scene.bird)
+      {
+        scene.bird->compute_rates(); // the step limit needs the present rates
+        add_bird(table, *scene.bird, parameters.bird);
+      }
+    add_steps(table, parameters, scene);
+    add_files(table, parameters, scene);
+    return table.text();
+  }
+} // namespace birdstrike

@@ -1,0 +1,40 @@
+#include <birdstrike/blade/blade.h>
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/simulation/balance.h>
+#include <birdstrike/simulation/observed.h>
+#include <birdstrike/simulation/scene.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  void Observed::update(const Scene &scene, const Balance &balance, const double time)
+  {
+    if (!scene.blade)
+      return;
+    root    = scene.blade->root_section();
+    tip     = scene.blade->tip_deflection();
+    plastic = scene.blade->peak_plastic_strain();
+    probes  = scene.blade->probes();
+
+    tip_peak.update(time, tip.mid_chord);
+    const double stress = root.peak_stress();
+    if (stress > root_stress.value())
+      root_at_peak_stress = root;
+    root_stress.update(time, stress);
+    root_moment.update(time, std::abs(root.bending_moment));
+    root_force.update(time, std::hypot(root.normal_force, root.transverse_force));
+
+    const auto force = scene.blade->contact_force();
+    contact_force.update(time, std::hypot(force[0], force[1], force[2]));
+    if (scene.contact)
+      max_penetration = std::max(max_penetration, scene.contact->report().max_penetration);
+
+    // Until a thousandth of all energy has reached the blade, a ratio of two small numbers says nothing.
+    const EnergyReport &energy   = balance.state().blade;
+    const double        internal = energy.elastic + energy.plastic + energy.hourglass;
+    if (internal > 1e-3 * balance.initial_energy())
+      hourglass_share.update(time, energy.hourglass / internal);
+  }
+} // namespace birdstrike

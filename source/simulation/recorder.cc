@@ -1,0 +1,170 @@
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/blade/blade.h>
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/io/output_parameters.h>
+#include <birdstrike/simulation/recorder.h>
+#include <birdstrike/simulation/scene.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr const char *axis_names[] = {"x", "y", "z"};
+
+    /// Intervals of zero mean "first and last state only".
+    Ticks field_ticks_of(const double interval)
+    {
+      return Ticks(interval > 0. ? interval : 1e300);
+    }
+  } // namespace
+
+  Recorder::Recorder(const Scene &scene, const OutputParameters &parameters, const std::filesystem::path &folder,
+                     const Observed &observed, const Balance &balance)
+    : scene(scene)
+    , observed(observed)
+    , balance(balance)
+    , history(folder, parameters.hdf5)
+    , history_ticks(parameters.history_interval)
+    , field_ticks(field_ticks_of(parameters.field_interval))
+  {
+    add_clock_and_balance_columns();
+    if (scene.bird)
+      add_bird_and_contact_columns();
+    if (scene.blade)
+      {
+        add_blade_columns();
+        add_root_profile();
+      }
+    if (scene.blade && parameters.blade_fields)
+      blade_fields.emplace(folder, "blade");
+    if (scene.bird && parameters.bird_fields)
+      bird_fields.emplace(folder, "bird");
+  }
+
+  void Recorder::add_clock_and_balance_columns()
+  {
+    history.add_column("time", "s", [this] { return now; });
+    history.add_column("step", "-", [this] { return static_cast<double>(steps); });
+    history.add_column("energy", "J", [this] { return balance.energy(); });
+    history.add_column("energy_error", "-", [this] { return balance.energy_error(); });
+    history.add_column("momentum_error", "-", [this] { return balance.momentum_error(); });
+  }
+
+  void Recorder::add_bird_and_contact_columns()
+  {
+    history.add_column("particles", "-", [this] { return scene.bird ? scene.bird->n_particles() : 0.; });
+    history.add_column("bird_kinetic", "J", [this] { return balance.state().bird.kinetic; });
+    history.add_column("bird_internal", "J", [this] { return balance.state().bird.elastic; });
+    history.add_column("bird_retired", "J", [this] { return balance.state().bird.retired; });
+    for (unsigned int c = 0; c < 3; ++c)
+      history.add_column(std::string("bird_momentum_") + axis_names[c], "N s",
+                         [this, c] { return balance.state().bird_momentum.momentum[c]; });
+    if (!scene.contact)
+      return;
+    for (unsigned int c = 0; c < 3; ++c)
+      history.add_column(std::string("contact_force_") + axis_names[c], "N",
+                         [this, c] { return scene.blade->contact_force()[c]; });
+    for (unsigned int c = 0; c < 3; ++c)
+      history.add_column(std::string("contact_impulse_") + axis_names[c], "N s",
+                         [this, c] { return balance.state().blade_momentum.contact_impulse[c]; });
+    history.add_column("contact_stored", "J", [this] { return balance.state().contact_stored; });
+    history.add_column("contact_dissipated", "J", [this] { return balance.contact_dissipated(); });
+    history.add_column("points_in_contact", "-",
+                       [this] { return scene.contact ? scene.contact->report().n_in_contact : 0.; });
+    history.add_column("penetration", "m", [this] { return scene.contact ? scene.contact->report().penetration : 0.; });
+    const auto &patches = scene.contact->patch_names();
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      history.add_column("pressure_" + patches[p], "Pa",
+                         [this, p] { return scene.contact ? scene.contact->patch_pressures()[p] : 0.; });
+  }
+
+  void Recorder::add_blade_columns()
+  {
+    history.add_column("blade_kinetic", "J", [this] { return balance.state().blade.kinetic; });
+    history.add_column("blade_elastic", "J", [this] { return balance.state().blade.elastic; });
+    history.add_column("blade_plastic", "J", [this] { return balance.state().blade.plastic; });
+    history.add_column("blade_hourglass", "J", [this] { return balance.state().blade.hourglass; });
+    history.add_column("blade_damped", "J", [this] { return balance.state().blade.dissipated; });
+    history.add_column("blade_external_work", "J", [this] { return balance.state().blade.external_work; });
+    for (unsigned int c = 0; c < 3; ++c)
+      history.add_column(std::string("blade_momentum_") + axis_names[c], "N s",
+                         [this, c] { return balance.state().blade_momentum.momentum[c]; });
+    for (unsigned int c = 0; c < 3; ++c)
+      history.add_column(std::string("support_impulse_") + axis_names[c], "N s",
+                         [this, c] { return balance.state().blade_momentum.support_impulse[c]; });
+    history.add_column("tip_mid_chord", "m", [this] { return observed.tip.mid_chord; });
+    history.add_column("tip_leading", "m", [this] { return observed.tip.leading; });
+    history.add_column("tip_trailing", "m", [this] { return observed.tip.trailing; });
+    history.add_column("root_normal_force", "N", [this] { return observed.root.normal_force; });
+    history.add_column("root_transverse_force", "N", [this] { return observed.root.transverse_force; });
+    history.add_column("root_bending_moment", "N m", [this] { return observed.root.bending_moment; });
+    history.add_column("root_peak_normal_stress", "Pa", [this] { return observed.root.peak_stress(); });
+    history.add_column("max_plastic_strain", "-", [this] { return observed.plastic.value; });
+    const auto probes = scene.blade->probes();
+    for (std::size_t p = 0; p < probes.size(); ++p)
+      for (unsigned int c = 0; c < 3; ++c)
+        history.add_column("probe_" + probes[p].name + "_u" + axis_names[c], "m",
+                           [this, p, c] { return observed.probes[p].displacement[c]; });
+  }
+
+  void Recorder::add_root_profile()
+  {
+    const RootSectionReport root = scene.blade->root_section();
+    if (root.chord_position.empty())
+      return;
+    const std::size_t n = root.chord_position.size();
+    history.add_profile("root_normal_stress", "Pa", {{"face", "-", {-1., 1.}}, {"chord", "m", root.chord_position}},
+                        [this, n](const std::span<double> values) {
+                          std::copy_n(observed.root.stress_bottom.begin(), n, values.begin());
+                          std::copy_n(observed.root.stress_top.begin(), n, values.begin() + n);
+                        });
+  }
+
+  void Recorder::write_fields(const double time)
+  {
+    if (blade_fields)
+      blade_fields->write(scene.blade->snapshot(), time);
+    if (bird_fields && scene.bird)
+      bird_fields->write(scene.bird->snapshot(), time);
+    last_field = time;
+  }
+
+  void Recorder::record(const double time, const unsigned long n_steps)
+  {
+    now   = time;
+    steps = n_steps;
+    if (history_ticks.is_due(time))
+      {
+        history.append_row();
+        last_row = time;
+      }
+    if (field_ticks.is_due(time))
+      write_fields(time);
+  }
+
+  void Recorder::finish(const double time, const unsigned long n_steps)
+  {
+    now   = time;
+    steps = n_steps;
+    if (last_row < time)
+      history.append_row();
+    if (last_field < time)
+      write_fields(time);
+    const RootSectionReport &root = observed.root_at_peak_stress;
+    if (!root.chord_position.empty())
+      {
+        std::vector<double> values = root.stress_bottom;
+        values.insert(values.end(), root.stress_top.begin(), root.stress_top.end());
+        history.set_constant("root_normal_stress_at_peak", "Pa",
+                             {{"face", "-", {-1., 1.}}, {"chord", "m", root.chord_position}}, std::move(values));
+      }
+    history.flush();
+  }
+
+  void Recorder::flush()
+  {
+    history.flush();
+  }
+} // namespace birdstrike

@@ -1,0 +1,129 @@
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/blade/blade.h>
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/simulation/stepper.h>
+
+namespace birdstrike
+{
+  Stepper::Stepper(const Parts &parts, Timings &timings)
+    : parts(parts)
+    , timings(timings)
+    , sections{timings.section("bird: rates"), timings.section("bird: kick and drift"),
+               timings.section("blade: internal forces"), timings.section("blade: kick and drift"),
+               timings.section("contact")}
+  {
+  }
+
+  const Stepper::Counts &Stepper::counts() const
+  {
+    return done;
+  }
+
+  void Stepper::drop_bird()
+  {
+    if (parts.blade)
+      parts.blade->clear_contact_forces();
+    parts.bird    = nullptr;
+    parts.contact = nullptr;
+  }
+
+  void Stepper::advance(const Schedule &schedule)
+  {
+    if (schedule.n_bird == 1)
+      advance_with_sub_cycled_blade(schedule);
+    else
+      advance_with_sub_cycled_bird(schedule);
+  }
+
+  void Stepper::compute_initial_forces(const double step)
+  {
+    compute_blade_forces();
+    compute_bird_forces(step);
+    done = {};
+  }
+
+  void Stepper::advance_with_sub_cycled_blade(const Schedule &schedule)
+  {
+    kick_bird_and_contact(0.5 * schedule.step, HalfKick::first);
+    for (unsigned int k = 0; k < schedule.n_blade; ++k)
+      step_blade(schedule.blade_step());
+    if (parts.bird)
+      {
+        const Timings::Scope scope(timings, sections.bird_motion);
+        parts.bird->drift(schedule.step);
+      }
+    compute_bird_forces(schedule.step);
+    kick_bird_and_contact(0.5 * schedule.step, HalfKick::second);
+  }
+
+  void Stepper::advance_with_sub_cycled_bird(const Schedule &schedule)
+  {
+    const double step = schedule.bird_step();
+    parts.blade->kick_internal(0.5 * schedule.step, HalfKick::first);
+    for (unsigned int k = 0; k < schedule.n_bird; ++k)
+      {
+        kick_bird_and_contact(0.5 * step, HalfKick::first);
+        parts.bird->drift(step);
+        parts.blade->drift(step);
+        compute_bird_forces(step);
+        kick_bird_and_contact(0.5 * step, HalfKick::second);
+      }
+    compute_blade_forces();
+    parts.blade->kick_internal(0.5 * schedule.step, HalfKick::second);
+  }
+
+  void Stepper::kick_bird_and_contact(const double half_step, const HalfKick half)
+  {
+    if (parts.bird)
+      {
+        const Timings::Scope scope(timings, sections.bird_motion);
+        parts.bird->kick(half_step, half);
+      }
+    if (parts.contact)
+      {
+        const Timings::Scope scope(timings, sections.blade_motion);
+        parts.blade->kick_contact(half_step, half);
+      }
+  }
+
+  void Stepper::step_blade(const double step)
+  {
+    if (!parts.blade)
+      return;
+    {
+      const Timings::Scope scope(timings, sections.blade_motion);
+      parts.blade->kick_internal(0.5 * step, HalfKick::first);
+      parts.blade->drift(step);
+    }
+    compute_blade_forces();
+    const Timings::Scope scope(timings, sections.blade_motion);
+    parts.blade->kick_internal(0.5 * step, HalfKick::second);
+  }
+
+  void Stepper::compute_blade_forces()
+  {
+    if (!parts.blade || !parts.blade->is_deformable())
+      return;
+    const Timings::Scope scope(timings, sections.blade_forces);
+    parts.blade->compute_internal_forces();
+    ++done.blade;
+    done.element_steps += parts.blade->n_elements();
+  }
+
+  void Stepper::compute_bird_forces(const double step)
+  {
+    if (!parts.bird)
+      return;
+    parts.bird->clear_contact_forces();
+    if (parts.contact)
+      {
+        const Timings::Scope scope(timings, sections.contact);
+        parts.blade->clear_contact_forces();
+        parts.contact->add_forces(parts.bird->points(), parts.blade->facets(), step, *parts.pool);
+      }
+    const Timings::Scope scope(timings, sections.bird_rates);
+    parts.bird->compute_rates();
+    ++done.bird;
+    done.particle_steps += parts.bird->n_particles();
+  }
+} // namespace birdstrike

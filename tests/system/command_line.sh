@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# The program from outside: exit codes, length and content of its messages, nothing half-written taken for a result.
+# Usage: command_line.sh PROGRAM TOP
+set -u
+program=$1
+top=$2
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+n_failed=0
+
+# check NAME EXPECTED_EXIT PATTERN... -- ARGUMENTS: every pattern must occur; a refusal has at most six lines, no dump
+check() {
+  local name=$1 expected=$2; shift 2
+  local patterns=()
+  while [ "$1" != "--" ]; do patterns+=("$1"); shift; done
+  shift
+  "$program" "$@" >out.txt 2>&1
+  local code=$?
+  local bad=""
+  [ $code -eq "$expected" ] || bad="exit code $code, expected $expected"
+  for pattern in ${patterns[@]+"${patterns[@]}"}; do
+    grep -qE -- "$pattern" out.txt || bad="$bad; no '$pattern' in the output"
+  done
+  if [ "$expected" -ne 0 ]; then
+    [ "$(wc -l <out.txt)" -le 6 ] || bad="$bad; more than six lines"
+    grep -qiE 'stacktrace|An error occurred in line|terminate called' out.txt && bad="$bad; a dump"
+  fi
+  if [ -n "$bad" ]; then
+    echo "FAILED $name: ${bad#; }"; sed 's/^/    /' out.txt | head -n 20; n_failed=$((n_failed + 1))
+  else
+    echo "passed $name"
+  fi
+}
+
+# variant SED_EXPRESSION: quickstart.prm with a change
+variant() { sed -E "$1" "$top/prm/quickstart.prm" >case.prm; }
+
+fast=(--set "Bird/Particle spacing=0.006" --set "Blade/Mesh/Elements along span=14" --set "Blade/Mesh/Elements along chord=4")
+
+check "version" 0 "birdstrike [0-9]+\.[0-9]+" -- --version
+check "help" 0 "run" "explain" "validate" "parameters" -- --help
+check "help of run" 0 "--set" "--output" -- run --help
+check "no subcommand" 2 -- 
+check "unknown subcommand" 2 -- fly
+check "parameters as prm" 0 "subsection Bird" "set Mass" "\[kg\]" -- parameters
+check "parameters as JSON" 0 '"Bird"' '"unit"' -- parameters --json
+check "explain" 0 "particles" "limited by" "momentum" -- explain "$top/prm/quickstart.prm"
+check "validate" 0 "valid" -- validate "$top/prm/quickstart.prm"
+[ -z "$(ls | grep -v out.txt)" ] || { echo "FAILED explain or validate wrote: $(ls)"; n_failed=$((n_failed + 1)); }
+
+variant 's/Particle spacing/Particle spcing/'
+check "misspelt entry" 2 "Particle spcing" "Particle spacing" "case.prm" "line" -- run case.prm
+variant 's/^( *)set Mass .*/\1set Density = 950\n\1set End time = 1/'
+check "wrong section" 2 "End time" "Time" -- run case.prm
+variant 's/set Mass .*/set Mass = heavy/'
+check "wrong type" 2 "heavy" "Mass" -- run case.prm
+variant 's/set Mass .*/set Mass = -1/'
+check "out of range" 2 "Mass" -- run case.prm
+check "missing file" 2 "no-such.prm" -- run no-such.prm
+check "misspelt override" 2 "Mas" "Mass" -- run "$top/prm/quickstart.prm" --set "Bird/Mas=1"
+check "bird that starts inside" 2 "inside" -- run "$top/prm/quickstart.prm" "${fast[@]}" --set "Bird/Stand-off=0.001"
+check "bird that misses" 2 "miss" -- run "$top/prm/quickstart.prm" "${fast[@]}" --set "Bird/Aim point=1, 1, 0"
+check "nothing in the case" 2 "neither" -- run "$top/prm/bird-free.prm" --set "Bird/Enabled=false"
+check "solid is refused in its own name" 2 "solid" -- run "$top/prm/quickstart.prm" --set "Blade/Kind=solid"
+check "missing mesh" 2 "no-such.msh" -- run "$top/prm/quickstart.prm" --set "Blade/Mesh/Generator=file" --set "Blade/Mesh/File=no-such.msh"
+check "unknown boundary id" 2 "77" -- run "$top/prm/quickstart.prm" --set "Blade/Supports/Clamped=77"
+[ -z "$(find . -name summary.json)" ] || { echo "FAILED a refusal left a summary"; n_failed=$((n_failed + 1)); }
+
+mkdir -p foreign && touch foreign/thesis.tex
+check "a foreign folder is not overwritten" 2 "foreign" -- run "$top/prm/quickstart.prm" "${fast[@]}" --output foreign
+[ -f foreign/thesis.tex ] || { echo "FAILED the foreign folder was emptied"; n_failed=$((n_failed + 1)); }
+
+check "a lost balance" 3 "energy" "t = " -- run "$top/prm/quickstart.prm" "${fast[@]}" --output lost \
+  --set "Time/Energy error limit=1e-12"
+[ ! -e lost/summary.json ] || { echo "FAILED a failed run left a summary"; n_failed=$((n_failed + 1)); }
+
+check "a short run" 0 "Results in" -- run "$top/prm/quickstart.prm" "${fast[@]}" --output short --set "Time/End time=0.3e-3"
+for file in original.prm parameters.prm log.txt history.csv results.h5 summary.json blade.pvd bird.pvd; do
+  [ -s short/$file ] || { echo "FAILED a run left no $file"; n_failed=$((n_failed + 1)); }
+done
+check "its parameters.prm runs again" 0 "Results in" -- run short/parameters.prm --output again
+diff -q short/history.csv again/history.csv >/dev/null || { echo "FAILED the re-run differs"; n_failed=$((n_failed + 1)); }
+check "one thread" 0 -- run short/parameters.prm --output one --set "Time/Threads=1"
+check "two threads" 0 -- run short/parameters.prm --output two --set "Time/Threads=2"
+diff -q one/history.csv two/history.csv >/dev/null || { echo "FAILED two threads differ from one"; n_failed=$((n_failed + 1)); }
+
+# every shipped case runs, shortened
+for case in "$top"/prm/*.prm; do
+  check "shortened $(basename "$case")" 0 "Results in" -- run "$case" --output "run-$(basename "$case" .prm)" \
+    --set "Time/End time=20e-6" --set "Bird/Particle spacing=0.006"
+done
+
+echo "$n_failed failed"
+[ $n_failed -eq 0 ]

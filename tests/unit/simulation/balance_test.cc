@@ -1,0 +1,90 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/simulation/balance.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+using namespace birdstrike;
+
+namespace
+{
+  /// A 0.03 kg mass at 75 m/s merges with a resting 0.01 kg one through a spring and damper (all numbers closed form).
+  SystemState before()
+  {
+    SystemState state;
+    state.bird.kinetic            = 0.5 * 0.03 * 75. * 75.;
+    state.bird_momentum.momentum  = {0., 0., 0.03 * 75.};
+    state.bird_momentum.retired   = {0., 0., 0.};
+    state.blade_momentum.momentum = {0., 0., 0.};
+    return state;
+  }
+
+  SystemState merged()
+  {
+    SystemState  state;
+    const double v                      = 0.03 * 75. / 0.04;
+    state.bird.kinetic                  = 0.5 * 0.03 * v * v;
+    state.blade.kinetic                 = 0.5 * 0.01 * v * v;
+    state.bird.contact_work             = state.bird.kinetic - before().bird.kinetic;
+    state.blade.contact_work            = state.blade.kinetic;
+    state.bird_momentum.momentum        = {0., 0., 0.03 * v};
+    state.blade_momentum.momentum       = {0., 0., 0.01 * v};
+    state.bird_momentum.contact_impulse = {0., 0., 0.03 * (v - 75.)};
+    state.contact_stored                = 1.;
+    return state;
+  }
+} // namespace
+
+TEST(Balance, ClosesWhenContactTakesWhatThePartsLose)
+{
+  Balance balance(0.05);
+  balance.update(before(), 0., 0);
+  balance.update(merged(), 1e-4, 10);
+  EXPECT_NEAR(balance.energy_error(), 0., 1e-14);
+  EXPECT_NEAR(balance.momentum_error(), 0., 1e-14);
+  // perfectly plastic impact: m1 m2 / (m1 + m2) v^2 / 2
+  const double lost = 0.5 * (0.03 * 0.01 / 0.04) * 75. * 75.;
+  EXPECT_NEAR(balance.contact_energy(), lost, 1e-12);
+  EXPECT_NEAR(balance.contact_dissipated(), lost - 1., 1e-12);
+}
+
+TEST(Balance, SeesLostMomentumAndEnergy)
+{
+  Balance balance(0.05);
+  balance.update(before(), 0., 0);
+  SystemState state = merged();
+  state.blade_momentum.momentum[2] *= 1.001;
+  state.blade.kinetic *= 1.01;
+  balance.update(state, 1e-4, 10);
+  EXPECT_NEAR(balance.momentum_error(), 0.001 * 0.25, 1e-12);
+  EXPECT_GT(balance.energy_error(), 0.);
+  // the largest error stays on record after the state is right again
+  balance.update(merged(), 2e-4, 20);
+  EXPECT_NEAR(balance.max_momentum_error(), 0.001 * 0.25, 1e-12);
+  EXPECT_GT(balance.max_energy_error(), 1e-4);
+}
+
+TEST(Balance, StopsTheRunPastTheLimitAndOnNaN)
+{
+  Balance balance(0.05);
+  balance.update(before(), 0., 0);
+  SystemState state = merged();
+  state.blade.plastic += 0.051 * before().bird.kinetic;
+  EXPECT_THROW(balance.update(state, 1e-4, 10), NumericalFailure);
+
+  Balance other(0.05);
+  other.update(before(), 0., 0);
+  state               = merged();
+  state.blade.elastic = std::numeric_limits<double>::quiet_NaN();
+  try
+    {
+      other.update(state, 1e-4, 17);
+      FAIL();
+    }
+  catch (const NumericalFailure &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("step 17"), std::string::npos);
+    }
+}
