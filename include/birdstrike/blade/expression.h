@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// A formula of the user, e.g. "1e6*exp(-t/1e-4)" or "0; 0; if(x<0.1, 10, 0)", in the variables x, y, z, t; evaluated
+  /// by muparser through deal.II's FunctionParser. The constant pi is known. Not thread-safe: loads are evaluated
+  /// serially.
+  class Expression
+  {
+  public:
+    /// `n_components` formulas separated by semicolons. Throws InputError, naming the entry, if the text is no formula.
+    Expression(const std::string &text, unsigned int n_components, const std::string &entry);
+    ~Expression();
+    Expression(Expression &&) noexcept;
+
+    /// Value of one component at a position (m) and a time (s). Throws InputError if it is not finite.
+    double value(const double *position, double time, unsigned int component = 0) const;
+
+  private:
+    struct Parser;
+    std::unique_ptr<Parser> parser;
+  };
+
+  /// False for an empty text and for plain zeros: nothing needs evaluating.
+  bool is_present(const std::string &expression);
+} // namespace birdstrike

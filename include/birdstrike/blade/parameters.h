@@ -1,0 +1,98 @@
+#pragma once
+
+#include <birdstrike/material/metal_parameters.h>
+
+#include <array>
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace birdstrike
+{
+  /// Section "Blade" of the parameter file: what the blade is, how it is held and loaded, and what is watched on it.
+  ///
+  /// Coordinates of the built-in flat plate: x = span from the root (x = 0), y = chord, centred, z = normal. Its
+  /// boundary ids: 0 root, 1 tip, 2 leading edge (y = -chord/2), 3 trailing edge. Lists and expressions are kept as
+  /// text here; their syntax is checked where they are used, always before the first step.
+  struct BladeParameters
+  {
+    struct Mesh
+    {
+      std::string  generator     = "flat plate"; ///< flat plate | file
+      double       length        = 0.3112;       ///< m
+      double       chord         = 0.0889;       ///< m
+      unsigned int n_span        = 28;
+      unsigned int n_chord       = 8;
+      double       span_grading  = 1.; ///< longest over shortest element along the span, shortest at the root
+      double       chord_grading = 1.; ///< longest over shortest element along the chord, shortest at the leading edge
+      std::string  file;
+      double       file_scale = 1.; ///< m per unit of the file
+    };
+
+    struct Thickness
+    {
+      std::string value = "0.00427"; ///< m, number or expression in x, y, z
+      std::string by_material;       ///< "1: 0.004; 2: 0.003"
+    };
+
+    struct Element
+    {
+      std::string  formulation  = "physical";
+      std::string  rule         = "Gauss";
+      unsigned int n_points     = 5;
+      double       hourglass    = 0.05; ///< perturbation control only
+      double       shear_factor = 5. / 6.;
+      bool         has_thinning = true;
+    };
+
+    struct Supports
+    {
+      std::string clamped = "0"; ///< boundary ids
+      std::string hub;           ///< boundary ids: clamped, and the section where root forces are reported
+      std::string free;          ///< boundary ids that must exist and hold nothing
+      std::string tip = "1";     ///< boundary ids of the tip row
+      std::string held;          ///< "3: ux uy; 2: uz"
+      std::string held_boxes;    ///< "xmin ymin zmin xmax ymax zmax: ux uy"
+    };
+
+    struct Loads
+    {
+      std::string pressure;         ///< Pa, expression in x, y, z, t
+      std::string point_loads;      ///< "x y z: fx; fy; fz | ..." , N, expressions in t
+      double      damping = 0.;     ///< 1/s
+      std::string initial_velocity; ///< m/s, "vx; vy; vz" in x, y, z
+      std::string initial_spin;     ///< rad/s, "wx; wy; wz": rigid rotation about the origin
+    };
+
+    struct Rigid
+    {
+      std::string           surface = "rectangle"; ///< rectangle | mesh
+      std::array<double, 3> centre{{0., 0., 0.}};
+      std::array<double, 3> normal{{0., 0., 1.}};
+      double                length         = 0.4;     ///< m, along the first in-plane direction
+      double                width          = 0.4;     ///< m
+      double                half_thickness = 0.;      ///< m
+      std::string           motion         = "fixed"; ///< fixed | free along normal
+      double                mass           = 1.;      ///< kg
+    };
+
+    std::string     kind = "shell"; ///< shell | rigid | none
+    Mesh            mesh;
+    Thickness       thickness;
+    Element         element;
+    MetalParameters material;
+    Supports        supports;
+    Loads           loads;
+    Rigid           rigid;
+    std::string     probes; ///< "name: x y z; ..."
+
+    /// Declares every entry in the handler's present section; the members' values are the defaults.
+    void declare(dealii::ParameterHandler &prm);
+
+    /// Rules between entries. Throws InputError.
+    void check() const;
+  };
+} // namespace birdstrike

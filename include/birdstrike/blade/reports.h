@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// What a blade tells the rest of the program about itself.
+namespace birdstrike
+{
+  /// What will be computed, known before the first step.
+  struct BladeCensus
+  {
+    std::size_t           n_elements    = 0;
+    std::size_t           n_nodes       = 0;
+    double                mass          = 0.;      ///< kg
+    double                area          = 0.;      ///< m^2
+    double                smallest_edge = 0.;      ///< m
+    std::array<double, 3> smallest_at{};           ///< m, centroid of the element with that edge
+    double                largest_edge_ratio = 1.; ///< longest over shortest `smallest_edge` of all elements
+    std::size_t           n_held_dofs        = 0;
+    double                bytes              = 0.; ///< estimated memory of state, elements and surface
+    double                bytes_per_snapshot = 0.;
+  };
+
+  /// Force and moment that the blade exerts on its clamped edge, and the stress that carries them.
+  ///
+  /// Frame: `span` points from the edge into the blade, `normal` is the mean surface normal there, `chord` = normal x
+  /// span (flat plate: x, z, y). N > 0 is tension. The moment about `chord` is taken at the middle of the edge; M > 0
+  /// stretches the face on the side of -normal (the struck one). The transverse force is along `normal`.
+  struct RootSectionReport
+  {
+    double              normal_force     = 0.; ///< N
+    double              bending_moment   = 0.; ///< N m
+    double              transverse_force = 0.; ///< N
+    std::vector<double> chord_position;        ///< m from the middle of the edge, per root element, ascending
+    std::vector<double> stress_bottom;       ///< Pa, normal stress along span, face at -normal (outermost point there)
+    std::vector<double> stress_top;          ///< Pa, face at +normal
+    double              peak_stress() const; ///< Pa, largest absolute value of both faces
+  };
+
+  /// Displacement (m) of the tip row along the mean surface normal.
+  struct TipDeflection
+  {
+    double mid_chord = 0.;
+    double leading   = 0.; ///< corner at the smaller chord coordinate
+    double trailing  = 0.;
+  };
+
+  struct PeakPlasticStrain
+  {
+    double                value   = 0.;
+    std::size_t           element = 0;
+    std::array<double, 3> position{}; ///< m, reference centroid
+  };
+
+  /// A watched node.
+  struct ProbeValues
+  {
+    std::string           name;
+    std::array<double, 3> position{};     ///< m, reference position of the node
+    std::array<double, 3> displacement{}; ///< m
+    std::array<double, 3> velocity{};     ///< m/s
+  };
+} // namespace birdstrike

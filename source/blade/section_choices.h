@@ -1,0 +1,21 @@
+#pragma once
+
+#include <birdstrike/blade/shell_elements.h>
+#include <birdstrike/core/named_choices.h>
+
+namespace birdstrike
+{
+  inline const NamedChoices<ShellFormulation> &shell_formulations()
+  {
+    static const NamedChoices<ShellFormulation> choices{{"physical", ShellFormulation::one_point_physical},
+                                                        {"Belytschko-Tsay", ShellFormulation::belytschko_tsay}};
+    return choices;
+  }
+
+  inline const NamedChoices<ThicknessRule> &thickness_rules()
+  {
+    static const NamedChoices<ThicknessRule> choices{{"Gauss", ThicknessRule::gauss},
+                                                     {"Lobatto", ThicknessRule::lobatto}};
+    return choices;
+  }
+} // namespace birdstrike

@@ -1,0 +1,92 @@
+#include <birdstrike/blade/supports.h>
+#include <birdstrike/blade/text_lists.h>
+#include <birdstrike/core/errors.h>
+
+#include <algorithm>
+#include <set>
+
+namespace birdstrike
+{
+  namespace
+  {
+    void require_ids(const std::vector<unsigned int> &ids, const SurfaceMesh &mesh, const std::string &entry)
+    {
+      for (const unsigned int id : ids)
+        if (!mesh.has_boundary_id(id))
+          {
+            std::string known;
+            for (const unsigned int other : mesh.boundary_ids())
+              known += (known.empty() ? "" : ", ") + std::to_string(other);
+            throw InputError("Blade/Supports/" + entry + ": the mesh has no boundary id " + std::to_string(id) +
+                             ".\nIds of this mesh: " + known + ".");
+          }
+    }
+
+    class HeldSet
+    {
+    public:
+      void add(const std::vector<std::uint32_t> &nodes, const std::array<bool, 6> &components)
+      {
+        for (const std::uint32_t n : nodes)
+          for (unsigned int c = 0; c < 6; ++c)
+            if (components[c])
+              dofs.insert(6 * n + c);
+      }
+      std::vector<std::uint32_t> sorted() const
+      {
+        return {dofs.begin(), dofs.end()};
+      }
+
+    private:
+      std::set<std::uint32_t> dofs;
+    };
+
+    std::vector<std::uint32_t> nodes_in_box(const SurfaceMesh &mesh, const std::vector<double> &box)
+    {
+      // Coordinates of generated meshes carry round-off: a box that ends on a node includes it.
+      const double               margin = 1e-9;
+      std::vector<std::uint32_t> nodes;
+      for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n)
+        {
+          bool is_inside = true;
+          for (unsigned int d = 0; d < 3; ++d)
+            is_inside = is_inside && mesh.nodes[n][d] >= box[d] - margin && mesh.nodes[n][d] <= box[3 + d] + margin;
+          if (is_inside)
+            nodes.push_back(n);
+        }
+      return nodes;
+    }
+  } // namespace
+
+  Supports::Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh)
+  {
+    const auto clamped = parse_ids(parameters.clamped, "Supports/Clamped");
+    const auto hub     = parse_ids(parameters.hub, "Supports/Hub");
+    require_ids(clamped, mesh, "Clamped");
+    require_ids(hub, mesh, "Hub");
+    require_ids(parse_ids(parameters.free, "Supports/Free"), mesh, "Free");
+    root_ids = hub.empty() ? clamped : hub;
+    for (const unsigned int id : parse_ids(parameters.tip, "Supports/Tip"))
+      if (mesh.has_boundary_id(id))
+        tip_ids.push_back(id);
+
+    HeldSet held;
+    held.add(mesh.rim_nodes(clamped), {{true, true, true, true, true, true}});
+    held.add(mesh.rim_nodes(hub), {{true, true, true, true, true, true}});
+    for (const auto &[key, components] : parse_pairs(parameters.held, "Supports/Held"))
+      {
+        const auto ids = parse_ids(key, "Supports/Held");
+        require_ids(ids, mesh, "Held");
+        held.add(mesh.rim_nodes(ids), parse_components(components, "Supports/Held"));
+      }
+    for (const auto &[key, components] : parse_pairs(parameters.held_boxes, "Supports/Held boxes"))
+      {
+        const auto nodes = nodes_in_box(mesh, parse_numbers(key, 6, "Supports/Held boxes"));
+        if (nodes.empty())
+          throw InputError("Blade/Supports/Held boxes: no node lies in the box '" + key + "'.\n" +
+                           "Order: xmin ymin zmin xmax ymax zmax, in metres.");
+        held.add(nodes, parse_components(components, "Supports/Held boxes"));
+      }
+    held_dofs = held.sorted();
+  }
+} // namespace birdstrike

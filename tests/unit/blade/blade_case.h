@@ -1,0 +1,49 @@
+#pragma once
+
+#include <birdstrike/blade/shell_blade.h>
+
+#include <cmath>
+
+/// Blades and loops that several tests of this room share.
+namespace birdstrike::test
+{
+  /// The plate of benchmark A4 (Ti-6Al-4V-like, 311.2 x 88.9 x 4.27 mm), elastic, clamped at the root.
+  inline BladeParameters elastic_plate(const unsigned int n_span, const unsigned int n_chord)
+  {
+    BladeParameters p;
+    p.mesh.n_span                   = n_span;
+    p.mesh.n_chord                  = n_chord;
+    p.material.m.density            = 4430.;
+    p.material.m.elasticity.young   = 113.8e9;
+    p.material.m.elasticity.poisson = 0.342;
+    p.material.m.hardening.law      = HardeningLaw::elastic;
+    return p;
+  }
+
+  /// The same, held nowhere.
+  inline BladeParameters free_plate(const unsigned int n_span, const unsigned int n_chord)
+  {
+    BladeParameters p  = elastic_plate(n_span, n_chord);
+    p.supports.clamped = "";
+    return p;
+  }
+
+  /// Velocity-Verlet without contact.
+  inline void advance(Blade &blade, const double dt, const unsigned int n_steps)
+  {
+    for (unsigned int step = 0; step < n_steps; ++step)
+      {
+        blade.kick_internal(0.5 * dt, HalfKick::first);
+        blade.drift(dt);
+        blade.compute_internal_forces();
+        blade.kick_internal(0.5 * dt, HalfKick::second);
+      }
+  }
+
+  /// total() - external_work - contact_work, which stays constant.
+  inline double balance(const Blade &blade)
+  {
+    const EnergyReport energy = blade.energies();
+    return energy.total() - energy.external_work - energy.contact_work;
+  }
+} // namespace birdstrike::test
