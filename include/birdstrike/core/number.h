@@ -1,6 +1,12 @@
 #pragma once
 
+// GCC 12 says "__Y may be used uninitialized" inside its own AVX-512 intrinsics (GCC bug 105593): silenced where these
+// are first included, and nowhere else.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wuninitialized"
 #include <experimental/simd>
+#pragma GCC diagnostic pop
 
 #include <cmath>
 #include <cstddef>

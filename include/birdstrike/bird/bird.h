@@ -1,0 +1,104 @@
+#pragma once
+
+#include <birdstrike/bird/packing.h>
+#include <birdstrike/bird/rates.h>
+#include <birdstrike/bird/retirement.h>
+#include <birdstrike/core/contact_views.h>
+#include <birdstrike/core/energy_report.h>
+#include <birdstrike/core/fields.h>
+#include <birdstrike/core/half_kick.h>
+#include <birdstrike/core/step_limit.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace birdstrike
+{
+  /// The SPH bird: particles, their neighbour list and their rates, advanced by velocity Verlet. SI units.
+  ///
+  ///   kick(dt/2, first)    v += f dt/2m,  mu += mu' dt/2
+  ///   drift(dt)            x += v dt; the list is rebuilt when its skin is used up
+  ///   compute_rates()      at v + f_old dt/2m and mu + mu' dt/2, both predicted to the end of the step; the second
+  ///   kick
+  ///                        then corrects them with the new rates (trapezoidal rule)
+  ///   kick(dt/2, second)
+  ///
+  /// Internal energy takes the pairwise work at the predicted velocity, and each half kick corrects it to the velocity
+  /// of the drift: kinetic (the product of neighbouring half-step velocities, core/energy_report.h) + internal -
+  /// contact work is then constant to round-off at constant steps. It is heat and compression together.
+  ///
+  /// Raises NumericalFailure from compute_rates (density, motion), InputError from the constructor. Knows no blade:
+  /// contact adds to points().force between clear_contact_forces() and compute_rates().
+  class Bird
+  {
+  public:
+    Bird(const BirdParameters &parameters, const EosParameters &eos, ThreadPool &pool);
+
+    /// Puts the bird at its start (again): undeformed, at its velocity.
+    void place();
+
+    /// Moves the undeformed bird along its velocity by t seconds (t may be negative), in closed form.
+    void advance_in_flight(double t);
+
+    /// Overwrites velocity and mu as functions of position, for verification; evaluates the rates.
+    void set_state(const std::function<void(const Point3 &x, Point3 &v, double &mu)> &state);
+
+    void kick(double dt, HalfKick half);
+    void drift(double dt);
+    void clear_contact_forces();
+    void compute_rates();
+
+    /// CFL h/(c + 1.2 largest approach speed): not the bird's own speed; isolated particles have no vote.
+    StepLimit step_limit() const;
+
+    /// Removes loose particles whose path misses the box grown by the margin of the parameters; returns their number.
+    std::size_t retire(const Box3 &blade_box);
+
+    PointsView     points();
+    EnergyReport   energies() const;
+    MomentumReport momenta() const;
+    FieldSnapshot  snapshot() const;
+    std::string    summary() const;
+
+    const Particles &state() const
+    {
+      return particles;
+    }
+    const Packing &packing() const
+    {
+      return packed;
+    }
+    std::size_t n_list_builds() const
+    {
+      return list.n_builds();
+    }
+    const RetiredShare &retired() const
+    {
+      return retired_share;
+    }
+
+  private:
+    void   predict();
+    double sum(const std::function<double(std::size_t)> &term) const;
+    void   book_contact(double dt);
+
+    BirdParameters         parameters;
+    EquationOfState        eos;
+    ThreadPool            &pool;
+    Shape                  shape;
+    Packing                packed;
+    Particles              particles;
+    NeighborList           list;
+    std::unique_ptr<Rates> rates;
+    Particles::Column      predicted_mu;
+    Particles::Column      particle_masses; ///< kg, the same number for every particle: contact sees an array
+    double                 half_step = 0.;  ///< s, of the latest first kick
+    double                 hugoniot_slope;
+    bool                   has_contact_force = false;
+    std::uint64_t          revision          = 0;
+    RetiredShare           retired_share;
+    double                 contact_work = 0.;
+    Point3                 contact_impulse{0., 0., 0.};
+  };
+} // namespace birdstrike

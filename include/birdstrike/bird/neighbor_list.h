@@ -1,0 +1,75 @@
+#pragma once
+
+#include <birdstrike/bird/cell_grid.h>
+#include <birdstrike/core/aligned_vector.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace birdstrike
+{
+  /// All pairs closer than range = support + skin (Verlet 1967), as one full list per particle: each owner sums over
+  /// all its neighbours in list order, so sums do not depend on the number of threads. Lists are padded to whole SIMD
+  /// registers with the index n of a dummy particle. No cap on the number of neighbours.
+  ///
+  /// Rebuilt by *relative* displacement. With u the displacement since the build, a pair that is missing from the list
+  /// was at least `range` apart and matters only after |u_i - u_j| > skin. Cells have an edge >= range; hence
+  ///  - cells up to two apart: the boxes of u of both cells bound |u_i - u_j|; rebuild if it exceeds the skin;
+  ///  - cells farther apart: initially at least 2 edges apart; rebuild if 2 max |u - u_mean| exceeds 2 edge - support.
+  /// A bird that flies as a whole never rebuilds.
+  class NeighborList
+  {
+  public:
+    NeighborList(double support, double skin, const Period &period);
+
+    /// Sorts the particles, clears their displacements and lists their neighbours.
+    void update(Particles &particles, ThreadPool &pool);
+
+    bool is_outdated(const Particles &particles, ThreadPool &pool);
+
+    const std::uint32_t *neighbors(const std::size_t particle) const
+    {
+      return first[particle];
+    }
+    /// Entries of the list, a multiple of n_lanes.
+    std::size_t padded_count(const std::size_t particle) const
+    {
+      return count[particle];
+    }
+    const std::size_t *cost_prefix() const ///< summed padded counts, n + 1 entries
+    {
+      return prefix.data();
+    }
+    std::size_t n_builds() const
+    {
+      return builds;
+    }
+    const Period &period() const
+    {
+      return cell_period;
+    }
+
+  private:
+    template <bool is_periodic>
+    void list_cells(const Particles &particles, std::size_t chunk, std::size_t begin, std::size_t end);
+    void list_near_cells();
+
+    struct Box
+    {
+      std::array<double, 3> low, high;
+    };
+
+    double   support, skin;
+    Period   cell_period;
+    CellGrid grid;
+    /// Lists of one chunk of cells; chunks are made for threads, lists do not depend on them.
+    std::vector<AlignedVector<std::uint32_t>> chunks;
+    std::vector<const std::uint32_t *>        first;
+    std::vector<std::uint32_t>                count, offset;
+    std::vector<std::size_t>                  prefix;
+    std::vector<std::uint32_t>                near_start, near_cells, compact_index;
+    std::vector<Box>                          boxes;
+    std::size_t                               builds = 0;
+  };
+} // namespace birdstrike

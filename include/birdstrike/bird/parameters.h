@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace birdstrike
+{
+  /// User entries of section "Bird"; every default lives here and nowhere else.
+  struct BirdParameters
+  {
+    bool                  enabled            = true;
+    double                mass               = 0.1005; ///< kg; of a slab it follows from the lengths
+    double                density            = 950.;   ///< kg/m^3
+    double                length_to_diameter = 2.;
+    std::string           shape              = "cylinder";
+    std::array<double, 3> slab_lengths{{0., 0., 0.}};   ///< m
+    std::string           periodic_directions = "none"; ///< subset of "xyz"
+    std::string           packing             = "cubic";
+    double                spacing             = 0.002;  ///< m, cube root of a particle's volume
+    std::array<double, 3> velocity{{0., 0., 177.4}};    ///< m/s
+    double                yaw   = 0.;                   ///< degrees
+    double                pitch = 0.;                   ///< degrees
+    std::array<double, 3> aim_point{{0.21784, 0., 0.}}; ///< m; 70 % of a 311.2 mm span
+    double                chordwise_offset    = 0.;     ///< m
+    double                stand_off           = 0.;     ///< m; 0 is automatic
+    std::string           formulation         = "riemann";
+    std::string           kernel              = "automatic";
+    double                smoothing_ratio     = 1.3;
+    double                alpha               = 1.;
+    double                beta                = 2.;
+    std::string           density_by          = "continuity";
+    bool                  gradient_correction = true;
+    std::string           reconstruction      = "none";
+    bool                  tension_cutoff      = true;
+    double                courant_number      = 0.5;
+    double                skin                = 0.1; ///< of the kernel's support
+    bool                  retire              = true;
+    double                retirement_margin   = 0.05; ///< m
+
+    void declare(dealii::ParameterHandler &prm);
+
+    /// Rules between entries; throws InputError.
+    void check() const;
+
+    bool is_periodic(int direction) const;
+    bool is_riemann() const;
+  };
+} // namespace birdstrike

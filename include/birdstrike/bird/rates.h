@@ -1,0 +1,45 @@
+#pragma once
+
+#include <birdstrike/bird/neighbor_list.h>
+#include <birdstrike/bird/parameters.h>
+#include <birdstrike/bird/particles.h>
+#include <birdstrike/core/thread_pool.h>
+#include <birdstrike/material/equation_of_state.h>
+
+#include <memory>
+
+namespace birdstrike
+{
+  /// The right-hand side of the particle equations at given positions, predicted velocities and predicted mu.
+  ///
+  /// `update` fills force, mu_rate, internal_energy_rate, signal_speed, largest_mu, volume, density and sound_speed.
+  /// Each owner sums over all its neighbours, with formulas symmetric in the pair: forces cancel to round-off, and
+  ///   sum_i (internal_energy_rate_i + force_i . predicted_velocity_i) = 0  to round-off.
+  /// Raises NumericalFailure if a density is not positive or a position or velocity not finite.
+  class Rates
+  {
+  public:
+    virtual ~Rates() = default;
+
+    /// `predicted_mu` is mu at the present time as the old rate foretells it; density by summation overwrites
+    /// particles.mu and ignores it.
+    virtual void update(Particles &particles, const Particles::Column &predicted_mu, const NeighborList &list,
+                        ThreadPool &pool) = 0;
+  };
+
+  std::unique_ptr<Rates> make_rates(const BirdParameters &parameters, const EquationOfState &eos, double spacing);
+
+  /// Throws NumericalFailure naming the first particle in [begin, end) whose state is not finite or not compressible.
+  [[noreturn]] void report_failed_particle(const Particles &particles, const Particles::Column &mu, std::size_t begin,
+                                           std::size_t end);
+
+  /// Whether the n numbers starting at particle p are all in order (finite motion, density > 0).
+  template <class Number>
+  bool is_sound(const Particles &particles, const Number &mu, const std::size_t p)
+  {
+    Number sum = 0.;
+    for (int d = 0; d < 3; ++d)
+      sum += load<Number>(&particles.x[d][p]) + load<Number>(&particles.predicted_velocity[d][p]);
+    return all(mu > Number(-1.) && sum * 0. == Number(0.) && mu * 0. == Number(0.));
+  }
+} // namespace birdstrike

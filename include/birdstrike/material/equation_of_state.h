@@ -1,0 +1,136 @@
+#pragma once
+
+#include <birdstrike/core/number.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace birdstrike
+{
+  /// User entries of the bird's equation of state. The reference density belongs to the bird (section "Bird").
+  struct EosParameters
+  {
+    std::string type               = "murnaghan";
+    double      bulk_modulus       = 2.2e9;   ///< Pa, linear
+    double      murnaghan_modulus  = 128.e6;  ///< Pa, B
+    double      murnaghan_exponent = 7.98;    ///< gamma
+    double      c1                 = 2060.e6; ///< Pa, polynomial
+    double      c2                 = 6190.e6;
+    double      c3                 = 10300.e6;
+    double      sound_speed        = 1482.9; ///< m/s, linear Us-up
+    double      shock_slope        = 2.;     ///< k in Us = c0 + k u
+
+    void declare(dealii::ParameterHandler &prm);
+    void check() const;
+  };
+
+  /// State behind a plane shock that brings liquid of speed v to rest at a rigid wall.
+  struct HugoniotState
+  {
+    double density_ratio = 1.; ///< rho_1/rho_0
+    double pressure      = 0.; ///< Pa
+    double shock_speed   = 0.; ///< m/s, relative to the undisturbed liquid
+  };
+
+  /// Pressure of a liquid from its compression mu = rho/rho0 - 1 alone (barotropic, gauge pressure, p(0) = 0).
+  ///
+  ///   linear      p = K (1/V - 1) = K mu                                     (V = rho0/rho)
+  ///   Murnaghan   p = B ((1 + mu)^gamma - 1)                                 (Murnaghan 1944)
+  ///   polynomial  p = C1 mu + C2 mu^2 + C3 mu^3
+  ///   us-up       p = rho0 c0^2 eta/(1 - k eta)^2, eta = mu/(1 + mu)         (the Hugoniot of Us = c0 + k u itself)
+  ///
+  /// In tension (mu < 0) polynomial and us-up continue with their slope at zero, where their cubic and pole mean
+  /// nothing. Sound speed c = sqrt(dp/drho). Units: Pa, m/s, kg/m^3. No temperature: shock heat does not change p.
+  /// It does not cut tension off; the bird does. Raises std::out_of_range for an unknown type.
+  class EquationOfState
+  {
+  public:
+    enum class Type
+    {
+      linear,
+      murnaghan,
+      polynomial,
+      us_up
+    };
+
+    EquationOfState(const EosParameters &parameters, double reference_density);
+
+    template <class Number>
+    Number pressure(const Number &mu) const;
+
+    /// Square of the sound speed, m^2/s^2; `pressure` is p(mu), which both formulas share.
+    template <class Number>
+    Number sound_speed_squared(const Number &mu, const Number &pressure) const;
+
+    double reference_density() const
+    {
+      return rho0;
+    }
+    double reference_sound_speed() const;
+
+    /// Rankine-Hugoniot for a barotropic liquid: p(rho1)(1 - rho0/rho1) = rho0 v^2, U_s = v rho1/(rho1 - rho0).
+    /// Throws InputError if no compression up to threefold carries the speed v (m/s, > 0).
+    HugoniotState hugoniot(double v) const;
+
+    /// Secant slope s of U_s = c0 + s v at the speed v, as the contact law p = rho c u (1 + s u/c) wants it.
+    double hugoniot_slope(double v) const;
+
+  private:
+    Type   type;
+    double rho0;
+    double a1 = 0.; ///< Pa: K, B, C1 or rho0 c0^2
+    double a2 = 0.; ///< -: gamma or k; Pa: C2
+    double a3 = 0.; ///< Pa: C3
+  };
+
+  /// B ((1 + mu)^gamma - 1) without cancellation at small mu.
+  inline double murnaghan_pressure(const double mu, const double B, const double gamma)
+  {
+    return B * std::expm1(gamma * std::log1p(mu));
+  }
+  inline Lanes murnaghan_pressure(const Lanes &mu, const double B, const double gamma)
+  {
+    return Lanes([&](const auto k) { return murnaghan_pressure(static_cast<double>(mu[k]), B, gamma); });
+  }
+
+  template <class Number>
+  Number EquationOfState::pressure(const Number &mu) const
+  {
+    switch (type)
+      {
+      case Type::linear:
+        return a1 * mu;
+      case Type::murnaghan:
+        return murnaghan_pressure(mu, a1, a2);
+      case Type::polynomial:
+        return select(mu > Number(0.), mu * (a1 + mu * (a2 + mu * a3)), a1 * mu);
+      case Type::us_up:
+        const Number eta = mu / (1. + mu), gap = 1. - a2 * eta;
+        return select(mu > Number(0.), a1 * eta / (gap * gap), a1 * mu);
+      }
+    return Number(0.);
+  }
+
+  template <class Number>
+  Number EquationOfState::sound_speed_squared(const Number &mu, const Number &pressure) const
+  {
+    switch (type)
+      {
+      case Type::linear:
+        return Number(a1 / rho0);
+      case Type::murnaghan:
+        return a2 * (pressure + a1) / (rho0 * (1. + mu));
+      case Type::polynomial:
+        return select(mu > Number(0.), (a1 + mu * (2. * a2 + mu * 3. * a3)) / rho0, Number(a1 / rho0));
+      case Type::us_up:
+        // d eta/d mu = 1/(1 + mu)^2, dp/d eta = a1 (1 + k eta)/(1 - k eta)^3
+        const Number eta = mu / (1. + mu), gap = 1. - a2 * eta, v = 1. + mu;
+        return select(mu > Number(0.), a1 / rho0 * (1. + a2 * eta) / (gap * gap * gap * v * v), Number(a1 / rho0));
+      }
+    return Number(0.);
+  }
+} // namespace birdstrike

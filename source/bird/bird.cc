@@ -1,0 +1,185 @@
+#include <birdstrike/bird/bird.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Particles per thread range: whole registers and whole cache lines of every column.
+    constexpr std::size_t grain = 64;
+
+    double compute_slope(const EquationOfState &eos, const BirdParameters &parameters)
+    {
+      const auto &v = parameters.velocity;
+      return eos.hugoniot_slope(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+    }
+  } // namespace
+
+  Bird::Bird(const BirdParameters &parameters, const EosParameters &eos_parameters, ThreadPool &pool)
+    : parameters((parameters.check(), parameters))
+    , eos((eos_parameters.check(), eos_parameters), parameters.density)
+    , pool(pool)
+    , shape(parameters)
+    , packed(compute_packing(parameters, shape))
+    , list(2. * parameters.smoothing_ratio * packed.spacing,
+           2. * parameters.smoothing_ratio * packed.spacing * parameters.skin, packed.period)
+    , rates(make_rates(parameters, eos, packed.spacing))
+    , hugoniot_slope(compute_slope(eos, parameters))
+  {
+    place();
+  }
+
+  void Bird::place()
+  {
+    const std::size_t n = packed.points.size();
+    particles           = Particles();
+    particles.mass      = packed.particle_mass;
+    particles.n_ids     = n;
+    particles.resize(n);
+    predicted_mu.reserve(n + n_lanes);
+    particle_masses.assign(n, particles.mass);
+    for (std::size_t p = 0; p < n; ++p)
+      {
+        particles.id[p] = p;
+        for (int d = 0; d < 3; ++d)
+          {
+            particles.x[d][p]          = packed.points[p][d];
+            particles.v[d][p]          = parameters.velocity[d];
+            particles.correction[d][p] = 1.;
+          }
+      }
+    half_step     = 0.;
+    retired_share = {};
+    contact_work  = 0.;
+    contact_impulse.setZero();
+    has_contact_force = false;
+    list.update(particles, pool);
+    ++revision;
+    compute_rates();
+    compute_rates(); // the correction matrices are those of the evaluation before
+  }
+
+  void Bird::advance_in_flight(const double t)
+  {
+    for (int d = 0; d < 3; ++d)
+      for (double &x : particles.x[d])
+        x += t * parameters.velocity[d];
+  }
+
+  void Bird::set_state(const std::function<void(const Point3 &, Point3 &, double &)> &state)
+  {
+    for (std::size_t p = 0; p < particles.size(); ++p)
+      {
+        Point3 x(particles.x[0][p], particles.x[1][p], particles.x[2][p]);
+        Point3 v(particles.v[0][p], particles.v[1][p], particles.v[2][p]);
+        state(x, v, particles.mu[p]);
+        for (int d = 0; d < 3; ++d)
+          particles.v[d][p] = v[d];
+      }
+    half_step = 0.;
+    compute_rates();
+    compute_rates(); // with the new correction matrices
+  }
+
+  void Bird::clear_contact_forces()
+  {
+    for (auto &force : particles.contact_force)
+      std::fill(force.begin(), force.end(), 0.);
+    has_contact_force = false;
+  }
+
+  void Bird::drift(const double dt)
+  {
+    pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
+      for (int d = 0; d < 3; ++d)
+        for (std::size_t p = begin; p < end; ++p)
+          {
+            const double u = dt * particles.v[d][p];
+            particles.x[d][p] += u;
+            particles.displacement[d][p] += u;
+          }
+    });
+    if (list.is_outdated(particles, pool))
+      {
+        list.update(particles, pool);
+        ++revision;
+      }
+  }
+
+  void Bird::predict()
+  {
+    predicted_mu.resize(particles.size());
+    const double scale = half_step / particles.mass;
+    pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
+      for (int d = 0; d < 3; ++d)
+        for (std::size_t p = begin; p < end; ++p)
+          particles.predicted_velocity[d][p] =
+            particles.v[d][p] + scale * (particles.force[d][p] + particles.contact_force[d][p]);
+      for (std::size_t p = begin; p < end; ++p)
+        predicted_mu[p] = particles.mu[p] + half_step * particles.mu_rate[p];
+    });
+  }
+
+  void Bird::compute_rates()
+  {
+    predict();
+    rates->update(particles, predicted_mu, list, pool);
+  }
+
+  void Bird::kick(const double dt, const HalfKick half)
+  {
+    const bool is_first = half == HalfKick::first;
+    if (is_first)
+      half_step = dt;
+    else
+      book_contact(dt);
+    const double scale = dt / particles.mass;
+    pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p)
+        {
+          double power = particles.internal_energy_rate[p];
+          for (int d = 0; d < 3; ++d)
+            {
+              const double before = particles.v[d][p];
+              const double after  = before + scale * (particles.force[d][p] + particles.contact_force[d][p]);
+              particles.v[d][p]   = after;
+              power -= particles.force[d][p] * ((is_first ? after : before) - particles.predicted_velocity[d][p]);
+            }
+          particles.internal_energy[p] += dt * power;
+          particles.mu[p] += dt * particles.mu_rate[p];
+        }
+    });
+    if (is_first)
+      book_contact(dt);
+  }
+
+  void Bird::book_contact(const double dt)
+  {
+    if (!has_contact_force)
+      return;
+    const auto &f = particles.contact_force, &v = particles.v;
+    for (int d = 0; d < 3; ++d)
+      contact_impulse[d] += dt * sum([&](const std::size_t p) { return f[d][p]; });
+    contact_work +=
+      dt * sum([&](const std::size_t p) { return f[0][p] * v[0][p] + f[1][p] * v[1][p] + f[2][p] * v[2][p]; });
+  }
+
+  std::size_t Bird::retire(const Box3 &blade_box)
+  {
+    if (!parameters.retire)
+      return 0;
+    const Point3       margin = Point3::Constant(parameters.retirement_margin);
+    const RetiredShare share  = retire_particles(particles, {blade_box.lower - margin, blade_box.upper + margin});
+    if (share.particles == 0)
+      return 0;
+    retired_share.particles += share.particles;
+    retired_share.energy += share.energy;
+    retired_share.momentum += share.momentum;
+    if (particles.size() > 0)
+      list.update(particles, pool);
+    ++revision;
+    return share.particles;
+  }
+} // namespace birdstrike

@@ -1,0 +1,176 @@
+#include <birdstrike/bird/packing.h>
+#include <birdstrike/core/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Lattice of unit particle volume: points of the cubic or fcc lattice whose origin is shifted by a symmetric
+    /// offset.
+    struct Lattice
+    {
+      double              cell;  ///< edge of the cubic cell
+      std::vector<Point3> basis; ///< in cells
+    };
+
+    Lattice make_lattice(const std::string &packing)
+    {
+      if (packing == "fcc") // four particles a cell
+        return {std::cbrt(4.), {{0., 0., 0.}, {.5, .5, 0.}, {.5, 0., .5}, {0., .5, .5}}};
+      return {1., {{0., 0., 0.}}};
+    }
+
+    /// Coordinates n + basis + shift in [-half, half], per direction, as lattice points inside the shape.
+    std::vector<Point3> cut_lattice(const Lattice &lattice, const Shape &shape, const double scale, const Point3 &shift)
+    {
+      const double        a = lattice.cell * scale;
+      const Point3        h = shape.half_lengths() / a;
+      std::vector<Point3> points;
+      const auto          first = [&](const int d) { return static_cast<int>(std::floor(-h[d])) - 2; };
+      for (int k = first(2); k <= -first(2); ++k)
+        for (int j = first(1); j <= -first(1); ++j)
+          for (int i = first(0); i <= -first(0); ++i)
+            for (const Point3 &b : lattice.basis)
+              {
+                const Point3 p = a * (Point3(i, j, k) + b + shift);
+                if (shape.contains(p))
+                  points.push_back(p);
+              }
+      return points;
+    }
+
+    /// Tries the shifts that keep the lattice symmetric about the axis (through a point, or between points) and keeps
+    /// the cut whose count is nearest to the volume.
+    std::vector<Point3> pack(const BirdParameters &parameters, const Shape &shape)
+    {
+      const Lattice       lattice = make_lattice(parameters.packing);
+      const double        wanted  = shape.volume() / std::pow(parameters.spacing, 3);
+      const double        quarter = parameters.packing == "fcc" ? 0.25 : 0.5;
+      std::vector<Point3> best;
+      for (const double lateral : {0., quarter})
+        for (const double axial : {0., quarter})
+          {
+            std::vector<Point3> points =
+              cut_lattice(lattice, shape, parameters.spacing, Point3(lateral, lateral, axial));
+            if (best.empty() || std::abs(points.size() - wanted) < std::abs(best.size() - wanted))
+              best = std::move(points);
+          }
+      return best;
+    }
+
+    /// A slab takes whole numbers of cells along each length.
+    std::vector<Point3> pack_slab(const BirdParameters &parameters, const Shape &shape)
+    {
+      const Lattice       lattice = make_lattice(parameters.packing);
+      const double        a       = lattice.cell * parameters.spacing;
+      std::array<int, 3>  n;
+      std::vector<Point3> points;
+      for (int d = 0; d < 3; ++d)
+        n[d] = std::max(1, static_cast<int>(std::lround(2. * shape.half_lengths()[d] / a)));
+      const double inset = lattice.basis.size() == 1 ? 0.5 : 0.25;
+      for (int k = 0; k < n[2]; ++k)
+        for (int j = 0; j < n[1]; ++j)
+          for (int i = 0; i < n[0]; ++i)
+            for (const Point3 &b : lattice.basis)
+              points.push_back(a * (Point3(i, j, k) + b + Point3::Constant(inset) - 0.5 * Point3(n[0], n[1], n[2])));
+      return points;
+    }
+
+    /// Axis turned from the velocity by yaw and pitch; the columns are the images of x, y, z of the bird's frame.
+    Matrix3<double> compute_attitude(const BirdParameters &parameters)
+    {
+      const Point3 v(parameters.velocity[0], parameters.velocity[1], parameters.velocity[2]);
+      const Point3 direction = v.norm() > 0. ? Point3(v.normalized()) : Point3(0., 0., 1.);
+      Point3       span      = Point3::UnitX() - direction[0] * direction;
+      if (span.norm() < 1e-3)
+        span = Point3::UnitY() - direction[1] * direction;
+      span.normalize();
+      Matrix3<double> frame;
+      frame << span, direction.cross(span), direction;
+      const double degree = std::numbers::pi / 180.;
+      return Eigen::AngleAxisd(parameters.yaw * degree, span) *
+             Eigen::AngleAxisd(parameters.pitch * degree, frame.col(1)) * frame;
+    }
+
+    Point3 compute_start(const BirdParameters &parameters, const double bounding_radius)
+    {
+      const auto  &u = parameters.velocity, &a = parameters.aim_point;
+      const Point3 v(u[0], u[1], u[2]);
+      const Point3 target(a[0], a[1] + parameters.chordwise_offset, a[2]);
+      if (parameters.shape == "slab" || v.norm() == 0.)
+        return target;
+      const double distance = parameters.stand_off > 0. ? parameters.stand_off : 2. * bounding_radius;
+      return target - distance * v.normalized();
+    }
+
+    void check_period(const double period, const double range)
+    {
+      if (period < 2. * range)
+        throw InputError(fmt::format("Section 'Bird', entry 'Periodic directions': the period {:.4g} m is shorter than "
+                                     "two interaction ranges ({:.4g} m).\nA particle would meet its own image twice: "
+                                     "make the body at least six particle spacings wide there.",
+                                     period, 2. * range));
+    }
+  } // namespace
+
+  Packing compute_packing(const BirdParameters &parameters, const Shape &shape)
+  {
+    Packing packing;
+    packing.points = shape.is_slab() ? pack_slab(parameters, shape) : pack(parameters, shape);
+    if (packing.points.empty())
+      throw InputError("Section 'Bird': the shape holds no particle.\nChoose a smaller 'Particle spacing'.");
+
+    const std::size_t n     = packing.points.size();
+    const double      m     = shape.volume() * parameters.density;
+    const double      scale = std::cbrt(shape.volume() / n) / parameters.spacing;
+    packing.particle_mass   = m / n;
+    packing.spacing         = parameters.spacing * scale;
+    double length           = 0.;
+    for (Point3 &p : packing.points)
+      {
+        p *= scale;
+        length                  = std::max(length, 2. * std::abs(p[2]));
+        packing.bounding_radius = std::max(packing.bounding_radius, p.norm());
+      }
+    const double layer = parameters.packing == "fcc" ? 0.5 * std::cbrt(4.) : 1.;
+    packing.length     = length + layer * packing.spacing;
+    packing.bounding_radius += packing.spacing;
+    // A cross-section is as large as its share of the volume: D scales with the cut's count at fixed shape.
+    packing.diameter = shape.diameter() * std::sqrt(shape.length() / packing.length);
+
+    const Matrix3<double> attitude = shape.is_slab() ? Matrix3<double>::Identity() : compute_attitude(parameters);
+    packing.axis                   = attitude.col(2);
+    packing.centre                 = compute_start(parameters, packing.bounding_radius);
+    const double range             = 2. * parameters.smoothing_ratio * packing.spacing * (1. + parameters.skin);
+    for (int d = 0; d < 3; ++d)
+      if (parameters.is_periodic(d))
+        {
+          const double a       = parameters.packing == "fcc" ? std::cbrt(4.) : 1.;
+          const double nominal = shape.is_slab() ? 2. * shape.half_lengths()[d] : packing.length;
+          const double cell    = a * packing.spacing;
+          packing.period[d] =
+            shape.is_slab() ? std::max(1., std::round(nominal / (a * parameters.spacing))) * cell : nominal;
+          check_period(packing.period[d], range);
+          if (!shape.is_slab() && std::abs(packing.axis[d]) < 1. - 1e-12)
+            throw InputError("Section 'Bird', entry 'Periodic directions': a cylinder repeats itself along its axis "
+                             "only.\nLet the velocity point along that direction, without yaw or pitch.");
+        }
+    for (Point3 &p : packing.points)
+      p = packing.centre + attitude * p;
+    return packing;
+  }
+
+  std::string Packing::summary(const Shape &shape) const
+  {
+    return fmt::format("bird: {} particles of {:.6g} g, spacing {:.5g} mm, mass {:.9g} kg; length {:.5g} mm (nominal "
+                       "{:.5g}), diameter {:.5g} mm (nominal {:.5g})",
+                       points.size(), 1e3 * particle_mass, 1e3 * spacing, mass(), 1e3 * length, 1e3 * shape.length(),
+                       1e3 * diameter, 1e3 * shape.diameter());
+  }
+} // namespace birdstrike

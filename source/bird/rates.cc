@@ -1,0 +1,32 @@
+#include <birdstrike/bird/rates.h>
+#include <birdstrike/bird/riemann_rates.h>
+#include <birdstrike/bird/standard_rates.h>
+#include <birdstrike/core/errors.h>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace birdstrike
+{
+  std::unique_ptr<Rates> make_rates(const BirdParameters &parameters, const EquationOfState &eos, const double spacing)
+  {
+    if (parameters.is_riemann())
+      return std::make_unique<RiemannRates>(parameters, eos, spacing);
+    return std::make_unique<StandardRates>(parameters, eos, spacing);
+  }
+
+  void report_failed_particle(const Particles &particles, const Particles::Column &mu, const std::size_t begin,
+                              const std::size_t end)
+  {
+    std::size_t p = begin;
+    while (p + 1 < std::min(end, particles.size()) && is_sound(particles, mu[p], p))
+      ++p;
+    throw NumericalFailure(fmt::format("Bird particle {} at ({:.6g}, {:.6g}, {:.6g}) m has lost its state:\n"
+                                       "density over reference density {:.6g}, velocity ({:.6g}, {:.6g}, {:.6g}) m/s.\n"
+                                       "Lower 'Courant number' in section 'Bird', or look at the contact there.",
+                                       particles.id[p], particles.x[0][p], particles.x[1][p], particles.x[2][p],
+                                       1. + mu[p], particles.predicted_velocity[0][p],
+                                       particles.predicted_velocity[1][p], particles.predicted_velocity[2][p]));
+  }
+} // namespace birdstrike

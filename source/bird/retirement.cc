@@ -1,0 +1,66 @@
+#include <birdstrike/bird/retirement.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Volume strain beyond which liquid at zero pressure has come apart for good, unless something strikes it.
+    constexpr double cavitated = -0.01;
+
+    Point3 at(const Particles::Column3 &column, const std::size_t p)
+    {
+      return {column[0][p], column[1][p], column[2][p]};
+    }
+  } // namespace
+
+  bool meets_box(const Point3 &x, const Point3 &v, const Box3 &box)
+  {
+    double enters = 0., leaves = std::numeric_limits<double>::infinity();
+    for (int d = 0; d < 3; ++d)
+      if (v[d] == 0.)
+        {
+          if (x[d] < box.lower[d] || x[d] > box.upper[d])
+            return false;
+        }
+      else
+        {
+          const double a = (box.lower[d] - x[d]) / v[d], b = (box.upper[d] - x[d]) / v[d];
+          enters = std::max(enters, std::min(a, b));
+          leaves = std::min(leaves, std::max(a, b));
+        }
+    return enters <= leaves;
+  }
+
+  RetiredShare retire_particles(Particles &particles, const Box3 &box)
+  {
+    RetiredShare             share;
+    std::vector<std::size_t> kept;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+      {
+        const bool   is_loose = particles.signal_speed[p] == 0. || particles.largest_mu[p] < cavitated;
+        const Point3 v        = at(particles.v, p);
+        if (!is_loose || meets_box(at(particles.x, p), v, box))
+          {
+            kept.push_back(p);
+            continue;
+          }
+        ++share.particles;
+        share.momentum += particles.mass * v;
+        share.energy += 0.5 * particles.mass * v.squaredNorm() + particles.internal_energy[p];
+      }
+    if (share.particles == 0)
+      return share;
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      particles.id[k] = particles.id[kept[k]];
+    particles.for_each_column([&](Particles::Column &column) {
+      for (std::size_t k = 0; k < kept.size(); ++k)
+        column[k] = column[kept[k]];
+    });
+    particles.resize(kept.size());
+    return share;
+  }
+} // namespace birdstrike

@@ -1,0 +1,92 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/material/equation_of_state.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+using namespace birdstrike;
+
+namespace
+{
+  EquationOfState make(const std::string &type)
+  {
+    EosParameters parameters;
+    parameters.type = type;
+    return EquationOfState(parameters, 950.);
+  }
+} // namespace
+
+// Exact Rankine-Hugoniot states of three laws at 13 speeds, tabulated by an independent script to 6 or 5 digits.
+TEST(EquationOfState, ReproducesTheTabulatedHugoniotStates)
+{
+  std::ifstream file(BIRDSTRIKE_TEST_DATA "/hugoniot.csv");
+  ASSERT_TRUE(file) << "missing hugoniot.csv";
+  std::string line;
+  std::getline(file, line);
+  int n_rows = 0;
+  for (; std::getline(file, line); ++n_rows)
+    {
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream row(line);
+      std::string        law;
+      double             v, ratio, p_mpa, shock, shock_lab, c1;
+      row >> law >> v >> ratio >> p_mpa >> shock >> shock_lab >> c1;
+      const EquationOfState eos   = make(law);
+      const HugoniotState   state = eos.hugoniot(v);
+      // half a unit of the table's last digit
+      EXPECT_NEAR(state.density_ratio, ratio, 6e-7) << line;
+      EXPECT_NEAR(state.pressure, p_mpa * 1e6, 600.) << line;
+      EXPECT_NEAR(state.shock_speed, shock, 6e-3) << line;
+      const double mu = state.density_ratio - 1.;
+      EXPECT_NEAR(std::sqrt(eos.sound_speed_squared(mu, eos.pressure(mu))), c1, 6e-3) << line;
+    }
+  EXPECT_EQ(n_rows, 39);
+}
+
+// By construction of the law, U_s = c0 + k v exactly.
+TEST(EquationOfState, LinearShockLawReturnsItsOwnLine)
+{
+  const EquationOfState eos = make("us-up");
+  for (const double v : {10., 177.4, 500.})
+    {
+      EXPECT_NEAR(eos.hugoniot(v).shock_speed, 1482.9 + 2. * v, 1e-8 * 1482.9);
+      EXPECT_NEAR(eos.hugoniot_slope(v), 2., 1e-7);
+    }
+}
+
+TEST(EquationOfState, LanesAgreeWithDoublesAndSoundSpeedIsTheSlope)
+{
+  for (const char *type : {"linear", "murnaghan", "polynomial", "us-up"})
+    {
+      const EquationOfState eos = make(type);
+      const Lanes           mu([](const auto k) { return -0.02 + 0.0371 * k; });
+      const Lanes           p = eos.pressure(mu), c2 = eos.sound_speed_squared(mu, p);
+      for (std::size_t k = 0; k < n_lanes; ++k)
+        {
+          const double m = mu[k], step = 1e-6;
+          EXPECT_NEAR(p[k], eos.pressure(m), 1e-14 * std::abs(eos.pressure(m))) << type;
+          const double slope = (eos.pressure(m + step) - eos.pressure(m - step)) / (2. * step * 950.);
+          // central difference: error ~ p'''step^2 and round-off ~ 1e-16 p/step
+          EXPECT_NEAR(c2[k], slope, 1e-7 * slope) << type;
+        }
+    }
+}
+
+// rho0 c0^2 mu must keep all digits at mu = 1e-12, where (1 + mu)^gamma - 1 would keep four.
+TEST(EquationOfState, MurnaghanKeepsItsDigitsNearZero)
+{
+  EXPECT_NEAR(make("murnaghan").pressure(1e-12), 128e6 * 7.98 * 1e-12, 1e-14);
+}
+
+TEST(EquationOfState, RefusesAnUnknownLawAndASofteningOne)
+{
+  EXPECT_THROW(make("magic"), std::out_of_range);
+  EosParameters parameters;
+  parameters.type        = "us-up";
+  parameters.shock_slope = 0.1;
+  EXPECT_THROW(parameters.check(), InputError);
+}
