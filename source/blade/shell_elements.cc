@@ -144,6 +144,17 @@ namespace birdstrike
   ShellElements::~ShellElements()                         = default;
   ShellElements::ShellElements(ShellElements &&) noexcept = default;
 
+  void ShellElements::add_symmetry_plane(const std::span<const std::uint32_t> nodes, const Point3 &plane_normal)
+  {
+    Implementation &my = *implementation;
+    my.symmetry.resize(my.n_nodes);
+    for (const auto node : nodes)
+      {
+        my.symmetry.at(node).push_back(plane_normal.normalized());
+        my.update_normal(node);
+      }
+  }
+
   void ShellElements::compute_internal_forces(const double *position, const double *increment, const double dt,
                                               double *force)
   {

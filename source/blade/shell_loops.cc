@@ -34,6 +34,13 @@ namespace birdstrike
         n[1] += az * bx - ax * bz;
         n[2] += ax * by - ay * bx;
       }
+    if (!symmetry.empty())
+      for (const Point3 &plane : symmetry[node])
+        {
+          const double component = n[0] * plane[0] + n[1] * plane[1] + n[2] * plane[2];
+          for (int c = 0; c < 3; ++c)
+            n[c] -= component * plane[c];
+        }
     const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     const double scale  = square > 0. ? 1. / std::sqrt(square) : 0.;
     for (int c = 0; c < 3; ++c)

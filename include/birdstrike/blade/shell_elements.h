@@ -73,6 +73,10 @@ namespace birdstrike
     ~ShellElements();
     ShellElements(ShellElements &&) noexcept;
 
+    /// Nodes on a symmetry plane with the given normal: their averaged normal stays in the plane, as it would with the
+    /// other half of the shell in place. May be called for several planes, before the first step.
+    void add_symmetry_plane(std::span<const std::uint32_t> nodes, const Point3 &plane_normal);
+
     /// position [n_nodes][3] at t^{n+1} (m); increment [n_nodes][6] of displacement (m) and rotation (rad) since the
     /// last call; force [n_nodes][6] is overwritten with what the elements exert on the nodes, -f_int (N, N m).
     void compute_internal_forces(const double *position, const double *increment, double dt, double *force);

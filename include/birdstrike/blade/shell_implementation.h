@@ -45,6 +45,7 @@ namespace birdstrike
     };
 
     void update_nodes(const double *position, const double *increment);
+    void update_normal(std::size_t node);
     void promote(std::size_t batch);
     void update_batch(std::size_t batch, double dt);
     void gather_forces(double *force) const;
@@ -53,16 +54,17 @@ namespace birdstrike
     ShellGeometry<double> geometry(std::size_t element) const;
     double                sum(Lanes Batch::*energy) const;
 
-    ShellSection                                  section;
-    ShellSectionLaw                               law;
-    double                                        initial_yield;
-    ThreadPool                                   &pool;
-    std::size_t                                   n_nodes;
-    std::vector<std::array<std::uint32_t, 4>>     cells;
-    std::vector<std::size_t>                      corner_begin; ///< [n_nodes + 1]
-    std::vector<Corner>                           corners;
-    AlignedVector<NodeRecord>                     records;
-    AlignedVector<Batch>                          batches;
+    ShellSection                              section;
+    ShellSectionLaw                           law;
+    double                                    initial_yield;
+    ThreadPool                               &pool;
+    std::size_t                               n_nodes;
+    std::vector<std::array<std::uint32_t, 4>> cells;
+    std::vector<std::size_t>                  corner_begin; ///< [n_nodes + 1]
+    std::vector<Corner>                       corners;
+    std::vector<std::vector<Point3>>          symmetry; ///< [n_nodes], normals of symmetry planes; empty without any
+    AlignedVector<NodeRecord>                 records;
+    AlignedVector<Batch>                      batches;
     std::vector<AlignedVector<ShellPoint<Lanes>>> points; ///< [n_batches], empty while elastic
     std::vector<double> mass_ratio;                       ///< [n_elements], nodal mass over sum of quarters, worst node
 
@@ -71,7 +73,6 @@ namespace birdstrike
     void load_corners(std::size_t batch, double (NodeRecord::*member)[3], CornerVectors &result) const;
     void build_corners();
     void build_batches(const std::vector<double> &thickness);
-    void update_normal(std::size_t node);
     template <bool physical>
     void update_batch_as(std::size_t batch, double dt);
   };

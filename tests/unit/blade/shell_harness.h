@@ -2,6 +2,7 @@
 
 #include <birdstrike/blade/shell_elements.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -117,31 +118,21 @@ namespace shell_harness
       return K;
     }
 
-    /// Averaged normals, as the elements see them.
-    std::vector<Point3> compute_normals() const
-    {
-      std::vector<Point3> normals(mesh.nodes.size(), Point3::Zero());
-      for (const auto &cell : mesh.cells)
-        for (int i = 0; i < 4; ++i)
-          normals[cell[i]] += (mesh.nodes[cell[(i + 1) % 4]] - mesh.nodes[cell[i]])
-                                .cross(mesh.nodes[cell[(i + 3) % 4]] - mesh.nodes[cell[i]]);
-      for (auto &n : normals)
-        n.normalize();
-      return normals;
-    }
-
     /// Displacements under nodal loads; held dofs keep the given values. Free drilling gets a stiffness that nothing
     /// feels, since drilling neither takes nor makes force.
     Eigen::VectorXd solve(const Eigen::VectorXd &load, const std::vector<bool> &held, const Eigen::VectorXd &given)
     {
       Eigen::MatrixXd K       = compute_stiffness();
-      const auto      normals = compute_normals();
       double          largest = 0.;
       for (std::size_t d = 0; d < n_dofs(); ++d)
         if (d % 6 >= 3)
           largest = std::max(largest, K(d, d));
       for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
-        K.block<3, 3>(6 * n + 3, 6 * n + 3) += largest * normals[n] * normals[n].transpose();
+        {
+          auto                                                 block = K.block<3, 3>(6 * n + 3, 6 * n + 3);
+          const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(0.5 * (block + block.transpose()));
+          block += largest * modes.eigenvectors().col(0) * modes.eigenvectors().col(0).transpose();
+        }
       std::vector<Eigen::Triplet<double>> entries;
       Eigen::VectorXd                     right = load;
       for (std::size_t i = 0; i < n_dofs(); ++i)
