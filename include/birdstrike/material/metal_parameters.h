@@ -1,0 +1,47 @@
+#pragma once
+
+#include <birdstrike/material/metal.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace birdstrike
+{
+  /// The metal of a blade as the user gives it: a name of `metal_table`, and values that replace those of the table.
+  /// Values are texts, since "table" (take it from the name) stands beside numbers; check() refuses any other text.
+  /// Hardening data default to what a law needs to be neutral, where the table has nothing.
+  struct MetalParameters
+  {
+    std::string name      = "Ti-6Al-4V";
+    std::string density   = "table"; ///< kg/m^3
+    std::string young     = "table"; ///< Pa
+    std::string poisson   = "table"; ///< -
+    std::string hardening = "table"; ///< law
+    std::string yield     = "table"; ///< Pa
+    std::string modulus   = "table"; ///< Pa
+    std::string exponent  = "table"; ///< -
+    std::string strain    = "table"; ///< -
+
+    std::string rate_factor    = "table"; ///< -
+    std::string reference_rate = "table"; ///< 1/s
+
+    bool        is_adiabatic        = false;
+    double      heat_capacity       = 526.3;   ///< J/(kg K)
+    double      taylor_quinney      = 0.9;     ///< -
+    double      initial_temperature = 293.;    ///< K
+    double      room_temperature    = 293.;    ///< K
+    double      melting_temperature = 1873.;   ///< K
+    std::string softening_exponent  = "table"; ///< -
+
+    /// Declares the entries in the section that the caller has entered.
+    void declare(dealii::ParameterHandler &prm);
+    /// Throws InputError.
+    void check() const;
+    /// The metal that follows; throws InputError.
+    Metal metal() const;
+  };
+} // namespace birdstrike

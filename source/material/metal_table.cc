@@ -1,0 +1,48 @@
+#include <birdstrike/material/metal_table.h>
+
+#include <array>
+
+namespace birdstrike
+{
+  namespace
+  {
+    Metal make_metal(const std::string &name, const double density, const Elasticity &elasticity, const double yield)
+    {
+      Metal metal;
+      metal.name              = name;
+      metal.density           = density;
+      metal.elasticity        = elasticity;
+      metal.hardening.law     = HardeningLaw::perfect;
+      metal.hardening.yield   = yield;
+      metal.hardening.density = density;
+      return metal;
+    }
+
+    /// A, B in Pa, the rest without unit; isothermal until a heat capacity is given.
+    Metal make_johnson_cook(Metal metal, const std::string &name, const std::array<double, 5> &a_b_n_c_m)
+    {
+      metal.name                         = name;
+      metal.hardening.law                = HardeningLaw::johnson_cook;
+      metal.hardening.yield              = a_b_n_c_m[0];
+      metal.hardening.modulus            = a_b_n_c_m[1];
+      metal.hardening.exponent           = a_b_n_c_m[2];
+      metal.hardening.rate_factor        = a_b_n_c_m[3];
+      metal.hardening.softening_exponent = a_b_n_c_m[4];
+      return metal;
+    }
+  } // namespace
+
+  const NamedChoices<Metal> &metal_table()
+  {
+    static const Metal ti_811 = make_metal("Ti-8Al-1Mo-1V", 4370., {121e9, 0.32}, 930e6);
+    static const Metal ti_64  = make_metal("Ti-6Al-4V", 4430., {113.8e9, 0.342}, 880e6);
+    static const Metal al     = make_metal("Al 6061-T6", 2700., {68.9e9, 0.33}, 276e6);
+    static const Metal jc_862 =
+      make_johnson_cook(ti_64, "Ti-6Al-4V Johnson-Cook 862", {862e6, 331e6, 0.34, 0.012, 0.8});
+    static const Metal jc_1098 =
+      make_johnson_cook(ti_64, "Ti-6Al-4V Johnson-Cook 1098", {1098e6, 1092e6, 0.93, 0.014, 1.1});
+    static const NamedChoices<Metal> table{{"custom", Metal()}, {ti_811.name, ti_811}, {ti_64.name, ti_64},
+                                           {al.name, al},       {jc_862.name, jc_862}, {jc_1098.name, jc_1098}};
+    return table;
+  }
+} // namespace birdstrike

@@ -1,0 +1,51 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/material/metal_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <gtest/gtest.h>
+
+using namespace birdstrike;
+
+TEST(MetalParameters, TheTableGivesWhatIsNotGiven)
+{
+  dealii::ParameterHandler prm;
+  MetalParameters          parameters;
+  parameters.declare(prm);
+  prm.parse_input_from_string("set Name = Ti-8Al-1Mo-1V\nset Hardening = linear\nset Hardening modulus = 1.25e9\n"
+                              "set Density = 4400\n");
+  const Metal metal = parameters.metal();
+  EXPECT_EQ(metal.elasticity.young, 121e9);
+  EXPECT_EQ(metal.elasticity.poisson, 0.32);
+  EXPECT_EQ(metal.density, 4400.) << "an entry that is given replaces the table";
+  EXPECT_EQ(metal.hardening.yield, 930e6);
+  EXPECT_EQ(metal.hardening.law, HardeningLaw::linear);
+  EXPECT_EQ(metal.hardening.modulus, 1.25e9);
+}
+
+TEST(MetalParameters, CustomMetalsMustBeComplete)
+{
+  MetalParameters parameters;
+  parameters.name    = "custom";
+  parameters.density = "2700";
+  parameters.young   = "70e9";
+  parameters.poisson = "0.3";
+  EXPECT_THROW(parameters.check(), InputError);
+  parameters.yield = "300e6";
+  EXPECT_NO_THROW(parameters.check());
+}
+
+TEST(MetalParameters, BadValuesAreRefused)
+{
+  MetalParameters parameters;
+  parameters.poisson = "0.5";
+  EXPECT_THROW(parameters.check(), InputError);
+  parameters.poisson = "0.3x";
+  EXPECT_THROW(parameters.check(), InputError);
+  parameters.poisson   = "0.3";
+  parameters.hardening = "johnson-cook"; // the table has no hardening modulus for this alloy
+  EXPECT_THROW(parameters.check(), InputError);
+  parameters.modulus             = "331e6";
+  parameters.melting_temperature = 200.;
+  EXPECT_THROW(parameters.check(), InputError);
+}
