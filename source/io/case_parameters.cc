@@ -21,8 +21,9 @@ namespace birdstrike
   } // namespace
 
   CaseParameters::CaseParameters()
-    : file({describe_case(name, description), ParameterGroup::of(blade), ParameterGroup::of(bird),
-            ParameterGroup::of(contact), ParameterGroup::of(time), ParameterGroup::of(output)})
+    : file({describe_case(name, description), ParameterGroup::of(blade, "Blade"), ParameterGroup::of(bird),
+            ParameterGroup::of(equation_of_state, "Bird"), ParameterGroup::of(contact), ParameterGroup::of(time),
+            ParameterGroup::of(output)})
   {
   }
 

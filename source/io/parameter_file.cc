@@ -97,6 +97,16 @@ namespace birdstrike
     }
   } // namespace
 
+  void ParameterGroup::declare_in_section(dealii::ParameterHandler &prm, const std::string &section,
+                                          const std::function<void(dealii::ParameterHandler &)> &declare)
+  {
+    if (!section.empty())
+      prm.enter_subsection(section);
+    declare(prm);
+    if (!section.empty())
+      prm.leave_subsection();
+  }
+
   ParameterFile::ParameterFile(const std::vector<ParameterGroup> &groups)
     : groups(groups), prm(std::make_unique<dealii::ParameterHandler>())
   {
@@ -142,8 +152,9 @@ namespace birdstrike
 
   std::string ParameterFile::as_json() const
   {
-    nlohmann::ordered_json json = nlohmann::ordered_json::object();
-    for (const KnownEntry &entry : tree().entries())
+    nlohmann::ordered_json json  = nlohmann::ordered_json::object();
+    const ParameterTree    known = tree();
+    for (const KnownEntry &entry : known.entries())
       {
         nlohmann::ordered_json *node = &json;
         for (const std::string &name : entry.section)

@@ -30,7 +30,7 @@ namespace birdstrike
     {
       std::vector<std::string> names;
       for (const SectionPath &section : sections)
-        names.push_back("'" + to_string(section) + "'");
+        names.push_back(quote(to_string(section)));
       return list_names(names);
     }
 
@@ -55,6 +55,11 @@ namespace birdstrike
     return "'" + (text.size() > 80 ? text.substr(0, 77) + "..." : text) + "'";
   }
 
+  std::string describe_section(const SectionPath &section)
+  {
+    return section.empty() ? "top level" : "section " + quote(to_string(section));
+  }
+
   std::string describe_unknown_entry(const SourceLine &where, const SectionPath &section, const std::string &name,
                                      const ParameterTree &known)
   {
@@ -68,10 +73,9 @@ namespace birdstrike
     else if (const std::string anywhere = nearest_name(name, all_entry_names(known)); !anywhere.empty())
       advice = "  Nearest name: '" + anywhere + "' in section " + list_sections(known.sections_with(anywhere)) + ".";
     const std::string names = list_names(known.entry_names(section));
-    return message(
-      {where.text() + ", section '" + to_string(section) + "': there is no entry " + quote(name) + " here.", advice,
-       "  Entries here: " + (names.empty() ? "none" : names),
-       "  Action: correct the name; 'birdstrike parameters' prints every entry."});
+    return message({where.text() + ", " + describe_section(section) + ": there is no entry " + quote(name) + " here.",
+                    advice, "  Entries here: " + (names.empty() ? "none" : names),
+                    "  Action: correct the name; 'birdstrike parameters' prints every entry."});
   }
 
   std::string describe_unknown_section(const SourceLine &where, const SectionPath &section,
@@ -93,8 +97,8 @@ namespace birdstrike
     const std::string              nearest = nearest_name(name, here);
     const std::string              names   = list_names(here);
     return message({where.text() + ": there is no subsection " + quote(name) + " in " +
-                      (section.empty() ? to_string(section) : "'" + to_string(section) + "'") + ".",
-                    forgotten_end, nearest.empty() ? "" : "  Nearest name here: '" + nearest + "'.",
+                      (section.empty() ? to_string(section) : quote(to_string(section))) + ".",
+                    forgotten_end, nearest.empty() ? "" : "  Nearest name here: " + quote(nearest) + ".",
                     "  Subsections here: " + (names.empty() ? "none" : names),
                     "  Action: correct the name; 'birdstrike parameters' prints every section."});
   }
@@ -113,10 +117,10 @@ namespace birdstrike
           }
         nearest = nearest_name(value, choices);
       }
-    return message({where.text() + ", section '" + to_string(entry.section) + "': '" + entry.name + "' cannot be " +
-                      quote(value) + ".",
-                    "  Allowed: " + describe_entry(entry) + ".",
-                    nearest.empty() ? "" : "  Nearest choice: '" + nearest + "'.", "  Meaning: " + entry.text});
+    return message(
+      {where.text() + ", " + describe_section(entry.section) + ": '" + entry.name + "' cannot be " + quote(value) + ".",
+       "  Allowed: " + describe_entry(entry) + ".", nearest.empty() ? "" : "  Nearest choice: '" + nearest + "'.",
+       "  Meaning: " + entry.text});
   }
 
   std::string describe_bad_statement(const SourceLine &where, const std::string &statement)

@@ -12,6 +12,8 @@ namespace birdstrike
   std::string message(std::initializer_list<std::string> lines); ///< empty lines are left out
   std::string quote(const std::string &text);                    ///< in quotes, long texts cut
 
+  std::string describe_section(const SectionPath &section); ///< "section 'Bird'" or "top level"
+
   std::string describe_unknown_entry(const SourceLine &where, const SectionPath &section, const std::string &name,
                                      const ParameterTree &known);
   /// `opened_at`: the line that opened `section`, 0 at the top level.

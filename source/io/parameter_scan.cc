@@ -45,7 +45,7 @@ namespace birdstrike
     {
       const std::size_t equals = statement.find('=');
       if (equals == std::string::npos)
-        throw InputError(message({where.text() + ", section '" + to_string(section) + "': '=' is missing.",
+        throw InputError(message({where.text() + ", " + describe_section(section) + ": '=' is missing.",
                                   "  Read: " + quote(statement), "  Allowed: set ENTRY = VALUE"}));
       const std::string name  = normalise(statement.substr(0, equals));
       const KnownEntry *entry = known.find(section, name);
@@ -159,7 +159,7 @@ namespace birdstrike
           if (earlier.section == assignment.section && earlier.name == assignment.name &&
               earlier.where.file == where.file)
             throw InputError(message(
-              {where.text() + ", section '" + to_string(section) + "': '" + assignment.name + "' is set a second time.",
+              {where.text() + ", " + describe_section(section) + ": '" + assignment.name + "' is set a second time.",
                "  Read: " + quote(earlier.value) + " in line " + std::to_string(earlier.where.line) + ", now " +
                  quote(assignment.value) + ".",
                "  Action: remove one of the two lines."}));

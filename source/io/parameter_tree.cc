@@ -143,7 +143,7 @@ namespace birdstrike
     add_section(Json::parse(out.str()), {}, all, sections);
   }
 
-  const std::vector<KnownEntry> &ParameterTree::entries() const
+  const std::vector<KnownEntry> &ParameterTree::entries() const &
   {
     return all;
   }

@@ -45,10 +45,15 @@ namespace birdstrike
 
   std::string format_count(const std::uint64_t n)
   {
-    std::string digits = std::to_string(n);
-    for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
-      digits.insert(i, " ");
-    return digits;
+    const std::string digits = std::to_string(n);
+    std::string       text;
+    for (std::size_t i = 0; i < digits.size(); ++i)
+      {
+        if (i > 0 && (digits.size() - i) % 3 == 0)
+          text += ' ';
+        text += digits[i];
+      }
+    return text;
   }
 
   std::string format_duration(const double seconds)

@@ -5,6 +5,7 @@
 #include <birdstrike/contact/parameters.h>
 #include <birdstrike/io/output_parameters.h>
 #include <birdstrike/io/parameter_file.h>
+#include <birdstrike/material/equation_of_state.h>
 #include <birdstrike/time_control/parameters.h>
 
 #include <string>
@@ -20,6 +21,7 @@ namespace birdstrike
 
     BladeParameters   blade;
     BirdParameters    bird;
+    EosParameters     equation_of_state; ///< of the bird: section Bird/Equation of state
     ContactParameters contact;
     TimeParameters    time;
     OutputParameters  output;

@@ -22,11 +22,19 @@ namespace birdstrike
     std::function<void(dealii::ParameterHandler &)> declare;
     std::function<void()>                           check;
 
+    /// `section`: entered around declare(), for groups that declare in the present section; empty for groups that
+    /// enter their own.
     template <class Parameters>
-    static ParameterGroup of(Parameters &p)
+    static ParameterGroup of(Parameters &p, const std::string &section = "")
     {
-      return {[&p](dealii::ParameterHandler &prm) { p.declare(prm); }, [&p] { p.check(); }};
+      return {[&p, section](dealii::ParameterHandler &prm) {
+                declare_in_section(prm, section, [&p](dealii::ParameterHandler &inner) { p.declare(inner); });
+              },
+              [&p] { p.check(); }};
     }
+
+    static void declare_in_section(dealii::ParameterHandler &prm, const std::string &section,
+                                   const std::function<void(dealii::ParameterHandler &)> &declare);
   };
 
   /// The parameter file: owns the handler to which groups of parameters are bound, reads values into them and prints

@@ -38,7 +38,8 @@ namespace birdstrike
   public:
     explicit ParameterTree(const dealii::ParameterHandler &prm);
 
-    const std::vector<KnownEntry> &entries() const;
+    const std::vector<KnownEntry> &entries() const &;
+    const std::vector<KnownEntry> &entries() const && = delete; // a loop over a temporary tree would outlive it
 
     /// nullptr if there is no such entry.
     const KnownEntry *find(const SectionPath &section, const std::string &name) const;

@@ -1,0 +1,96 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/parameter_tree.h>
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+
+#include "scratch_folder.h"
+
+using birdstrike::CaseParameters;
+using birdstrike::KnownEntry;
+
+TEST(CaseParameters, EveryTextIsASentenceThatEndsWithItsUnit)
+{
+  const CaseParameters parameters;
+  const auto           tree = parameters.file.tree();
+  EXPECT_GT(tree.entries().size(), 50u);
+  for (const KnownEntry &entry : tree.entries())
+    {
+      const std::string where = to_string(entry.section) + "/" + entry.name;
+      EXPECT_FALSE(entry.unit.empty()) << where << ": the text does not end with a unit in brackets";
+      ASSERT_FALSE(entry.text.empty()) << where;
+      EXPECT_EQ(entry.text.back(), '.') << where << ": the text is no sentence";
+      EXPECT_TRUE(std::isupper(static_cast<unsigned char>(entry.text.front()))) << where;
+      EXPECT_TRUE(std::isupper(static_cast<unsigned char>(entry.name.front()))) << where;
+    }
+}
+
+TEST(CaseParameters, HasOneSectionForEachRoom)
+{
+  const CaseParameters parameters;
+  EXPECT_EQ(parameters.file.tree().subsection_names({}),
+            (std::vector<std::string>{"Case", "Blade", "Bird", "Contact", "Time", "Output"}));
+}
+
+TEST(CaseParameters, DefaultsPassTheirOwnRangesAndReadBack)
+{
+  const ScratchFolder scratch;
+  CaseParameters      first, second;
+  const auto          tree = first.file.tree();
+  for (const KnownEntry &entry : tree.entries())
+    EXPECT_TRUE(entry.allows(entry.value)) << to_string(entry.section) << "/" << entry.name << " = " << entry.value;
+  first.read(scratch.write("plain.prm", ""));
+  second.read(scratch.write("parameters.prm", first.file.as_prm()));
+  EXPECT_EQ(first.file.as_prm(), second.file.as_prm());
+}
+
+TEST(CaseParameters, NameAndFolderComeFromTheFileUnlessGiven)
+{
+  const ScratchFolder scratch;
+  {
+    CaseParameters parameters;
+    parameters.read(scratch.write("frontal.prm", ""), {"Time/End time=2e-3", "Time/Multirate=off"});
+    EXPECT_EQ(parameters.name, "frontal");
+    EXPECT_EQ(parameters.run_directory(), "runs/frontal");
+    EXPECT_EQ(parameters.time.end_time, 2e-3);
+    EXPECT_FALSE(parameters.time.multirate);
+  }
+  CaseParameters parameters;
+  parameters.read(scratch.write("other.prm", ""), {"Case/Name=mine", "Output/Directory=/tmp/x"});
+  EXPECT_EQ(parameters.name, "mine");
+  EXPECT_EQ(parameters.run_directory(), "/tmp/x");
+}
+
+TEST(CaseParameters, TimesThatCannotBeAreRefused)
+{
+  const ScratchFolder scratch;
+  const std::string   file = scratch.write("case.prm", "");
+  for (const char *entry :
+       {"Time/End time=0", "Time/Step scale=1.5", "Time/Step scale=0", "Output/Console interval=0", "Time/Threads=-1"})
+    EXPECT_THROW(CaseParameters().read(file, {entry}), birdstrike::InputError) << entry;
+}
+
+TEST(CaseParameters, EveryShippedFileIsRead)
+{
+  unsigned int n_files = 0;
+  for (const auto &entry : std::filesystem::directory_iterator(BIRDSTRIKE_SOURCE_DIR "/prm"))
+    if (entry.path().extension() == ".prm")
+      {
+        ++n_files;
+        CaseParameters parameters;
+        EXPECT_NO_THROW(parameters.read(entry.path().string())) << [&] {
+          try
+            {
+              CaseParameters().read(entry.path().string());
+            }
+          catch (const std::exception &error)
+            {
+              return std::string(error.what());
+            }
+          return std::string();
+        }();
+      }
+  EXPECT_GE(n_files, 1u) << "no parameter files in " BIRDSTRIKE_SOURCE_DIR "/prm";
+}

@@ -1,0 +1,174 @@
+#include <birdstrike/core/fields.h>
+#include <birdstrike/io/fields.h>
+
+#include <gtest/gtest.h>
+
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <map>
+#include <zlib.h>
+
+#include "scratch_folder.h"
+
+using birdstrike::Field;
+using birdstrike::FieldSeries;
+using birdstrike::FieldSnapshot;
+
+namespace
+{
+  using Tree = boost::property_tree::ptree;
+
+  Tree read_xml(const std::filesystem::path &path)
+  {
+    Tree tree;
+    boost::property_tree::read_xml(path.string(), tree);
+    return tree;
+  }
+
+  std::string decode_base64(const std::string &text)
+  {
+    static const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string              bytes;
+    unsigned int             bits = 0, n_bits = 0;
+    for (const char c : text)
+      if (const std::size_t digit = letters.find(c); digit != std::string::npos)
+        {
+          bits = bits << 6 | static_cast<unsigned int>(digit);
+          n_bits += 6;
+          if (n_bits >= 8)
+            bytes += static_cast<char>(bits >> (n_bits -= 8) & 0xff);
+        }
+    return bytes;
+  }
+
+  /// The floats of one array: VTK's header of four 32-bit numbers (blocks, block size, last size, compressed size),
+  /// then one zlib stream, each coded in base64 by itself.
+  std::vector<float> read_floats(std::string text)
+  {
+    text.erase(std::remove_if(text.begin(), text.end(), [](const unsigned char c) { return std::isspace(c); }),
+               text.end());
+    const std::string header = decode_base64(text.substr(0, 24)), body = decode_base64(text.substr(24));
+    std::uint32_t     sizes[4];
+    std::memcpy(sizes, header.data(), sizeof(sizes));
+    std::vector<float> values(sizes[1] / sizeof(float));
+    uLongf             n_bytes = sizes[1];
+    EXPECT_EQ(uncompress(reinterpret_cast<Bytef *>(values.data()), &n_bytes,
+                         reinterpret_cast<const Bytef *>(body.data()), sizes[3]),
+              Z_OK);
+    return values;
+  }
+
+  struct Array
+  {
+    std::string        components, unit;
+    std::vector<float> values;
+  };
+
+  std::map<std::string, Array> read_point_arrays(const Tree &tree)
+  {
+    std::map<std::string, Array> arrays;
+    for (const auto &[tag, node] : tree.get_child("VTKFile.UnstructuredGrid.Piece.PointData"))
+      if (tag == "DataArray")
+        arrays[node.get<std::string>("<xmlattr>.Name")] = {node.get("<xmlattr>.NumberOfComponents", ""),
+                                                           node.get("<xmlattr>.units", ""), read_floats(node.data())};
+    return arrays;
+  }
+
+  /// Two quadrilaterals side by side.
+  FieldSnapshot make_plate()
+  {
+    FieldSnapshot plate;
+    plate.dim    = 2;
+    plate.points = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0};
+    plate.cells  = {0, 1, 3, 4, 1, 2, 4, 5};
+    plate.fields.push_back({"displacement", "m", false, 3, {}});
+    for (int i = 0; i < 18; ++i)
+      plate.fields.back().values.push_back(0.5 * i);
+    plate.fields.push_back({"thickness", "m", true, 1, {0.25, 0.75}});
+    return plate;
+  }
+} // namespace
+
+TEST(FieldSeries, PlateFileHoldsItsCellsAndArrays)
+{
+  const ScratchFolder scratch;
+  FieldSeries         series(scratch.path(), "blade");
+  series.write(make_plate(), 1e-3);
+  const Tree tree  = read_xml(scratch.path() / "fields" / "blade_0000.vtu");
+  const Tree piece = tree.get_child("VTKFile.UnstructuredGrid.Piece");
+  EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfCells"), 2);
+  EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfPoints"), 8);
+
+  const auto arrays = read_point_arrays(tree);
+  ASSERT_EQ(arrays.size(), 2u);
+  EXPECT_EQ(arrays.at("displacement").components, "3");
+  EXPECT_EQ(arrays.at("displacement").unit, "m");
+  EXPECT_EQ(arrays.at("thickness").values, (std::vector<float>{.25, .25, .25, .25, .75, .75, .75, .75}));
+  // The second vertex of the second cell is node 2, whose displacement starts at value 6.
+  const auto &displacement = arrays.at("displacement").values;
+  ASSERT_EQ(displacement.size(), 24u);
+  EXPECT_EQ(std::vector<float>(displacement.begin() + 15, displacement.begin() + 18),
+            (std::vector<float>{3., 3.5, 4.}));
+  const auto points = read_floats(piece.get_child("Points.DataArray").data());
+  EXPECT_EQ(std::vector<float>(points.begin() + 15, points.begin() + 18), (std::vector<float>{2., 0., 0.}));
+}
+
+TEST(FieldSeries, ParticlesAreVertexCells)
+{
+  const ScratchFolder scratch;
+  FieldSnapshot       bird;
+  bird.dim    = 0;
+  bird.points = {0, 0, 0, 1, 2, 3};
+  bird.fields.push_back({"pressure", "Pa", false, 1, {1e5, 2e5}});
+  bird.fields.push_back({"velocity", "m/s", false, 3, {0, 0, 100, 0, 0, 200}});
+  FieldSeries series(scratch.path(), "bird");
+  series.write(bird, 0.);
+  const Tree tree  = read_xml(scratch.path() / "fields" / "bird_0000.vtu");
+  const Tree piece = tree.get_child("VTKFile.UnstructuredGrid.Piece");
+  EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfCells"), 2);
+  EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfPoints"), 2);
+  const auto arrays = read_point_arrays(tree);
+  EXPECT_EQ(arrays.at("pressure").values, (std::vector<float>{1e5, 2e5}));
+  EXPECT_EQ(arrays.at("velocity").values, (std::vector<float>{0, 0, 100, 0, 0, 200}));
+}
+
+TEST(FieldSeries, ListNamesEveryFileWithItsTime)
+{
+  const ScratchFolder scratch;
+  FieldSeries         series(scratch.path(), "blade");
+  for (const double time : {0., 0.5e-3, 1e-3})
+    series.write(make_plate(), time);
+  const Tree          tree = read_xml(scratch.path() / "blade.pvd");
+  std::vector<double> times;
+  for (const auto &[tag, node] : tree.get_child("VTKFile.Collection"))
+    if (tag == "DataSet")
+      {
+        times.push_back(node.get<double>("<xmlattr>.timestep"));
+        EXPECT_TRUE(std::filesystem::exists(scratch.path() / node.get<std::string>("<xmlattr>.file")));
+      }
+  EXPECT_EQ(times, (std::vector<double>{0., 0.5e-3, 1e-3}));
+  EXPECT_EQ(series.n_files(), 3u);
+  std::size_t n_bytes = 0;
+  for (const auto &file : std::filesystem::directory_iterator(scratch.path() / "fields"))
+    n_bytes += file.file_size();
+  EXPECT_EQ(series.n_bytes(), n_bytes);
+}
+
+TEST(FieldSeries, RefusesArraysThatDoNotFit)
+{
+  const ScratchFolder scratch;
+  FieldSeries         series(scratch.path(), "blade");
+  FieldSnapshot       plate = make_plate();
+  plate.fields[0].values.pop_back();
+  EXPECT_THROW(series.write(plate, 0.), std::logic_error);
+  plate          = make_plate();
+  plate.cells[3] = 6;
+  EXPECT_THROW(series.write(plate, 0.), std::logic_error);
+  EXPECT_EQ(series.n_files(), 0u);
+}
+
+TEST(FieldSeries, ForecastIsTheSizeOfTheArrays)
+{
+  // 8 vertices with 3 + 3 + 1 floats and a 4-byte number each; 2 cells with a 4-byte offset and a 1-byte type.
+  EXPECT_EQ(birdstrike::compute_field_file_bytes(make_plate()), 8u * (7 * 4 + 4) + 2u * 5);
+}
