@@ -1,0 +1,39 @@
+#pragma once
+
+#include <birdstrike/core/number.h>
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace birdstrike
+{
+  /// A disc on the struck surface over which the contact pressure is averaged.
+  struct PressurePatch
+  {
+    std::string name;
+    Point3      centre; ///< m, fixed in space
+    double      radius; ///< m
+  };
+
+  /// How points and facets push one another. Section `Contact`. Raises InputError from check() and pressure_patches().
+  struct ContactParameters
+  {
+    bool        is_enabled      = true;
+    double      stiffness_scale = 1.;  ///< -, on rho c^2 V^(1/3)
+    double      damping_scale   = 1.;  ///< -, on A rho c
+    double      stability_share = 0.4; ///< -, k <= share * m_red / dt^2
+    double      friction        = 0.;  ///< -, Coulomb
+    double      search_margin   = 1.;  ///< -, in initial particle spacings
+    std::string patches;               ///< "name: x y z radius; name: ..."
+
+    void declare(dealii::ParameterHandler &prm);
+    void check() const;
+
+    std::vector<PressurePatch> pressure_patches() const;
+  };
+} // namespace birdstrike

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <birdstrike/core/contact_views.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace birdstrike
+{
+  /// What contact remembers of one point, by its persistent id.
+  ///
+  /// Size and impedance are those of the first sight. The size V^(1/3) stays fixed, so that the offset, and with it the
+  /// penalty energy k d^2 / 2, is a function of position alone, and so that torn-off spray, whose numerical volume
+  /// grows without bound, keeps the size of the liquid it is. Density and sound speed are floors for the same reason: a
+  /// droplet strikes as liquid, however far its particles have parted.
+  struct PointRecord
+  {
+    /// The side on which the point met a piece of surface.
+    struct Side
+    {
+      std::int32_t piece       = -1;
+      std::int8_t  sign        = 0; ///< +1 on the normal's side, -1 on the other, 0 beyond a free edge
+      bool         is_touching = false;
+      double       reference   = 0.; ///< m, penetration at the very first step: carries no force
+    };
+
+    double              size        = 0.; ///< V^(1/3), m; 0: not yet seen
+    double              density     = 0.; ///< kg/m^3
+    double              sound_speed = 0.; ///< m/s
+    std::array<Side, 2> sides{};
+    std::uint64_t       last_call = 0; ///< number of the call that wrote `sides`: older ones have left
+  };
+
+  /// Records for all ids that ever existed.
+  class PointMemory
+  {
+  public:
+    /// Enters points that were never seen.
+    void update(const PointsView &points);
+
+    /// Forgets all sides (another surface).
+    void forget_sides();
+
+    PointRecord &operator[](const std::uint32_t id)
+    {
+      return records[id];
+    }
+    const PointRecord *data() const
+    {
+      return records.data();
+    }
+    double max_size() const
+    {
+      return largest_size;
+    }
+
+  private:
+    std::vector<PointRecord> records;
+    std::uint64_t            revision     = 0;
+    bool                     is_empty     = true;
+    double                   largest_size = 0.;
+  };
+} // namespace birdstrike

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <birdstrike/core/contact_views.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace birdstrike
+{
+  /// What contact needs to know of a surface besides its positions: rim, connected pieces, thickness at nodes.
+  class SurfaceTopology
+  {
+  public:
+    /// Recomputes everything if the facets are others than before, and returns whether they are.
+    bool update(const FacetsView &facets);
+    void update_thickness(const FacetsView &facets);
+
+    /// Whether the closest point with these weights lies on a free edge or at a node of one.
+    bool is_on_rim(const FacetsView &facets, std::uint32_t facet, const double (&weights)[4]) const;
+
+    /// Number of the connected piece of surface; sides are remembered piece by piece.
+    std::int32_t piece(const std::uint32_t facet) const
+    {
+      return pieces[facet];
+    }
+
+    /// Half thickness at a node, mean over its facets: interpolated, it is continuous where facets differ. m
+    double half_thickness(const std::uint32_t node) const
+    {
+      return nodal_half_thickness[node];
+    }
+    double max_half_thickness() const
+    {
+      return largest_half_thickness;
+    }
+
+  private:
+    void find_rim(const FacetsView &facets);
+    void find_pieces(const FacetsView &facets);
+
+    std::uint64_t              revision = 0;
+    std::vector<std::int32_t>  pieces;   // [n_facets]
+    std::vector<unsigned char> rim_node; // [n_nodes]
+    std::vector<double>        nodal_half_thickness;
+    std::vector<std::uint32_t> n_facets_of_node;
+    double                     largest_half_thickness = 0.;
+  };
+
+  /// Corner k of a triangular facet stands twice; its side between the two is no edge.
+  inline bool is_edge(const std::array<std::uint32_t, 4> &nodes, const unsigned int side)
+  {
+    return nodes[side] != nodes[(side + 1) % 4];
+  }
+} // namespace birdstrike

@@ -1,0 +1,109 @@
+#include <birdstrike/contact/facet_grid.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  void Box::add(const double *p, const double margin)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        low[d]  = std::min(low[d], p[d] - margin);
+        high[d] = std::max(high[d], p[d] + margin);
+      }
+  }
+
+  bool Box::contains(const Point3 &p) const
+  {
+    return p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] && p[1] <= high[1] && p[2] >= low[2] && p[2] <= high[2];
+  }
+
+  double Box::separation(const Box &other) const
+  {
+    double result = -1e300;
+    for (unsigned int d = 0; d < 3; ++d)
+      result = std::max({result, low[d] - other.high[d], other.low[d] - high[d]});
+    return result;
+  }
+
+  std::array<Point3, 4> facet_nodes(const FacetsView &facets, const std::size_t facet)
+  {
+    std::array<Point3, 4> x;
+    for (unsigned int k = 0; k < 4; ++k)
+      x[k] = Eigen::Map<const Point3>(facets.position + 3 * facets.nodes[facet][k]);
+    return x;
+  }
+
+  void FacetGrid::update(const FacetsView &facets, const double reach)
+  {
+    all = Box();
+    boxes.assign(facets.n_facets, Box());
+    for (std::size_t f = 0; f < facets.n_facets; ++f)
+      {
+        for (const std::uint32_t node : facets.nodes[f])
+          boxes[f].add(facets.position + 3 * node, reach);
+        all.add(boxes[f].low.data());
+        all.add(boxes[f].high.data());
+      }
+    set_cells(facets);
+
+    // counting sort: count, offsets, fill; facets come in ascending order
+    first.assign(n_cells[0] * n_cells[1] * n_cells[2] + 1, 0);
+    for (std::size_t f = 0; f < facets.n_facets; ++f)
+      visit_cells(f, [&](const std::size_t cell) { ++first[cell + 1]; });
+    for (std::size_t c = 1; c < first.size(); ++c)
+      first[c] += first[c - 1];
+    entries.resize(first.back());
+    for (std::size_t f = 0; f < facets.n_facets; ++f)
+      visit_cells(f, [&](const std::size_t cell) { entries[first[cell]++] = static_cast<std::uint32_t>(f); });
+    for (std::size_t c = first.size() - 1; c > 0; --c)
+      first[c] = first[c - 1];
+    first[0] = 0;
+  }
+
+  void FacetGrid::set_cells(const FacetsView &facets)
+  {
+    double mean_size = 0.; // of the longest sides of the boxes
+    for (const Box &box : boxes)
+      mean_size += std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
+    double cell = mean_size / std::max<std::size_t>(facets.n_facets, 1);
+    for (std::size_t n_total = std::size_t(-1); n_total > 4 * facets.n_facets + 1; cell *= 1.26) // 2 in volume
+      {
+        n_total = 1;
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const double length = all.high[d] - all.low[d];
+            n_cells[d]          = std::max<std::size_t>(1, static_cast<std::size_t>(std::min(length / cell, 1e6)));
+            cells_per_metre[d]  = length > 0. ? n_cells[d] / length : 0.;
+            n_total *= n_cells[d];
+          }
+      }
+  }
+
+  std::array<std::size_t, 3> FacetGrid::cell_of(const double *p) const
+  {
+    std::array<std::size_t, 3> cell;
+    for (unsigned int d = 0; d < 3; ++d)
+      cell[d] =
+        std::min(n_cells[d] - 1, static_cast<std::size_t>(std::max(0., (p[d] - all.low[d]) * cells_per_metre[d])));
+    return cell;
+  }
+
+  template <class Visit>
+  void FacetGrid::visit_cells(const std::size_t facet, const Visit &visit) const
+  {
+    const auto low = cell_of(boxes[facet].low.data()), high = cell_of(boxes[facet].high.data());
+    for (std::size_t k = low[2]; k <= high[2]; ++k)
+      for (std::size_t j = low[1]; j <= high[1]; ++j)
+        for (std::size_t i = low[0]; i <= high[0]; ++i)
+          visit((k * n_cells[1] + j) * n_cells[0] + i);
+  }
+
+  std::span<const std::uint32_t> FacetGrid::near(const Point3 &p) const
+  {
+    const auto        cell  = cell_of(p.data());
+    const std::size_t index = (cell[2] * n_cells[1] + cell[1]) * n_cells[0] + cell[0];
+    return {entries.data() + first[index], entries.data() + first[index + 1]};
+  }
+} // namespace birdstrike

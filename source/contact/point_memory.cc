@@ -1,0 +1,30 @@
+#include <birdstrike/contact/point_memory.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  void PointMemory::update(const PointsView &points)
+  {
+    if (!is_empty && points.revision == revision && points.n_ids == records.size())
+      return;
+    is_empty = false;
+    revision = points.revision;
+    records.resize(std::max(points.n_ids, records.size()));
+    for (std::size_t i = 0; i < points.n; ++i)
+      if (PointRecord &record = records[points.id[i]]; record.size == 0.)
+        {
+          record.size        = std::cbrt(points.volume[i]);
+          record.density     = points.density[i];
+          record.sound_speed = points.sound_speed[i];
+          largest_size       = std::max(largest_size, record.size);
+        }
+  }
+
+  void PointMemory::forget_sides()
+  {
+    for (PointRecord &record : records)
+      record.sides = {};
+  }
+} // namespace birdstrike

@@ -1,0 +1,91 @@
+#include <birdstrike/contact/surface_topology.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  bool SurfaceTopology::update(const FacetsView &facets)
+  {
+    const bool is_other =
+      facets.revision != revision || facets.n_facets != pieces.size() || facets.n_nodes != rim_node.size();
+    if (is_other)
+      {
+        revision = facets.revision;
+        find_rim(facets);
+        find_pieces(facets);
+        update_thickness(facets);
+      }
+    return is_other;
+  }
+
+  void SurfaceTopology::find_rim(const FacetsView &facets)
+  {
+    rim_node.assign(facets.n_nodes, 0);
+    for (std::size_t f = 0; f < facets.n_facets; ++f)
+      for (unsigned int k = 0; k < 4; ++k)
+        if (facets.neighbor[f][k] < 0 && is_edge(facets.nodes[f], k))
+          rim_node[facets.nodes[f][k]] = rim_node[facets.nodes[f][(k + 1) % 4]] = 1;
+  }
+
+  void SurfaceTopology::find_pieces(const FacetsView &facets)
+  {
+    pieces.assign(facets.n_facets, -1);
+    std::vector<std::uint32_t> front;
+    std::int32_t               n_pieces = 0;
+    for (std::size_t seed = 0; seed < facets.n_facets; ++seed)
+      {
+        if (pieces[seed] >= 0)
+          continue;
+        pieces[seed] = n_pieces;
+        front.push_back(static_cast<std::uint32_t>(seed));
+        while (!front.empty())
+          {
+            const std::uint32_t f = front.back();
+            front.pop_back();
+            for (unsigned int k = 0; k < 4; ++k)
+              if (const std::int32_t g = facets.neighbor[f][k]; g >= 0 && pieces[g] < 0)
+                {
+                  pieces[g] = n_pieces;
+                  front.push_back(static_cast<std::uint32_t>(g));
+                }
+          }
+        ++n_pieces;
+      }
+  }
+
+  void SurfaceTopology::update_thickness(const FacetsView &facets)
+  {
+    nodal_half_thickness.assign(facets.n_nodes, 0.);
+    n_facets_of_node.assign(facets.n_nodes, 0);
+    for (std::size_t f = 0; f < facets.n_facets; ++f)
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          nodal_half_thickness[facets.nodes[f][k]] += facets.half_thickness[f];
+          ++n_facets_of_node[facets.nodes[f][k]];
+        }
+    for (std::size_t n = 0; n < facets.n_nodes; ++n)
+      if (n_facets_of_node[n] > 0)
+        nodal_half_thickness[n] /= n_facets_of_node[n];
+    largest_half_thickness =
+      nodal_half_thickness.empty() ? 0. : *std::max_element(nodal_half_thickness.begin(), nodal_half_thickness.end());
+  }
+
+  bool SurfaceTopology::is_on_rim(const FacetsView &facets, const std::uint32_t facet, const double (&weights)[4]) const
+  {
+    unsigned int n_zero = 0, corner = 0;
+    for (unsigned int k = 0; k < 4; ++k)
+      if (weights[k] == 0.)
+        ++n_zero;
+      else
+        corner = k;
+    const auto &nodes = facets.nodes[facet];
+    if (n_zero < 2)
+      return false;
+    if (n_zero == 3)
+      return rim_node[nodes[corner]];
+    for (unsigned int k = 0; k < 4; ++k)
+      if (weights[k] > 0. && weights[(k + 1) % 4] > 0.)
+        return is_edge(nodes, k) ? facets.neighbor[facet][k] < 0 : rim_node[nodes[k]];
+    return false;
+  }
+} // namespace birdstrike

@@ -1,0 +1,85 @@
+#include "free_masses.h"
+
+#include <birdstrike/contact/flight.h>
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+using namespace birdstrike;
+using birdstrike::test::FreeMasses;
+
+namespace
+{
+  constexpr double g = 1.5e-3; // offset of a 1 mm point from a plate of 2 mm
+
+  double flight(const Point3 &from, const Point3 &velocity)
+  {
+    FreeMasses scene;
+    scene.add_plate(6, 4, 0.01, 2e-3); // x 0 ... 60 mm, y 0 ... 40 mm
+    scene.add_point({from, velocity});
+    return time_to_first_touch(scene.points(), scene.facets());
+  }
+} // namespace
+
+TEST(Flight, AgainstAFaceItIsGapOverNormalSpeed)
+{
+  EXPECT_NEAR(flight({0.022, 0.013, 0.1}, {0., 0., -177.4}), (0.1 - g) / 177.4, 1e-15);
+  const double angle = 36.4 * std::numbers::pi / 180.;
+  EXPECT_NEAR(flight({0.022, -0.1, 0.1}, 302.1 * Point3(0., std::cos(angle), -std::sin(angle))),
+              (0.1 - g) / (302.1 * std::sin(angle)), 1e-15);
+  EXPECT_NEAR(flight({0.022, 0.013, -0.1}, {0., 0., 177.4}), (0.1 - g) / 177.4, 1e-15); // from below
+}
+
+TEST(Flight, AgainstAFreeEdgeAndACornerItEndsOnTheRounding)
+{
+  for (const double height : {0., 0.4 * g, 0.9 * g, -0.9 * g})
+    EXPECT_NEAR(flight({0.02, -0.1, height}, {0., 200., 0.}), (0.1 - std::sqrt(g * g - height * height)) / 200., 1e-13);
+  // along the diagonal at the corner (0, 0), in the plane
+  EXPECT_NEAR(flight({-0.1, -0.1, 0.}, {100., 100., 0.}), (0.1 * std::sqrt(2.) - g) / (100. * std::sqrt(2.)), 1e-13);
+}
+
+TEST(Flight, AMissNeverTouches)
+{
+  EXPECT_EQ(flight({0.02, -0.1, 1.01 * g}, {0., 200., 0.}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(flight({0.022, 0.013, 0.1}, {0., 0., 100.}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(flight({0.022, 0.013, 0.1}, {0., 0., 0.}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(flight({0.07, 0.013, 0.1}, {0., 0., -100.}), std::numeric_limits<double>::infinity());
+}
+
+TEST(Flight, TheFirstOfManyPointsCounts)
+{
+  FreeMasses scene;
+  scene.add_plate(6, 4, 0.01, 2e-3);
+  for (unsigned int i = 0; i < 50; ++i)
+    scene.add_point({Point3(1e-3 * i, 0.02, 0.05 + 1e-3 * ((i + 30) % 50)), Point3(0., 0., -100.)});
+  EXPECT_NEAR(time_to_first_touch(scene.points(), scene.facets()), (0.05 - g) / 100., 1e-15);
+}
+
+TEST(Flight, AfterTheFlightTheFirstStepFindsTouchWithoutDepth)
+{
+  FreeMasses scene;
+  scene.add_plate(6, 4, 0.01, 2e-3);
+  scene.add_point({Point3(0.0221, 0.0132, 0.1), Point3(0., 10., -177.4)});
+  const double time = time_to_first_touch(scene.points(), scene.facets());
+  scene.place(0, scene.position(0) + time * scene.velocity(0));
+  EXPECT_LT(initial_overlap(scene.points(), scene.facets()).depth, 1e-15);
+  EXPECT_NEAR(time_to_first_touch(scene.points(), scene.facets()), 0., 1e-15);
+}
+
+TEST(Flight, AnOverlapIsFoundWithItsPlace)
+{
+  FreeMasses scene;
+  scene.add_plate(6, 4, 0.01, 2e-3);
+  for (unsigned int i = 0; i < 20; ++i)
+    scene.add_point({Point3(0.021, 0.011, 0.01 - 1.05e-3 * i), Point3(0., 0., -100.)});
+  const Overlap overlap = initial_overlap(scene.points(), scene.facets());
+  EXPECT_NEAR(overlap.depth, g - std::abs(0.01 - 1.05e-3 * 10), 1e-15); // nearest of all: z = -0.5 mm
+  EXPECT_EQ(overlap.id, 10u);
+  EXPECT_EQ(time_to_first_touch(scene.points(), scene.facets()), 0.);
+
+  FreeMasses clear;
+  clear.add_plate(6, 4, 0.01, 2e-3);
+  clear.add_point({Point3(0.021, 0.011, 1.001 * g)});
+  EXPECT_EQ(initial_overlap(clear.points(), clear.facets()).depth, 0.);
+}
