@@ -68,7 +68,7 @@ namespace birdstrike
         x += t * parameters.velocity[d];
   }
 
-  void Bird::set_state(const std::function<void(const Point3 &, Point3 &, double &)> &state)
+  void Bird::set_state(const std::function<void(Point3 &, Point3 &, double &)> &state)
   {
     for (std::size_t p = 0; p < particles.size(); ++p)
       {
@@ -76,9 +76,14 @@ namespace birdstrike
         Point3 v(particles.v[0][p], particles.v[1][p], particles.v[2][p]);
         state(x, v, particles.mu[p]);
         for (int d = 0; d < 3; ++d)
-          particles.v[d][p] = v[d];
+          {
+            particles.x[d][p] = x[d];
+            particles.v[d][p] = v[d];
+          }
       }
     half_step = 0.;
+    list.update(particles, pool);
+    ++revision;
     compute_rates();
     compute_rates(); // with the new correction matrices
   }

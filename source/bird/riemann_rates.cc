@@ -9,6 +9,10 @@ namespace birdstrike
 {
   namespace
   {
+    /// Share of the acoustic solver's velocity (p_i - p_j)/(Z_i + Z_j) that enters the divergence. Measured on plane
+    /// shocks of 177 m/s at Courant number 0.5: with 1 the predictor is unstable and the shock slow; with 0.5 plateaus
+    /// are within 0.8 % and overshoots 0-5 %; with 0.2, 5-20 %; with 0, 40-70 % and chequered pressure.
+    constexpr double pressure_share = 0.5;
     /// Row of a symmetric tensor times a vector.
     template <class Tensor, class Number>
     Vector3<Number> multiply(const Tensor &t, const Vector3<Number> &x)
@@ -152,8 +156,8 @@ namespace birdstrike
           pressed = multiply(B, pressed);
         for (int d = 0; d < 3; ++d)
           particles.force[d][i] = V * (sum(force[d]) + pressed[d]);
-        const double divergence           = sum(div);
-        particles.mu_rate[i]              = -(divergence + 2. * sum(flux)) * b[7] / eos.reference_density();
+        const double divergence = sum(div);
+        particles.mu_rate[i]    = -(divergence + 2. * pressure_share * sum(flux)) * b[7] / eos.reference_density();
         particles.internal_energy_rate[i] = -V * (p * divergence + 0.5 * sum(heat));
         const bool is_isolated            = stdx::hmax(closest) <= 0.;
         particles.signal_speed[i]         = is_isolated ? 0. : particles.sound_speed[i] + 1.2 * stdx::hmax(approach);

@@ -41,8 +41,8 @@ namespace birdstrike
     /// Moves the undeformed bird along its velocity by t seconds (t may be negative), in closed form.
     void advance_in_flight(double t);
 
-    /// Overwrites velocity and mu as functions of position, for verification; evaluates the rates.
-    void set_state(const std::function<void(const Point3 &x, Point3 &v, double &mu)> &state);
+    /// Overwrites position, velocity and mu particle by particle, for verification; evaluates the rates.
+    void set_state(const std::function<void(Point3 &x, Point3 &v, double &mu)> &state);
 
     void kick(double dt, HalfKick half);
     void drift(double dt);

@@ -10,12 +10,13 @@ namespace birdstrike
   /// With x = x_i - x_j, w = -W'/r >= 0 (grad_i W = -w x), V = m/rho, B = correction matrix, u = approach speed,
   /// Z = rho c, and q = 2 Z_i Z_j/(Z_i + Z_j) u min(3 u/c, 1) for u > 0, else 0:
   ///   force_i   =  V_i sum_j V_j w (p_i B_i + p_j B_j + q) x
-  ///   div_i     =  sum_j V_j w [ (v_i - v_j).B_i x + 2 r (p_i - p_j)/(Z_i + Z_j) ],   mu_rate = -(1 + mu) div
+  ///   div_i     =  sum_j V_j w [ (v_i - v_j).B_i x + r (p_i - p_j)/(Z_i + Z_j) ],   mu_rate = -(1 + mu) div
   ///   energy_i  = -V_i sum_j V_j w (v_i - v_j).(p_i B_i + q/2) x
   /// Force and divergence are adjoint, so the reversible part exchanges kinetic and internal energy exactly, and the
   /// rest, q, heats. B = (sum_j V_j w x x^T)^-1 makes the divergence of a linear velocity exact up to a free surface
   /// (Bonet & Lok 1999); it is blended to the identity where that sum is near singular (corners of spray), and is
   /// taken from the previous evaluation: geometry changes by a few percent of h a step, and one pass suffices.
+  /// Half of the solver's velocity due to the pressure jump enters the divergence (see pressure_share for why not all).
   /// The dissipative terms stay uncorrected and central: they keep angular momentum.
   ///
   /// With reconstruction, u is the jump at the midpoint after removing the harmonic mean (van Leer 1974) of both
