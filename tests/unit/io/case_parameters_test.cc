@@ -18,7 +18,7 @@ TEST(CaseParameters, EveryTextIsASentenceThatEndsWithItsUnit)
   EXPECT_GT(tree.entries().size(), 50u);
   for (const KnownEntry &entry : tree.entries())
     {
-      const std::string where = to_string(entry.section) + "/" + entry.name;
+      const std::string where = birdstrike::to_string(entry.section) + "/" + entry.name;
       EXPECT_FALSE(entry.unit.empty()) << where << ": the text does not end with a unit in brackets";
       ASSERT_FALSE(entry.text.empty()) << where;
       EXPECT_EQ(entry.text.back(), '.') << where << ": the text is no sentence";
@@ -40,7 +40,8 @@ TEST(CaseParameters, DefaultsPassTheirOwnRangesAndReadBack)
   CaseParameters      first, second;
   const auto          tree = first.file.tree();
   for (const KnownEntry &entry : tree.entries())
-    EXPECT_TRUE(entry.allows(entry.value)) << to_string(entry.section) << "/" << entry.name << " = " << entry.value;
+    EXPECT_TRUE(entry.allows(entry.value))
+      << birdstrike::to_string(entry.section) << "/" << entry.name << " = " << entry.value;
   first.read(scratch.write("plain.prm", ""));
   second.read(scratch.write("parameters.prm", first.file.as_prm()));
   EXPECT_EQ(first.file.as_prm(), second.file.as_prm());
@@ -80,17 +81,7 @@ TEST(CaseParameters, EveryShippedFileIsRead)
       {
         ++n_files;
         CaseParameters parameters;
-        EXPECT_NO_THROW(parameters.read(entry.path().string())) << [&] {
-          try
-            {
-              CaseParameters().read(entry.path().string());
-            }
-          catch (const std::exception &error)
-            {
-              return std::string(error.what());
-            }
-          return std::string();
-        }();
+        EXPECT_NO_THROW(parameters.read(entry.path().string()));
       }
   EXPECT_GE(n_files, 1u) << "no parameter files in " BIRDSTRIKE_SOURCE_DIR "/prm";
 }
