@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 namespace birdstrike
 {
@@ -20,6 +21,28 @@ namespace birdstrike
     std::string               text, entry;
   };
 
+  namespace
+  {
+    /// deal.II prints muparser's complaint to std::cerr before it throws; the user gets our sentence instead.
+    class QuietErrors
+    {
+    public:
+      QuietErrors() : kept(std::cerr.rdbuf(nullptr))
+      {
+      }
+      ~QuietErrors()
+      {
+        std::cerr.rdbuf(kept);
+        std::cerr.clear();
+      }
+      QuietErrors(const QuietErrors &)            = delete;
+      QuietErrors &operator=(const QuietErrors &) = delete;
+
+    private:
+      std::streambuf *kept;
+    };
+  } // namespace
+
   Expression::Expression(const std::string &text, const unsigned int n_components, const std::string &entry)
     : parser(std::make_unique<Parser>(text, n_components, entry))
   {
@@ -29,6 +52,7 @@ namespace birdstrike
       throw InputError("Blade/" + entry + ": '" + text + "' has the wrong number of formulas" + allowed);
     try
       {
+        const QuietErrors quiet;
         parser->function.initialize("x,y,z,t", text, {{"pi", dealii::numbers::PI}}, true);
         // muparser compiles at the first evaluation, and only then finds what is wrong.
         for (unsigned int c = 0; c < n_components; ++c)

@@ -3,6 +3,7 @@
 #include <birdstrike/blade/shell_blade.h>
 
 #include <cmath>
+#include <string>
 
 /// Blades and loops that several tests of this room share.
 namespace birdstrike::test
@@ -11,12 +12,12 @@ namespace birdstrike::test
   inline BladeParameters elastic_plate(const unsigned int n_span, const unsigned int n_chord)
   {
     BladeParameters p;
-    p.mesh.n_span                   = n_span;
-    p.mesh.n_chord                  = n_chord;
-    p.material.m.density            = 4430.;
-    p.material.m.elasticity.young   = 113.8e9;
-    p.material.m.elasticity.poisson = 0.342;
-    p.material.m.hardening.law      = HardeningLaw::elastic;
+    p.mesh.n_span        = n_span;
+    p.mesh.n_chord       = n_chord;
+    p.material.density   = std::to_string(4430.);
+    p.material.young     = std::to_string(113.8e9);
+    p.material.poisson   = std::to_string(0.342);
+    p.material.hardening = "elastic";
     return p;
   }
 

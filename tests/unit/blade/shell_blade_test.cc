@@ -36,8 +36,7 @@ namespace birdstrike
       for (unsigned int d = 0; d < 3; ++d)
         {
           EXPECT_NEAR(after.momentum[d], before.momentum[d], 1e-12 * norm(before.momentum));
-          // The forces balance on the end geometry of a step, not with the moments of the drilling projection.
-          EXPECT_NEAR(after.angular_momentum[d], before.angular_momentum[d], 1e-4 * norm(before.angular_momentum));
+          EXPECT_NEAR(after.angular_momentum[d], before.angular_momentum[d], 1e-12 * norm(before.angular_momentum));
         }
     }
 
