@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <exception>
 #include <spdlog/spdlog.h>
 #include <stdexcept>
 
@@ -40,7 +41,12 @@ namespace birdstrike
   {
     try
       {
-        flush();
+        // deal.II's HDF5 objects abort the process when they are destroyed while an exception unwinds the stack: a
+        // failing run keeps its table, and of results.h5 what its owner flushed.
+        if (std::uncaught_exceptions() > 0)
+          write_csv_rows();
+        else
+          flush();
       }
     catch (const std::exception &error)
       {

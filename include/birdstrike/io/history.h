@@ -30,7 +30,7 @@ namespace birdstrike
 
     /// Opens folder/history.csv; folder/results.h5 too if `write_hdf5`.
     History(const std::filesystem::path &folder, bool write_hdf5);
-    ~History(); ///< flushes; an error of the disk is logged
+    ~History(); ///< flushes (while an exception unwinds: history.csv only); an error of the disk is logged
 
     void add_column(const std::string &name, const std::string &unit, std::function<double()> value);
 

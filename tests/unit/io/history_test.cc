@@ -4,7 +4,9 @@
 
 #include <deal.II/base/hdf5.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "scratch_folder.h"
 
@@ -98,6 +100,24 @@ TEST(History, RefusesBadNamesAndLateColumns)
   EXPECT_EQ(history.n_rows(), 1u);
   EXPECT_EQ(history.column("time"), std::vector<double>{1.});
   EXPECT_THROW(history.column("none"), std::logic_error);
+}
+
+TEST(History, FailingRunKeepsItsTable)
+{
+  const ScratchFolder scratch;
+  double              time = 0.;
+  EXPECT_THROW(
+    {
+      History history(scratch.path(), true);
+      record(history, time, 5);
+      throw std::runtime_error("the run is lost");
+    },
+    std::runtime_error);
+  const std::string text = read_text(scratch.path() / "history.csv");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3 + 5);
+  // From the flush after two rows.
+  dealii::HDF5::File file((scratch.path() / "results.h5").string(), dealii::HDF5::File::FileAccessMode::open);
+  EXPECT_EQ(file.open_dataset("history/time").read<std::vector<double>>().size(), 2u);
 }
 
 TEST(History, RefusesAFolderThatDoesNotExist)
