@@ -12,7 +12,7 @@ namespace birdstrike
   /// with S = g^ab (contravariant metric) and D = E/(1 - nu^2):
   ///   membrane:          D/(2 rho) (tr S + sqrt(tr^2 S - 4 (1 - nu^2) det S))
   ///   bending:           t^2/(12 r) times that
-  ///   transverse shear:  kappa G/rho (S_max + (1 + |a3|^2 S_max)/r)
+  ///   transverse shear:  kappa G/rho (S_max + (1 + |a3|^2 tr S)/r)
   /// and the linear parts with a third of the corresponding values; rows that share a mode are combined by
   /// lambda <= (a + b)/2 + sqrt((a - b)^2/4 + a b cos^2). Warp and initial curvature add a factor.
   template <class Number>
@@ -45,12 +45,12 @@ namespace birdstrike
                                    combine(Number(1.) / a11, Number(1.) / a22, Number(angle * angle / (a11 * a22)));
     const Number flat_membrane = combine(membrane, linear_membrane, cos2);
 
-    const Number tilt  = g.x.m3.dot(g.x.m3) * s_max;
+    const Number tilt  = g.x.m3.dot(g.x.m3) * trace;
     const Number shear = (kappa_g / density) * (s_max + (Number(1.) + tilt) / r);
     const Number linear_shear =
       (kappa_g / (3. * density)) * (trace + (max(Number(g11 * a11), Number(g22 * a22)) + tilt) / r);
     const Number bending = (t2 / r) * flat_membrane;
-    const Number plate   = combine(shear, linear_shear + bending, Number(tilt / (Number(1.) + tilt)));
+    const Number plate   = combine(shear, linear_shear + bending, Number(2. * tilt / (Number(1.) + 2. * tilt)));
 
     const Number curvature = (g.d.m1.dot(g.d.m1) + g.d.m2.dot(g.d.m2) + g.d.m3.dot(g.d.m3)) * r * s_max;
     const Number warp      = g.warp * g.warp * s_max;

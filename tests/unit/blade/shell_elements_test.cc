@@ -1,0 +1,264 @@
+#include "shell_harness.h"
+
+#include <birdstrike/core/errors.h>
+
+#include <gtest/gtest.h>
+
+using namespace shell_harness;
+
+namespace
+{
+  const double pi = std::acos(-1.);
+
+  Mesh warped_mesh(const unsigned int nx, const unsigned int ny)
+  {
+    return make_grid(nx, ny, [](const double x, const double y) {
+      return Point3(x + 0.1 * y * y, y + 0.07 * std::sin(3. * x), 0.3 * x * y + 0.1 * x * x);
+    });
+  }
+
+  ShellSection titanium(const HardeningLaw law, const double hardening = 0.)
+  {
+    ShellSection section;
+    section.material.hardening.law     = law;
+    section.material.hardening.modulus = hardening;
+    return section;
+  }
+
+  Eigen::VectorXd some_motion(const Model &model, const double size, const unsigned int seed)
+  {
+    Eigen::VectorXd u(model.n_dofs());
+    for (Eigen::Index d = 0; d < u.size(); ++d)
+      u[d] = size * std::sin(1. + 1.7 * d * (1 + seed) + seed);
+    return u;
+  }
+
+  /// Moment over M_p = s_y t^2/4 of the perfectly plastic section of the blade plate at a curvature (1/m), nu = 0; the
+  /// lateral curvature is the given share of it: -1/2 keeps the plastic state uniaxial, 0 the elastic one.
+  double plastic_moment(const ThicknessRule rule, const unsigned int n_points, const double curvature,
+                        const double lateral = 0.)
+  {
+    ShellSection section                = titanium(HardeningLaw::perfect);
+    section.rule                        = rule;
+    section.n_points                    = n_points;
+    section.material.elasticity.poisson = 0.; // uniaxial: lateral stress stays zero
+    section.has_thinning                = false;
+    const double    t                   = 4.27e-3;
+    Model           model(make_grid(1, 1, [](const double x, const double y) { return Point3(x, y, 0.); }), t, section);
+    const double    k = curvature;
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(model.n_dofs());
+    for (std::size_t n = 0; n < 4; ++n) // director d = (x k, 0, 1): rotation about y
+      {
+        u[6 * n + 4] = k * model.mesh.nodes[n][0];
+        u[6 * n + 3] = -lateral * k * model.mesh.nodes[n][1];
+      }
+    model.move(u);
+    return model.elements.state(0).moment[0] / (section.material.hardening.yield * t * t / 4.);
+  }
+} // namespace
+
+TEST(ShellElements, RigidMotionMakesNoForce)
+{
+  // a small rotation, so that it is a rigid velocity field; warped and curved mesh, both about any axis and any point
+  const Model reference(warped_mesh(3, 3), 0.02, make_section(1., 0.3));
+  for (int axis = 0; axis < 6; ++axis)
+    {
+      Model           model(reference.mesh, 0.02, reference.section);
+      Eigen::VectorXd u = Eigen::VectorXd::Zero(model.n_dofs());
+      for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n)
+        if (axis < 3)
+          {
+            const Point3 w          = 1e-12 * Point3::Unit(axis);
+            u.segment<3>(6 * n)     = w.cross(model.mesh.nodes[n]);
+            u.segment<3>(6 * n + 3) = w;
+          }
+        else
+          u[6 * n + axis - 3] = 1e-12;
+      // 1e-12 E t of the largest strain would be 2e-26; what remains is round-off of the increments
+      EXPECT_LT(model.move(u).cwiseAbs().maxCoeff(), 1e-12 * 0.02 * 1e-12) << "mode " << axis;
+    }
+}
+
+TEST(ShellElements, HasSixRigidModesAndDrillingOnly)
+{
+  for (const bool warped : {false, true})
+    {
+      const Mesh flat =
+        make_grid(1, 1, [](const double x, const double y) { return Point3(x + .2 * y, y - .1 * x * y, 0.); });
+      Model                 model(warped ? warped_mesh(1, 1) : flat, 0.05, make_section(1., 0.3));
+      const Eigen::MatrixXd K = model.compute_stiffness();
+      EXPECT_LT((K - K.transpose()).cwiseAbs().maxCoeff(), 1e-9 * K.cwiseAbs().maxCoeff());
+      const Eigen::VectorXd values =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (K + K.transpose())).eigenvalues();
+      EXPECT_LT(std::abs(values[9]), 1e-10 * values[23]) << "6 rigid modes and 4 drilling rotations";
+      EXPECT_GT(values[10], 1e-6 * values[23]);
+    }
+}
+
+TEST(ShellElements, BelytschkoTsayWithoutHourglassControlHasItsKnownModes)
+{
+  ShellSection section          = make_section(1., 0.3, ShellFormulation::belytschko_tsay);
+  section.hourglass_coefficient = 0.;
+  const Mesh square             = make_grid(1, 1, [](const double x, const double y) { return Point3(x, y, 0.); });
+  Model      bare(square, 0.05, section);
+  const auto count = [](Model &model) {
+    const Eigen::MatrixXd K = model.compute_stiffness();
+    const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (K + K.transpose())).eigenvalues();
+    int n = 0;
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+      n += std::abs(values[i]) < 1e-10 * values[23];
+    return n;
+  };
+  // 20 degrees of freedom without drilling, 8 strains: 12, of which 6 rigid, 5 hourglass, 1 in-plane twist
+  EXPECT_EQ(count(bare), 16);
+  section.hourglass_coefficient = 0.05;
+  Model controlled(square, 0.05, section);
+  EXPECT_EQ(count(controlled), 11) << "the in-plane twist stays; a mesh does not have it";
+}
+
+TEST(ShellElements, ForcesBalance)
+{
+  for (const auto formulation : {ShellFormulation::one_point_physical, ShellFormulation::belytschko_tsay})
+    {
+      Model                 model(warped_mesh(3, 2), 0.05, make_section(1., 0.3, formulation));
+      const Eigen::VectorXd f     = model.move(some_motion(model, 1e-2, 3));
+      Point3                force = Point3::Zero(), moment = Point3::Zero();
+      for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n)
+        {
+          const Point3 x(&model.position[3 * n]);
+          force += f.segment<3>(6 * n);
+          moment += x.cross(f.segment<3>(6 * n)) + Point3(f.segment<3>(6 * n + 3));
+        }
+      EXPECT_LT(force.norm(), 1e-14 * f.norm());
+      // of plain Belytschko-Tsay only while the element is plane
+      if (formulation == ShellFormulation::one_point_physical)
+        {
+          EXPECT_LT(moment.norm(), 1e-13 * f.norm());
+        }
+    }
+}
+
+TEST(ShellElements, TheMomentHasNoPartAlongTheNodalNormal)
+{
+  Model                 model(warped_mesh(2, 2), 0.05, make_section(1., 0.3));
+  const Eigen::VectorXd f        = model.move(some_motion(model, 1e-12, 5));
+  Eigen::VectorXd       drilling = Eigen::VectorXd::Zero(model.n_dofs());
+  const Point3          normal =
+    Point3(model.mesh.nodes[5] - model.mesh.nodes[3]).cross(model.mesh.nodes[7] - model.mesh.nodes[1]);
+  EXPECT_LT(std::abs(normal.normalized().dot(f.segment<3>(6 * 4 + 3))), 2e-2 * f.segment<3>(6 * 4 + 3).norm());
+}
+
+TEST(ShellElements, EnergiesSumToTheWorkOfTheForces)
+{
+  Model           model(warped_mesh(3, 3), 0.05, titanium(HardeningLaw::linear, 1e9));
+  Eigen::VectorXd old  = Eigen::VectorXd::Zero(model.n_dofs());
+  double          work = 0.;
+  for (unsigned int step = 0; step < 20; ++step)
+    {
+      const Eigen::VectorXd u = some_motion(model, 2e-3, step);
+      const Eigen::VectorXd f = model.move(u, 1e-6);
+      work -= 0.5 * (f + old).dot(u);
+      old = f;
+    }
+  const auto  &e   = model.elements;
+  const double sum = e.elastic_energy() + e.plastic_work() + e.hourglass_energy();
+  EXPECT_NEAR(sum / work, 1., 1e-12);
+  EXPECT_GT(e.plastic_work(), 0.1 * work);
+  EXPECT_GT(e.n_promoted(), 0u);
+}
+
+TEST(ShellElements, ThroughThicknessIntegrationOfThePlasticMoment)
+{
+  // sum of w |z| for Gauss, tabulated; the moment at a curvature 1e8 times that of first yield
+  const double k_y = 2. * 880e6 / 113.8e9 / 4.27e-3;
+  EXPECT_NEAR(k_y, 3.62195, 1e-5);
+  EXPECT_NEAR(plastic_moment(ThicknessRule::gauss, 3, 1e8 * k_y, -0.5), 0.860663, 1e-6);
+  EXPECT_NEAR(plastic_moment(ThicknessRule::gauss, 5, 1e8 * k_y, -0.5), 0.944850, 1e-6);
+  EXPECT_NEAR(plastic_moment(ThicknessRule::gauss, 7, 1e8 * k_y, -0.5), 0.9705387, 1e-6);
+  // M_e/M_p = 2/3; first yield of the points is late by 1/|z_max|: still elastic just below it
+  for (const auto &[n, late] : {std::pair(3u, 1.290994), std::pair(5u, 1.103534), std::pair(7u, 1.053612)})
+    {
+      EXPECT_NEAR(plastic_moment(ThicknessRule::gauss, n, 0.9999 * late * k_y) / (2. / 3. * 0.9999 * late), 1., 1e-12);
+      EXPECT_LT(plastic_moment(ThicknessRule::gauss, n, 1.01 * late * k_y) / (2. / 3. * 1.01 * late), 1. - 1e-4);
+    }
+  // 2/21 + ... of the Lobatto weights; no lateral curvature: plane strain, 2/sqrt(3)
+  EXPECT_NEAR(plastic_moment(ThicknessRule::lobatto, 7, 1e8 * k_y, -0.5), 0.959742, 1e-5);
+  EXPECT_NEAR(plastic_moment(ThicknessRule::gauss, 5, 1e8 * k_y), 0.944850 * 2. / std::sqrt(3.), 1e-6);
+}
+
+TEST(ShellElements, PointsAppearWithTheStressThatThereWas)
+{
+  // the same history with points from the start (one element yields first) and without
+  ShellSection section = titanium(HardeningLaw::linear, 1e9);
+  Model        late(warped_mesh(1, 1), 0.05, section);
+  const auto   motion            = [&](const Model &m, const int step) { return some_motion(m, 8e-3, step); };
+  section.material.hardening.law = HardeningLaw::elastic;
+  Model elastic(warped_mesh(1, 1), 0.05, section);
+  int   first = -1;
+  for (int step = 0; step < 12; ++step)
+    {
+      const Eigen::VectorXd a = late.move(motion(late, step), 1e-6), b = elastic.move(motion(elastic, step), 1e-6);
+      if (late.elements.n_promoted() == 0)
+        EXPECT_EQ((a - b).norm(), 0.) << "an elastic law and an element that has not yielded do the same";
+      else if (first < 0)
+        {
+          first = step;
+          EXPECT_NEAR((a - b).norm() / b.norm(), 0., 0.9);
+        }
+    }
+  EXPECT_GE(first, 0);
+}
+
+TEST(ShellElements, StabilisationOfAPlasticElementIsCapped)
+{
+  // membrane hourglass mode on an element that is stretched far beyond yield: the force stays near that of yield stress
+  const double    t = 0.01;
+  Model           model(make_grid(1, 1, [](const double x, const double y) { return Point3(x, y, 0.); }), t,
+                        titanium(HardeningLaw::perfect));
+  Eigen::VectorXd stretch = Eigen::VectorXd::Zero(24), hourglass = Eigen::VectorXd::Zero(24);
+  for (std::size_t n = 0; n < 4; ++n)
+    {
+      stretch[6 * n]   = 1e-3 * model.mesh.nodes[n][0];
+      hourglass[6 * n] = 1e-3 * (n == 0 || n == 3 ? 1. : -1.);
+    }
+  for (int i = 0; i < 20; ++i)
+    model.move(stretch);
+  for (int i = 0; i < 100; ++i)
+    model.move(hourglass);
+  const auto &e = model.elements;
+  EXPECT_GT(e.plastic_work(), 0.);
+  EXPECT_GT(e.hourglass_energy(), 0.);
+  const Eigen::VectorXd f = model.move(Eigen::VectorXd::Zero(24));
+  EXPECT_LT(f.cwiseAbs().maxCoeff(), 880e6 * 1.16 * t);
+}
+
+TEST(ShellElements, ThreadsDoNotChangeABit)
+{
+  const auto run = [](const std::size_t n_threads) {
+    Model           model(warped_mesh(23, 19), 0.01, titanium(HardeningLaw::linear, 1e9), n_threads);
+    Eigen::VectorXd f;
+    for (unsigned int step = 0; step < 5; ++step)
+      f = model.move(some_motion(model, 3e-4, step), 1e-6);
+    return std::pair(f, model.elements.plastic_work());
+  };
+  const auto one = run(1), two = run(2), three = run(3);
+  EXPECT_GT(one.second, 0.);
+  EXPECT_TRUE(one.first == two.first && one.first == three.first);
+  EXPECT_EQ(one.second, two.second);
+}
+
+TEST(ShellElements, RefusesWhatCannotBe)
+{
+  ThreadPool   pool(1);
+  const Mesh   square  = make_grid(1, 1, [](const double x, const double y) { return Point3(x, y, 0.); });
+  ShellSection section = make_section(1., 0.3);
+  EXPECT_THROW(ShellElements(square.nodes, square.cells, {-1.}, section, pool), InputError);
+  EXPECT_THROW(ShellElements(square.nodes, {{0, 1, 1, 0}}, {1.}, section, pool), InputError);
+  section.n_points = 4;
+  EXPECT_THROW(ShellElements(square.nodes, square.cells, {1.}, section, pool), InputError);
+  Model           model(square, 0.1, make_section(1., 0.3));
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(24);
+  u[7]              = std::nan("");
+  EXPECT_THROW(model.move(u), NumericalFailure);
+}

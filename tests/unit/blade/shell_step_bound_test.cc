@@ -1,0 +1,93 @@
+#include "shell_harness.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace shell_harness;
+
+namespace
+{
+  double exact_eigenvalue(Model &model)
+  {
+    Eigen::MatrixXd K    = model.compute_stiffness();
+    K                    = 0.5 * (K + K.transpose()).eval();
+    const auto      mass = model.elements.compute_nodal_masses(), inertia = model.elements.compute_rotary_inertias();
+    Eigen::VectorXd scale(model.n_dofs());
+    for (std::size_t d = 0; d < model.n_dofs(); ++d)
+      scale[d] = 1. / std::sqrt(d % 6 < 3 ? mass[d / 6] : inertia[d / 6]);
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * K * scale.asDiagonal())
+      .eigenvalues()
+      .maxCoeff();
+  }
+
+  double bound(const Model &model)
+  {
+    const double dt = model.elements.step_limit().value;
+    return 4. / (dt * dt);
+  }
+
+  Mesh unit_square(const unsigned int n)
+  {
+    return make_grid(n, n, [](const double x, const double y) { return Point3(x, y, 0.); });
+  }
+} // namespace
+
+// The trap: the usual L/c is no bound for nu = 0 and thin shells, where transverse shear governs.
+TEST(ShellStepBound, IsExactForSquaresOfAnyPoissonRatio)
+{
+  for (const double poisson : {0., 0.3, 0.342, 0.45})
+    for (const double thickness : {0.01, 0.1, 0.5})
+      {
+        Model model(unit_square(1), thickness, make_section(1., poisson));
+        EXPECT_NEAR(bound(model) / exact_eigenvalue(model), 1., 1e-6) << poisson << " " << thickness;
+      }
+}
+
+TEST(ShellStepBound, HoldsForDistortedAndWarpedElements)
+{
+  std::mt19937                           random(7);
+  std::uniform_real_distribution<double> number(-1., 1.);
+  for (const auto formulation : {ShellFormulation::one_point_physical, ShellFormulation::belytschko_tsay})
+    for (const double poisson : {0., 0.342})
+      for (const double thickness : {0.01, 0.1, 0.5, 2.})
+        for (int k = 0; k < 40; ++k)
+          {
+            Mesh         mesh   = unit_square(1);
+            const double aspect = std::exp(1.5 * number(random));
+            for (auto &x : mesh.nodes)
+              {
+                x += Point3(0.3 * number(random), 0.3 * number(random), k % 2 * 0.2 * number(random));
+                x[0] *= aspect;
+              }
+            Model model(mesh, thickness, make_section(1., poisson, formulation));
+            EXPECT_GE(bound(model) / exact_eigenvalue(model), 1. - 1e-6)
+              << "sample " << k << ", nu " << poisson << ", t " << thickness;
+          }
+}
+
+TEST(ShellStepBound, HoldsForAMeshAndIsClose)
+{
+  const Mesh curved = make_grid(5, 5, [](const double x, const double y) {
+    return Point3(x + 0.1 * y * y, y + 0.05 * std::sin(7. * x), 0.2 * x * y);
+  });
+  Model      model(curved, 0.02, make_section(1., 0.3));
+  EXPECT_GE(bound(model) / exact_eigenvalue(model), 1.);
+  for (const double poisson : {0., 0.3})
+    {
+      Model        squares(unit_square(5), 0.02, make_section(1., poisson));
+      const double ratio = bound(squares) / exact_eigenvalue(squares);
+      EXPECT_GE(ratio, 1. - 1e-9);
+      EXPECT_LT(ratio, 1.3) << "omega^2; assembly relaxes squares by 1.25 (nu = 0) and 1.27, one eighth of the step";
+    }
+}
+
+TEST(ShellStepBound, CountsTheMassesThatTheNodesCarry)
+{
+  Model        model(unit_square(2), 0.1, make_section(1., 0.3));
+  const double before = model.elements.step_limit().value;
+  auto         mass   = model.elements.compute_nodal_masses();
+  mass[4] *= 0.25;
+  model.elements.use_nodal_masses(mass);
+  EXPECT_NEAR(model.elements.step_limit().value, 0.5 * before, 1e-12);
+}
