@@ -170,7 +170,9 @@ namespace birdstrike
     declare_mesh(prm, mesh);
     declare_thickness(prm, thickness);
     declare_element(prm, element);
+    prm.enter_subsection("Material");
     material.declare(prm);
+    prm.leave_subsection();
     declare_supports(prm, supports);
     declare_loads(prm, loads);
     declare_rigid(prm, rigid);
