@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
@@ -115,6 +118,28 @@ namespace birdstrike
       EXPECT_EQ(file.surface().rim_nodes({4}).size(), 29u);
       EXPECT_GT(file.surface().area_vector(0)[2], 0.);
       EXPECT_EQ(file.surface().material_ids[5], 1u);
+    }
+
+    // Gmsh 4.1 names boundary ids by the physical tags of its entities; 'File scale' turns millimetres into metres.
+    TEST(ShellMesh, ReadsGmshFour)
+    {
+      const auto path =
+        std::filesystem::temp_directory_path() / ("birdstrike-gmsh4-" + std::to_string(getpid()) + ".msh");
+      std::ofstream(path) << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
+                             "$Entities\n0 1 1 0\n1 0 0 0 0 1 0 1 7 0\n1 0 0 0 2 1 0 1 3 0\n$EndEntities\n"
+                             "$Nodes\n1 6 1 6\n2 1 0 6\n1\n2\n3\n4\n5\n6\n"
+                             "0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n$EndNodes\n"
+                             "$Elements\n2 3 1 3\n1 1 1 1\n1 1 4\n2 1 3 2\n2 1 2 5 4\n3 2 3 6 5\n$EndElements\n";
+      BladeParameters::Mesh p;
+      p.generator  = "file";
+      p.file       = path;
+      p.file_scale = 1e-3;
+      const ShellMesh mesh(p);
+      std::filesystem::remove(path);
+      EXPECT_EQ(mesh.surface().boundary_ids(), (std::vector<unsigned int>{0, 7}));
+      EXPECT_EQ(mesh.surface().rim_nodes({7}).size(), 2u);
+      EXPECT_EQ(mesh.surface().material_ids[0], 3u);
+      EXPECT_NEAR(mesh.surface().area_vector(0)[2], 1e-6, 1e-18);
     }
 
     TEST(ShellMesh, KnowsNeighboursAcrossEdges)
