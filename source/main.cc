@@ -17,7 +17,7 @@ namespace
   using birdstrike::ExitCode;
 
   /// The command line: every subcommand binds what it will do to `action`.
-  void declare_commands(CLI::App &app, CaseRequest &request, std::function<void()> &action)
+  void declare_commands(CLI::App &app, CaseRequest &request, bool &as_json, std::function<void()> &action)
   {
     app.set_version_flag("--version", "birdstrike " BIRDSTRIKE_VERSION);
     app.require_subcommand(1);
@@ -26,7 +26,7 @@ namespace
       CLI::App *command = app.add_subcommand(name, text);
       command->add_option("FILE", request.prm_file, "Parameter file")->required();
       command->add_option("--set", request.overrides, "Override an entry: \"Section/Entry=value\" (repeatable)")
-        ->expected(1);
+        ->allow_extra_args(false);
       command->add_option("--output", request.output, "Run folder, instead of the one in the parameter file");
       command->callback([&, verb] { action = [&, verb] { verb(request); }; });
     };
@@ -34,9 +34,9 @@ namespace
     case_command("explain", "Say what would be computed, before it is", birdstrike::explain_case);
     case_command("validate", "Read and check a case, compute nothing", birdstrike::validate_case);
 
-    CLI::App   *parameters = app.add_subcommand("parameters", "All entries with text, range, default and unit");
-    const auto *as_json    = parameters->add_flag("--json", "As JSON instead of prm");
-    parameters->callback([&, as_json] { action = [as_json] { birdstrike::print_parameters(as_json->count() > 0); }; });
+    CLI::App *parameters = app.add_subcommand("parameters", "All entries with text, range, default and unit");
+    parameters->add_flag("--json", as_json, "As JSON instead of prm");
+    parameters->callback([&] { action = [&] { birdstrike::print_parameters(as_json); }; });
   }
 
   int exit_code(const ExitCode code)
@@ -78,8 +78,9 @@ int main(int argc, char *argv[])
 {
   CLI::App              app{"Bird strike on aircraft-engine blades", "birdstrike"};
   CaseRequest           request;
+  bool                  as_json = false;
   std::function<void()> action;
-  declare_commands(app, request, action);
+  declare_commands(app, request, as_json, action);
   try
     {
       app.parse(argc, argv);

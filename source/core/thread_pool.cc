@@ -62,8 +62,12 @@ namespace birdstrike
       }
       wake.notify_all();
       call(0);
-      while (n_pending.load(std::memory_order_acquire) != 0)
-        relax();
+      // On a machine with more work than cores the last worker may not even be running: then give way to it.
+      for (int spin = 0; n_pending.load(std::memory_order_acquire) != 0; ++spin)
+        if (spin < n_spins)
+          relax();
+        else
+          std::this_thread::yield();
       for (const auto &error : errors)
         if (error)
           std::rethrow_exception(error);

@@ -31,7 +31,7 @@ namespace birdstrike
   {
     file.read(path, overrides);
     if (name.empty())
-      name = std::filesystem::path(path).stem().string();
+      file.set("Case/Name=" + std::filesystem::path(path).stem().string()); // so that the printed file knows it too
   }
 
   std::string CaseParameters::run_directory() const

@@ -8,6 +8,7 @@
 
 #include <spdlog/logger.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace birdstrike
@@ -20,6 +21,9 @@ namespace birdstrike
 
     /// Looking for particles that have left costs a pass over them: seldom enough not to count.
     constexpr unsigned long retirement_stride = 50;
+
+    /// How far ahead (s) the blade is carried on when its box is compared with the paths of particles.
+    constexpr double retirement_horizon = 2e-3;
 
     /// A peak of the tip has passed when the tip has come back by this share of it, this long after (ripple is
     /// shorter).
@@ -42,11 +46,11 @@ namespace birdstrike
   {
     stop_requested = false;
     if (!folder.empty())
-      recorder.emplace(scene, parameters.output, folder, observed, balance);
+      recorder.emplace(scene, parameters, folder, observed, balance);
     if (scene.bird)
       {
-        n_particles_at_start = scene.bird->n_particles();
-        bird_mass            = scene.bird->mass();
+        n_particles_at_start = scene.bird->state().size();
+        bird_mass            = scene.bird->packing().mass();
         bird_kinetic         = scene.bird->energies().kinetic;
         bird_momentum        = scene.bird->momenta().momentum;
       }
@@ -54,10 +58,20 @@ namespace birdstrike
 
   void BirdStrike::run()
   {
-    start();
-    while ((why_ended = reason_to_stop()).empty())
-      advance();
-    finish();
+    try
+      {
+        start();
+        while ((why_ended = reason_to_stop()).empty())
+          advance();
+        finish();
+      }
+    catch (...)
+      {
+        progress.finish();
+        if (recorder)
+          recorder->flush();
+        throw;
+      }
   }
 
   void BirdStrike::start()
@@ -75,7 +89,7 @@ namespace birdstrike
     ++n_steps;
     if (scene.bird && scene.contact && parameters.bird.retire && n_steps % retirement_stride == 0)
       retire_particles();
-    if (n_steps % observation_stride == 0 || now >= parameters.time.end_time)
+    if (n_steps % observation_stride == 0 || (recorder && recorder->is_due(now)))
       observe();
   }
 
@@ -94,8 +108,8 @@ namespace birdstrike
 
   void BirdStrike::retire_particles()
   {
-    n_retired += scene.bird->retire(scene.blade->facets());
-    if (scene.bird->n_particles() > 0)
+    n_retired += scene.retire_particles(std::min(retirement_horizon, parameters.time.end_time - now));
+    if (scene.bird->state().size() > 0)
       return;
     log().info("The last particle has left at t = {}: from here the blade runs on alone.", format_quantity(now, "s"));
     stepper.drop_bird();

@@ -42,10 +42,9 @@ namespace birdstrike
     void add_bird(TextTable &table, const Bird &bird, const BirdParameters &parameters)
     {
       table.add_heading("Bird: " + parameters.shape + ", " + parameters.formulation);
-      table.add("particles", format_count(bird.n_particles()));
-      table.add("mass", fmt::format("{:.9g} kg", bird.mass()));
-      for (const auto &[key, value] : bird.description())
-        table.add(key, value);
+      table.add("particles", format_count(bird.state().size()));
+      table.add("mass", fmt::format("{:.9g} kg", bird.packing().mass()));
+      table.add("packing", bird.summary());
       table.add("kinetic energy", bird.energies().kinetic, "J");
       table.add("momentum", vector_text(bird.momenta().momentum, "N s"));
     }
@@ -64,7 +63,7 @@ namespace birdstrike
       table.add("macro steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
       double ns = 0.;
       if (scene.bird)
-        ns += n_macro * schedule.n_bird * static_cast<double>(scene.bird->n_particles()) * particle_step_ns;
+        ns += n_macro * schedule.n_bird * static_cast<double>(scene.bird->state().size()) * particle_step_ns;
       if (scene.blade && scene.blade->is_deformable())
         ns += n_macro * schedule.n_blade * static_cast<double>(scene.blade->n_elements()) * element_step_ns;
       table.add("run time on one core, at most about", format_duration(1e-9 * ns));

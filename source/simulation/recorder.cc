@@ -1,7 +1,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/contact.h>
-#include <birdstrike/io/output_parameters.h>
+#include <birdstrike/io/case_parameters.h>
 #include <birdstrike/simulation/recorder.h>
 #include <birdstrike/simulation/scene.h>
 
@@ -20,26 +20,28 @@ namespace birdstrike
     }
   } // namespace
 
-  Recorder::Recorder(const Scene &scene, const OutputParameters &parameters, const std::filesystem::path &folder,
+  Recorder::Recorder(const Scene &scene, const CaseParameters &parameters, const std::filesystem::path &folder,
                      const Observed &observed, const Balance &balance)
     : scene(scene)
     , observed(observed)
     , balance(balance)
-    , history(folder, parameters.hdf5)
-    , history_ticks(parameters.history_interval)
-    , field_ticks(field_ticks_of(parameters.field_interval))
+    , history(folder, parameters.output.hdf5)
+    , history_ticks(parameters.output.history_interval)
+    , field_ticks(field_ticks_of(parameters.output.field_interval))
   {
     add_clock_and_balance_columns();
     if (scene.bird)
-      add_bird_and_contact_columns();
+      add_bird_columns();
+    if (scene.contact)
+      add_contact_columns(parameters.contact);
     if (scene.blade)
       {
         add_blade_columns();
         add_root_profile();
       }
-    if (scene.blade && parameters.blade_fields)
+    if (scene.blade && parameters.output.blade_fields)
       blade_fields.emplace(folder, "blade");
-    if (scene.bird && parameters.bird_fields)
+    if (scene.bird && parameters.output.bird_fields)
       bird_fields.emplace(folder, "bird");
   }
 
@@ -52,17 +54,19 @@ namespace birdstrike
     history.add_column("momentum_error", "-", [this] { return balance.momentum_error(); });
   }
 
-  void Recorder::add_bird_and_contact_columns()
+  void Recorder::add_bird_columns()
   {
-    history.add_column("particles", "-", [this] { return scene.bird ? scene.bird->n_particles() : 0.; });
+    history.add_column("particles", "-", [this] { return scene.bird ? scene.bird->state().size() : 0.; });
     history.add_column("bird_kinetic", "J", [this] { return balance.state().bird.kinetic; });
     history.add_column("bird_internal", "J", [this] { return balance.state().bird.elastic; });
     history.add_column("bird_retired", "J", [this] { return balance.state().bird.retired; });
     for (unsigned int c = 0; c < 3; ++c)
       history.add_column(std::string("bird_momentum_") + axis_names[c], "N s",
                          [this, c] { return balance.state().bird_momentum.momentum[c]; });
-    if (!scene.contact)
-      return;
+  }
+
+  void Recorder::add_contact_columns(const ContactParameters &parameters)
+  {
     for (unsigned int c = 0; c < 3; ++c)
       history.add_column(std::string("contact_force_") + axis_names[c], "N",
                          [this, c] { return scene.blade->contact_force()[c]; });
@@ -72,12 +76,15 @@ namespace birdstrike
     history.add_column("contact_stored", "J", [this] { return balance.state().contact_stored; });
     history.add_column("contact_dissipated", "J", [this] { return balance.contact_dissipated(); });
     history.add_column("points_in_contact", "-",
-                       [this] { return scene.contact ? scene.contact->report().n_in_contact : 0.; });
+                       [this] { return scene.contact ? scene.contact->report().n_touching : 0.; });
     history.add_column("penetration", "m", [this] { return scene.contact ? scene.contact->report().penetration : 0.; });
-    const auto &patches = scene.contact->patch_names();
+    const auto patches = parameters.pressure_patches();
     for (std::size_t p = 0; p < patches.size(); ++p)
-      history.add_column("pressure_" + patches[p], "Pa",
-                         [this, p] { return scene.contact ? scene.contact->patch_pressures()[p] : 0.; });
+      history.add_column("pressure_" + patches[p].name, "Pa", [this, p] {
+        return scene.contact && !scene.contact->report().patch_pressures.empty()
+                 ? scene.contact->report().patch_pressures[p]
+                 : 0.;
+      });
   }
 
   void Recorder::add_blade_columns()
@@ -129,6 +136,11 @@ namespace birdstrike
     if (bird_fields && scene.bird)
       bird_fields->write(scene.bird->snapshot(), time);
     last_field = time;
+  }
+
+  bool Recorder::is_due(const double time) const
+  {
+    return history_ticks.would_be_due(time) || field_ticks.would_be_due(time);
   }
 
   void Recorder::record(const double time, const unsigned long n_steps)

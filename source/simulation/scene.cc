@@ -1,6 +1,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/blade/make_blade.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/contact/flight.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/simulation/scene.h>
@@ -15,20 +16,38 @@ namespace birdstrike
   {
     /// Work of one step of one entity relative to the others (measured ns on one core); only their ratio matters.
     constexpr double particle_cost = 200., element_cost = 150.;
+
+    /// Largest growth of the bird's step from one macro step to the next.
+    constexpr double step_growth = 1.02;
+
+    /// The bird's step limit behind the shock of first touch: h/(c + 1.2 v) with the sound speed of the Hugoniot state.
+    double shocked_step(const CaseParameters &parameters)
+    {
+      const BirdParameters &bird  = parameters.bird;
+      const double          speed = std::hypot(bird.velocity[0], bird.velocity[1], bird.velocity[2]);
+      if (speed == 0.)
+        return INFINITY;
+      const EquationOfState eos(parameters.equation_of_state, bird.density);
+      const HugoniotState   shocked = eos.hugoniot(speed);
+      const double          c       = std::sqrt(eos.sound_speed_squared(shocked.density_ratio - 1., shocked.pressure));
+      return bird.courant_number * bird.smoothing_ratio * bird.spacing / (c + 1.2 * speed);
+    }
   } // namespace
 
-  Scene::Scene(const CaseParameters &parameters) : pool(parameters.time.n_threads()), parameters(parameters)
+  Scene::Scene(const CaseParameters &parameters)
+    : pool(parameters.time.n_threads()), parameters(parameters), largest_bird_step(INFINITY)
   {
     blade = make_blade(parameters.blade, pool);
     if (parameters.bird.enabled)
-      bird = std::make_unique<Bird>(parameters.bird, pool);
+      bird = std::make_unique<Bird>(parameters.bird, parameters.equation_of_state, pool);
     if (!blade && !bird)
       throw InputError(
         "The case has neither a blade nor a bird.\nSet Blade/Kind to shell or rigid, or Bird/Enabled to true.");
-    if (blade && bird && parameters.contact.enabled)
+    if (blade && bird && parameters.contact.is_enabled)
       {
         contact = std::make_unique<Contact>(parameters.contact);
         place_at_first_touch();
+        largest_bird_step = shocked_step(parameters);
       }
   }
 
@@ -36,33 +55,38 @@ namespace birdstrike
 
   void Scene::place_at_first_touch()
   {
-    const auto overlap = contact->initial_overlap(bird->points(), blade->facets());
-    if (overlap.n_points > 0)
-      throw InputError(fmt::format(
-        "{} particles of the bird start inside the blade, the deepest by {:.3g} m at ({:.4g}, {:.4g}, {:.4g}).\n"
-        "Move Bird/Aim point or enlarge Bird/Standoff.",
-        overlap.n_points, overlap.depth, overlap.position[0], overlap.position[1], overlap.position[2]));
-    flight_time = contact->time_to_first_touch(bird->points(), blade->facets());
+    const Overlap overlap = initial_overlap(bird->points(), blade->facets());
+    if (overlap.depth > 0.)
+      throw InputError(fmt::format("The bird starts inside the blade: {:.3g} m deep at ({:.4g}, {:.4g}, {:.4g}).\n"
+                                   "Enlarge Bird/Stand-off, or set it to 0 to have it chosen.",
+                                   overlap.depth, overlap.position[0], overlap.position[1], overlap.position[2]));
+    flight_time = time_to_first_touch(bird->points(), blade->facets());
     if (!std::isfinite(flight_time))
       throw InputError("The bird misses the blade: no particle meets it along Bird/Velocity.\n"
                        "Change Bird/Aim point, Bird/Chordwise offset or Bird/Velocity.");
     bird->advance_in_flight(flight_time);
   }
 
-  Schedule Scene::plan(const double remaining) const
+  Schedule Scene::plan(const double remaining)
   {
     std::optional<StepVote> bird_vote, blade_vote;
     if (bird)
       {
-        bird_vote = StepVote{bird->step_limit(), particle_cost * static_cast<double>(bird->n_particles())};
+        bird_vote = StepVote{bird->step_limit(), particle_cost * static_cast<double>(bird->state().size())};
         bird_vote->limit.value *= parameters.time.bird_step_scale;
+        if (largest_bird_step < bird_vote->limit.value)
+          bird_vote->limit = {largest_bird_step, "bird, smooth growth of the step", ""};
       }
     if (blade && blade->is_deformable())
       {
         blade_vote = StepVote{blade->step_limit(), element_cost * static_cast<double>(blade->n_elements())};
         blade_vote->limit.value *= parameters.time.step_scale;
       }
-    return plan_step(bird_vote, blade_vote, parameters.time.multirate ? parameters.time.maximum_ratio : 1, remaining);
+    const unsigned int max_ratio = parameters.time.multirate ? parameters.time.maximum_ratio : 1;
+    const Schedule     schedule  = plan_step(bird_vote, blade_vote, max_ratio, remaining);
+    if (bird && contact)
+      largest_bird_step = step_growth * schedule.bird_step();
+    return schedule;
   }
 
   SystemState Scene::state() const
@@ -76,8 +100,22 @@ namespace birdstrike
         state.blade_momentum = blade->momenta();
       }
     if (contact)
-      state.contact_stored = contact->stored_energy();
+      state.contact_stored = contact->report().stored_energy;
     return state;
+  }
+
+  std::size_t Scene::retire_particles(const double horizon)
+  {
+    const FacetsView facets = blade->facets();
+    Box3             box{Point3::Constant(INFINITY), Point3::Constant(-INFINITY)};
+    for (std::size_t n = 0; n < facets.n_nodes; ++n)
+      {
+        const Point3 now(facets.position + 3 * n);
+        const Point3 then = now + horizon * Point3(facets.velocity + facets.velocity_stride * n);
+        box.lower         = box.lower.cwiseMin(now).cwiseMin(then);
+        box.upper         = box.upper.cwiseMax(now).cwiseMax(then);
+      }
+    return bird->retire(box);
   }
 
   void Scene::drop_bird()

@@ -124,6 +124,6 @@ namespace birdstrike
     const Timings::Scope scope(timings, sections.bird_rates);
     parts.bird->compute_rates();
     ++done.bird;
-    done.particle_steps += parts.bird->n_particles();
+    done.particle_steps += parts.bird->state().size();
   }
 } // namespace birdstrike

@@ -11,7 +11,8 @@
 
 namespace birdstrike
 {
-  struct OutputParameters;
+  struct CaseParameters;
+  struct ContactParameters;
   struct Scene;
 
   /// Turns a scene into curves and fields: history.csv and results.h5, blade.pvd and bird.pvd. It looks at parts and
@@ -20,8 +21,11 @@ namespace birdstrike
   {
   public:
     /// Opens the files in `folder`; `observed` and `balance` must outlive the recorder.
-    Recorder(const Scene &scene, const OutputParameters &parameters, const std::filesystem::path &folder,
+    Recorder(const Scene &scene, const CaseParameters &parameters, const std::filesystem::path &folder,
              const Observed &observed, const Balance &balance);
+
+    /// Whether a row of the history or a field file is due.
+    bool is_due(double time) const;
 
     /// Writes what is due at this time.
     void record(double time, unsigned long n_steps);
@@ -33,7 +37,8 @@ namespace birdstrike
 
   private:
     void add_clock_and_balance_columns();
-    void add_bird_and_contact_columns();
+    void add_bird_columns();
+    void add_contact_columns(const ContactParameters &parameters);
     void add_blade_columns();
     void add_root_profile();
     void write_fields(double time);
