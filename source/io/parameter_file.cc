@@ -136,6 +136,11 @@ namespace birdstrike
         }
   }
 
+  void ParameterFile::set(const std::string &override_text)
+  {
+    assign(*prm, scan_override(override_text, tree()));
+  }
+
   const std::string &ParameterFile::original() const
   {
     return original_text;

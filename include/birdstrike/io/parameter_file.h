@@ -51,6 +51,9 @@ namespace birdstrike
     /// Reads the file, then the overrides "Section/Entry=value", and checks every group.
     void read(const std::string &path, const std::vector<std::string> &overrides = {});
 
+    /// Sets one entry, "Section/Entry=value", without checking the groups again.
+    void set(const std::string &override_text);
+
     /// The text of the file that was read, verbatim.
     const std::string &original() const;
 

@@ -44,6 +44,7 @@ TEST(CaseParameters, DefaultsPassTheirOwnRangesAndReadBack)
       << birdstrike::to_string(entry.section) << "/" << entry.name << " = " << entry.value;
   first.read(scratch.write("plain.prm", ""));
   second.read(scratch.write("parameters.prm", first.file.as_prm()));
+  EXPECT_EQ(second.name, "plain");
   EXPECT_EQ(first.file.as_prm(), second.file.as_prm());
 }
 
@@ -55,6 +56,9 @@ TEST(CaseParameters, NameAndFolderComeFromTheFileUnlessGiven)
     parameters.read(scratch.write("frontal.prm", ""), {"Time/End time=2e-3", "Time/Multirate=off"});
     EXPECT_EQ(parameters.name, "frontal");
     EXPECT_EQ(parameters.run_directory(), "runs/frontal");
+    CaseParameters again;
+    again.read(scratch.write("parameters.prm", parameters.file.as_prm()));
+    EXPECT_EQ(again.name, "frontal");
     EXPECT_EQ(parameters.time.end_time, 2e-3);
     EXPECT_FALSE(parameters.time.multirate);
   }
@@ -75,13 +79,16 @@ TEST(CaseParameters, TimesThatCannotBeAreRefused)
 
 TEST(CaseParameters, EveryShippedFileIsRead)
 {
-  unsigned int n_files = 0;
+  const ScratchFolder scratch;
+  unsigned int        n_files = 0;
   for (const auto &entry : std::filesystem::directory_iterator(BIRDSTRIKE_SOURCE_DIR "/prm"))
     if (entry.path().extension() == ".prm")
       {
         ++n_files;
-        CaseParameters parameters;
+        CaseParameters parameters, again;
         EXPECT_NO_THROW(parameters.read(entry.path().string()));
+        EXPECT_NO_THROW(again.read(scratch.write("parameters.prm", parameters.file.as_prm()))) << entry.path();
+        EXPECT_EQ(again.file.as_prm(), parameters.file.as_prm()) << entry.path();
       }
   EXPECT_GE(n_files, 1u) << "no parameter files in " BIRDSTRIKE_SOURCE_DIR "/prm";
 }
