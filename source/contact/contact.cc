@@ -49,7 +49,7 @@ namespace birdstrike
     last.skipped  = search.counts().apart;
     last.searches = search.counts().searches;
     last.reused   = search.counts().reused;
-    narrow_phase.update(points, facets, search, topology, memory, step, pool);
+    narrow_phase.update({points, facets, search, topology, step, last.calls == 1}, memory, pool);
   }
 
   void Contact::compute_forces(const PointsView &points, const FacetsView &facets, const double step, ThreadPool &pool)
@@ -68,6 +68,7 @@ namespace birdstrike
   void Contact::compute_batch(const PointsView &points, const FacetsView &facets, const double step,
                               const std::size_t begin)
   {
+    // a list of gathers and one call of the law: longer than a function should be, but of one thought
     // the last batch is filled up with copies of the last touch, whose results are never read
     const auto &touches = narrow_phase.touches();
     const auto  pick    = [&](const auto &value) {

@@ -14,11 +14,6 @@ namespace birdstrike
       }
   }
 
-  bool Box::contains(const Point3 &p) const
-  {
-    return p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] && p[1] <= high[1] && p[2] >= low[2] && p[2] <= high[2];
-  }
-
   double Box::separation(const Box &other) const
   {
     double result = -1e300;

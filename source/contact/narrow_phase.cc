@@ -16,40 +16,26 @@ namespace birdstrike
     constexpr double no_distance = 1e-6;
   } // namespace
 
-  struct NarrowPhase::Scene
-  {
-    const PointsView      &points;
-    const FacetsView      &facets;
-    const CandidateSearch &candidates;
-    const SurfaceTopology &topology;
-    PointMemory           &memory;
-    double                 step;
-    std::uint64_t          call;
-  };
-
-  void NarrowPhase::update(const PointsView &points, const FacetsView &facets, const CandidateSearch &candidates,
-                           const SurfaceTopology &topology, PointMemory &memory, const double step, ThreadPool &pool)
+  void NarrowPhase::update(const ContactScene &scene, PointMemory &memory, ThreadPool &pool)
   {
     ++n_calls;
     touching.clear();
-    if (candidates.n_pairs() == 0)
+    if (scene.candidates.n_pairs() == 0)
       return;
-    compute_closest_points(points, facets, candidates, pool);
-    const Scene scene{points, facets, candidates, topology, memory, step, n_calls};
-    slots.resize(2 * candidates.n_near());
-    pool.parallel_for(candidates.n_near(), 128, [&](const std::size_t begin, const std::size_t end) {
+    compute_closest_points(scene, pool);
+    slots.resize(2 * scene.candidates.n_near());
+    pool.parallel_for(scene.candidates.n_near(), 128, [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t near = begin; near < end; ++near)
-        decide(scene, near);
+        decide(scene, near, memory);
     });
     for (const TouchingPair &slot : slots)
       if (slot.share > 0.)
         touching.push_back(slot);
   }
 
-  void NarrowPhase::compute_closest_points(const PointsView &points, const FacetsView &facets,
-                                           const CandidateSearch &candidates, ThreadPool &pool)
+  void NarrowPhase::compute_closest_points(const ContactScene &scene, ThreadPool &pool)
   {
-    const std::size_t n = candidates.pair_point().size();
+    const std::size_t n = scene.candidates.pair_point().size();
     distances.resize(n);
     for (auto *arrays : {&offsets, &normals})
       for (auto &array : *arrays)
@@ -58,20 +44,8 @@ namespace birdstrike
       array.resize(n);
 
     const auto batch = [&](const std::size_t b) {
-      const std::uint32_t *point = candidates.pair_point().data() + b, *facet = candidates.pair_facet().data() + b;
-      Vector3<Lanes>       p;
-      for (unsigned int d = 0; d < 3; ++d)
-        p[d] = gather(points.position[d], point);
-      std::array<Vector3<Lanes>, 4> x;
-      for (unsigned int k = 0; k < 4; ++k)
-        {
-          std::uint32_t entry[n_lanes];
-          for (std::size_t j = 0; j < n_lanes; ++j)
-            entry[j] = 3 * facets.nodes[facet[j]][k];
-          for (unsigned int d = 0; d < 3; ++d)
-            x[k][d] = gather(facets.position + d, entry);
-        }
-      const auto           q      = compute_closest_point(p, x);
+      const auto           x = gather_facets(scene.facets, &scene.candidates.pair_facet()[b]);
+      const auto           q = compute_closest_point(gather_points(scene.points, &scene.candidates.pair_point()[b]), x);
       const Vector3<Lanes> normal = compute_area_vector(x);
       const Lanes          length = sqrt(normal.dot(normal));
       store(sqrt(q.distance_squared), &distances[b]);
@@ -116,101 +90,123 @@ namespace birdstrike
     return best;
   }
 
-  bool NarrowPhase::is_local_minimum(const Scene &scene, const std::uint32_t begin, const std::uint32_t end,
-                                     const std::uint32_t pair) const
+  bool NarrowPhase::is_local_minimum(const ContactScene &scene, const std::size_t near, const std::uint32_t pair) const
   {
-    const auto &nodes  = scene.facets.nodes[scene.candidates.pair_facet()[pair]];
-    const auto  shares = [&](const std::array<std::uint32_t, 4> &others) {
+    const auto &facet_of = scene.candidates.pair_facet();
+    const auto &nodes    = scene.facets.nodes[facet_of[pair]];
+    const auto  shares   = [&](const std::array<std::uint32_t, 4> &others) {
       for (unsigned int k = 0; k < 4; ++k)
         if (weights[k][pair] > 0. && std::find(others.begin(), others.end(), nodes[k]) == others.end())
           return false;
       return true;
     };
-    for (std::uint32_t k = begin; k < end; ++k)
-      if (distances[k] < distances[pair] * (1. - tie) && shares(scene.facets.nodes[scene.candidates.pair_facet()[k]]))
+    for (std::uint32_t k = scene.candidates.first_pair()[near]; k < scene.candidates.first_pair()[near + 1]; ++k)
+      if (distances[k] < distances[pair] * (1. - tie) && shares(scene.facets.nodes[facet_of[k]]))
         return false;
     return true;
   }
 
-  std::int64_t NarrowPhase::opposed(const Scene &scene, const std::uint32_t begin, const std::uint32_t end,
-                                    const std::uint32_t first) const
+  std::int64_t NarrowPhase::opposed(const ContactScene &scene, const std::size_t near, const std::uint32_t first,
+                                    const double reach) const
   {
-    const double reach = scene.topology.max_half_thickness() + 0.5 * scene.memory.max_size();
-    std::int64_t best  = -1;
-    const Point3 r1    = offset(first);
-    for (std::uint32_t k = begin; k < end; ++k)
+    std::int64_t best = -1;
+    const Point3 r1   = offset(first);
+    for (std::uint32_t k = scene.candidates.first_pair()[near]; k < scene.candidates.first_pair()[near + 1]; ++k)
       if (k != first && distances[k] < reach && (best < 0 || distances[k] < distances[best]) &&
-          offset(k).dot(r1) < share_starts_at * distances[k] * distances[first] &&
-          is_local_minimum(scene, begin, end, k))
+          offset(k).dot(r1) < share_starts_at * distances[k] * distances[first] && is_local_minimum(scene, near, k))
         best = k;
     return best;
   }
 
-  bool NarrowPhase::touch(const Scene &scene, const std::uint32_t pair, const PointRecord &before, TouchingPair &result,
-                          PointRecord::Side &side) const
+  /// How a pair lies, before its side is known.
+  struct NarrowPhase::Gap
+  {
+    double      range;         // g, m
+    double      travel;        // of the point past the surface within the step, m
+    std::int8_t seen;          // side of the facet on which the point is
+    bool        is_beyond;     // a free edge
+    bool        is_degenerate; // on the surface itself
+  };
+
+  NarrowPhase::Gap NarrowPhase::compute_gap(const ContactScene &scene, const std::uint32_t pair,
+                                            const double size) const
   {
     const std::uint32_t i = scene.candidates.pair_point()[pair], f = scene.candidates.pair_facet()[pair];
-    const double        w[4]      = {weights[0][pair], weights[1][pair], weights[2][pair], weights[3][pair]};
-    const Point3        r         = offset(pair), facet_normal(normals[0][pair], normals[1][pair], normals[2][pair]);
-    const double        distance  = distances[pair];
-    const bool          is_beyond = scene.topology.is_on_rim(scene.facets, f, w),
-               is_degenerate      = distance < no_distance * before.size;
+    const double        w[4] = {weights[0][pair], weights[1][pair], weights[2][pair], weights[3][pair]};
+    const Point3        facet_normal(normals[0][pair], normals[1][pair], normals[2][pair]);
 
+    Gap    gap;
     Point3 velocity(scene.points.velocity[0][i], scene.points.velocity[1][i], scene.points.velocity[2][i]);
-    double half_thickness = 0.;
+    gap.range = 0.5 * size;
     for (unsigned int k = 0; k < 4; ++k)
       {
         const std::uint32_t node = scene.facets.nodes[f][k];
         velocity -= w[k] * Eigen::Map<const Point3>(scene.facets.velocity + node * scene.facets.velocity_stride);
-        half_thickness += w[k] * scene.topology.half_thickness(node);
+        gap.range += w[k] * scene.topology.half_thickness(node);
       }
-
+    gap.travel        = velocity.norm() * scene.step;
+    gap.is_beyond     = scene.topology.is_on_rim(scene.facets, f, w);
+    gap.is_degenerate = distances[pair] < no_distance * size;
     // on the surface itself the point is where it came from
-    const std::int8_t seen = (is_degenerate ? -velocity.dot(facet_normal) : r.dot(facet_normal)) < 0. ? -1 : 1;
-    side                   = {};
-    for (const PointRecord::Side &old : before.sides)
-      if (before.last_call + 1 == scene.call && old.piece == scene.topology.piece(f))
-        {
+    gap.seen = (gap.is_degenerate ? -velocity.dot(facet_normal) : offset(pair).dot(facet_normal)) < 0. ? -1 : 1;
+    return gap;
+  }
+
+  bool NarrowPhase::touch(const ContactScene &scene, const std::uint32_t pair, const PointRecord &before,
+                          TouchingPair &result, PointRecord::Side &side) const
+  {
+    const Gap          gap   = compute_gap(scene, pair, before.size);
+    const std::int32_t piece = scene.topology.piece(scene.candidates.pair_facet()[pair]);
+    side                     = {};
+    if (before.last_call + 1 == n_calls)
+      for (const PointRecord::Side &old : before.sides)
+        if (old.piece == piece && side.piece < 0)
           side = old;
-          break;
-        }
-    // a change of sign within one step's flight, or in touch, is a passage through the surface; else it went around
-    const bool is_passage = side.is_touching || distance <= 2. * velocity.norm() * scene.step;
-    if (is_beyond)
+
+    // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
+    // around
+    const bool is_passage = side.is_touching || distances[pair] <= 2. * gap.travel;
+    if (gap.is_beyond)
       side.sign = 0;
-    else if (side.piece < 0 || side.sign == 0 || (seen != side.sign && !is_passage))
+    else if (side.piece < 0 || side.sign == 0 || (gap.seen != side.sign && !is_passage))
       {
-        if (!scene.facets.two_sided && seen < 0)
-          return false;
-        side.sign = seen;
+        if (!scene.facets.two_sided && gap.seen < 0)
+          {
+            side = {};
+            return false;
+          }
+        side.sign = gap.seen;
       }
-    side.piece           = scene.topology.piece(f);
-    const double sign    = is_beyond ? 1. : side.sign * seen;
-    const double overlap = half_thickness + 0.5 * before.size - sign * distance;
-    side.reference       = scene.call == 1 ? std::max(overlap, 0.) : std::max(std::min(side.reference, overlap), 0.);
+    side.piece           = piece;
+    const double sign    = gap.is_beyond ? 1. : side.sign * gap.seen;
+    const double overlap = gap.range - sign * distances[pair];
+    side.reference       = std::max(scene.is_first ? overlap : std::min(side.reference, overlap), 0.);
     side.is_touching     = overlap > 0.;
     result.pair          = pair;
     result.penetration   = overlap - side.reference;
-    result.normal = is_degenerate ? Point3((is_beyond ? seen : side.sign) * facet_normal) : Point3(sign / distance * r);
+    result.normal        = offset(pair) * (sign / distances[pair]);
+    if (gap.is_degenerate)
+      result.normal =
+        (gap.is_beyond ? gap.seen : side.sign) * Point3(normals[0][pair], normals[1][pair], normals[2][pair]);
     return result.penetration > 0.;
   }
 
-  void NarrowPhase::decide(const Scene &scene, const std::size_t near)
+  void NarrowPhase::decide(const ContactScene &scene, const std::size_t near, PointMemory &memory)
   {
     const std::uint32_t begin = scene.candidates.first_pair()[near], end = scene.candidates.first_pair()[near + 1];
-    PointRecord        &record = scene.memory[scene.points.id[scene.candidates.pair_point()[begin]]];
+    PointRecord        &record = memory[scene.points.id[scene.candidates.pair_point()[begin]]];
     const PointRecord   before = record;
     TouchingPair       &first = slots[2 * near], &second = slots[2 * near + 1];
     first.share = second.share = 0.;
     record.sides[1]            = {};
-    record.last_call           = scene.call;
+    record.last_call           = n_calls;
 
     const std::uint32_t closest = nearest(begin, end);
     if (touch(scene, closest, before, first, record.sides[0]))
       first.share = 1.;
     if (end - begin < 2)
       return;
-    const std::int64_t other = opposed(scene, begin, end, closest);
+    const std::int64_t other = opposed(scene, near, closest, scene.topology.max_half_thickness() + 0.5 * before.size);
     if (other < 0 || !touch(scene, static_cast<std::uint32_t>(other), before, second, record.sides[1]))
       return;
     const double cosine = first.share > 0. ? first.normal.dot(second.normal) : -1.;

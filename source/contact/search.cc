@@ -1,3 +1,4 @@
+#include <birdstrike/contact/gather.h>
 #include <birdstrike/contact/search.h>
 #include <birdstrike/core/closest_point.h>
 
@@ -137,19 +138,45 @@ namespace birdstrike
           if (!grid.box().contains(p))
             continue;
           for (const std::uint32_t f : grid.near(p))
-            if (grid.box(f).contains(p) &&
-                compute_closest_point(p, facet_nodes(facets, f)).distance_squared <= reach * reach)
+            if (grid.box(f).contains(p))
               {
                 chunk.points.push_back(static_cast<std::uint32_t>(i));
                 chunk.facets.push_back(f);
               }
         }
+      keep_close(chunk, points, facets, reach);
     };
     pool.parallel_for(chunks.size(), 1, [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
         collect(chunks[c], c * points_per_chunk, std::min(points.n, (c + 1) * points_per_chunk));
     });
     join_chunks();
+  }
+
+  void CandidateSearch::keep_close(Chunk &chunk, const PointsView &points, const FacetsView &facets, const double reach)
+  {
+    const std::size_t n      = chunk.points.size();
+    std::size_t       n_kept = 0;
+    while (n > 0 && chunk.points.size() % n_lanes != 0)
+      {
+        chunk.points.push_back(chunk.points.back());
+        chunk.facets.push_back(chunk.facets.back());
+      }
+    for (std::size_t b = 0; b < n; b += n_lanes)
+      {
+        const auto closest =
+          compute_closest_point(gather_points(points, &chunk.points[b]), gather_facets(facets, &chunk.facets[b]));
+        const auto is_close = closest.distance_squared <= Lanes(reach * reach);
+        for (std::size_t j = 0; j < n_lanes && b + j < n; ++j)
+          if (is_close[j])
+            {
+              chunk.points[n_kept] = chunk.points[b + j];
+              chunk.facets[n_kept] = chunk.facets[b + j];
+              ++n_kept;
+            }
+      }
+    chunk.points.resize(n_kept);
+    chunk.facets.resize(n_kept);
   }
 
   void CandidateSearch::join_chunks()

@@ -16,7 +16,11 @@ namespace birdstrike
     std::array<double, 3> low{{1e300, 1e300, 1e300}}, high{{-1e300, -1e300, -1e300}};
 
     void add(const double *p, double margin = 0.);
-    bool contains(const Point3 &p) const;
+    bool contains(const Point3 &p) const
+    {
+      return p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] && p[1] <= high[1] && p[2] >= low[2] &&
+             p[2] <= high[2];
+    }
     bool is_empty() const
     {
       return low[0] > high[0];

@@ -19,6 +19,17 @@ namespace birdstrike
     Point3        normal;      ///< from the surface to the point
   };
 
+  /// What the decision rests on.
+  struct ContactScene
+  {
+    const PointsView      &points;
+    const FacetsView      &facets;
+    const CandidateSearch &candidates;
+    const SurfaceTopology &topology;
+    double                 step;     ///< s
+    bool                   is_first; ///< penetrations found now become references
+  };
+
   /// Decides which candidates touch, on which side and how deep: signed distance s to the closest point against the
   /// offset g = t/2 + V^(1/3)/2,  d = g - s.
   ///
@@ -36,9 +47,8 @@ namespace birdstrike
   {
   public:
     /// Fills `touches` in the order of the candidate list. To be called at every step, also without candidates: memory
-    /// lasts from one call to the next, and penetrations found in the very first become references.
-    void update(const PointsView &points, const FacetsView &facets, const CandidateSearch &candidates,
-                const SurfaceTopology &topology, PointMemory &memory, double step, ThreadPool &pool);
+    /// lasts from one call to the next.
+    void update(const ContactScene &scene, PointMemory &memory, ThreadPool &pool);
 
     const std::vector<TouchingPair> &touches() const
     {
@@ -56,15 +66,15 @@ namespace birdstrike
     }
 
   private:
-    struct Scene;
-    void compute_closest_points(const PointsView &points, const FacetsView &facets, const CandidateSearch &candidates,
-                                ThreadPool &pool);
-    void decide(const Scene &scene, std::size_t near);
+    struct Gap;
+    void          compute_closest_points(const ContactScene &scene, ThreadPool &pool);
+    void          decide(const ContactScene &scene, std::size_t near, PointMemory &memory);
     std::uint32_t nearest(std::uint32_t begin, std::uint32_t end) const;
-    std::int64_t  opposed(const Scene &scene, std::uint32_t begin, std::uint32_t end, std::uint32_t first) const;
-    bool is_local_minimum(const Scene &scene, std::uint32_t begin, std::uint32_t end, std::uint32_t pair) const;
-    bool touch(const Scene &scene, std::uint32_t pair, const PointRecord &before, TouchingPair &result,
-               PointRecord::Side &side) const;
+    std::int64_t  opposed(const ContactScene &scene, std::size_t near, std::uint32_t first, double reach) const;
+    bool          is_local_minimum(const ContactScene &scene, std::size_t near, std::uint32_t pair) const;
+    Gap           compute_gap(const ContactScene &scene, std::uint32_t pair, double size) const;
+    bool          touch(const ContactScene &scene, std::uint32_t pair, const PointRecord &before, TouchingPair &result,
+                        PointRecord::Side &side) const;
 
     std::array<AlignedVector<double>, 3> offsets, normals; // [pair], m; unit normals of the facets
     std::array<AlignedVector<double>, 4> weights;

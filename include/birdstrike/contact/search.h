@@ -66,9 +66,10 @@ namespace birdstrike
       std::vector<std::uint32_t> points, facets;
     };
 
-    bool is_valid(const PointsView &points, const FacetsView &facets, ThreadPool &pool);
-    void find_pairs(const PointsView &points, const FacetsView &facets, double reach, ThreadPool &pool);
-    void join_chunks();
+    bool        is_valid(const PointsView &points, const FacetsView &facets, ThreadPool &pool);
+    void        find_pairs(const PointsView &points, const FacetsView &facets, double reach, ThreadPool &pool);
+    static void keep_close(Chunk &chunk, const PointsView &points, const FacetsView &facets, double reach);
+    void        join_chunks();
 
     FacetGrid                  grid;
     std::vector<Chunk>         chunks; // of points

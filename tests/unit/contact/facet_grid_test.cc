@@ -1,0 +1,53 @@
+#include "free_masses.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace birdstrike;
+using birdstrike::test::FreeMasses;
+
+TEST(FacetGrid, ACellListsEveryFacetWhoseBoxHoldsThePoint)
+{
+  FreeMasses scene; // sizes 1 : 10
+  scene.add_patch(20, 6, 0., [](const unsigned int i, const unsigned int j) {
+    return Point3(1e-3 * i + 4.5e-4 * i * i, 8e-3 * j, 0.02 * std::sin(0.3 * i));
+  });
+  FacetGrid        grid;
+  const FacetsView facets = scene.facets();
+  grid.update(facets, 2e-3);
+  std::mt19937                           random(5);
+  std::uniform_real_distribution<double> uniform(0., 1.);
+  std::size_t                            n_listed = 0;
+  for (unsigned int trial = 0; trial < 5000; ++trial)
+    {
+      Point3 p;
+      for (unsigned int d = 0; d < 3; ++d)
+        p[d] = grid.box().low[d] + uniform(random) * (grid.box().high[d] - grid.box().low[d]);
+      const auto near = grid.near(p);
+      n_listed += near.size();
+      EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
+      for (std::uint32_t f = 0; f < facets.n_facets; ++f)
+        if (grid.box(f).contains(p))
+          {
+            EXPECT_TRUE(std::binary_search(near.begin(), near.end(), f));
+          }
+    }
+  EXPECT_LT(n_listed, 5000u * facets.n_facets / 5); // it does select
+}
+
+TEST(FacetGrid, BoxesKnowHowFarApartTheyAre)
+{
+  Box          a, b;
+  const double origin[3] = {0., 0., 0.}, corner[3] = {1., 1., 1.}, far[3] = {3., 0.5, 1.5};
+  EXPECT_TRUE(a.is_empty());
+  a.add(origin);
+  a.add(corner);
+  b.add(far);
+  EXPECT_DOUBLE_EQ(a.separation(b), 2.);
+  EXPECT_DOUBLE_EQ(b.separation(a), 2.);
+  b.add(origin, 0.1);
+  EXPECT_LT(a.separation(b), 0.);
+  EXPECT_DOUBLE_EQ(b.low[0], -0.1);
+}
