@@ -30,7 +30,7 @@ namespace birdstrike
     template <class Body>
     void for_nodes(const Body &body)
     {
-      pool.parallel_for(n_nodes, chunk, std::cref(body));
+      pool.parallel_for(n_nodes, grain * chunk, std::cref(body));
     }
 
     /// Sums of term(node, sums) over all nodes in fixed chunks, bitwise the same for any number of threads.
@@ -46,7 +46,7 @@ namespace birdstrike
             partial[c] = sums;
           }
       };
-      pool.parallel_for(partial.size(), 1, std::cref(body));
+      pool.parallel_for(partial.size(), grain, std::cref(body));
       Sums total{};
       for (const Sums &sums : partial)
         for (std::size_t k = 0; k < total.size(); ++k)
@@ -55,6 +55,8 @@ namespace birdstrike
     }
 
     static constexpr std::size_t chunk = 512; ///< nodes
+    /// Chunks a thread takes at least: waking one costs as much as a kick of some thousand nodes.
+    static constexpr std::size_t grain = 8;
 
     ThreadPool     &pool;
     ShellMesh       mesh;

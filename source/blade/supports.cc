@@ -65,6 +65,9 @@ namespace birdstrike
     require_ids(clamped, mesh, "Clamped");
     require_ids(hub, mesh, "Hub");
     require_ids(parse_ids(parameters.free, "Supports/Free"), mesh, "Free");
+    // The default names the tip of the built-in plate, which a file need not have.
+    if (parameters.tip != BladeParameters::Supports().tip)
+      require_ids(parse_ids(parameters.tip, "Supports/Tip"), mesh, "Tip");
     root_ids = hub.empty() ? clamped : hub;
     for (const unsigned int id : parse_ids(parameters.tip, "Supports/Tip"))
       if (mesh.has_boundary_id(id))
