@@ -79,13 +79,13 @@ namespace birdstrike
     template <bool physical, class Corners>
     ShellVector<Lanes> compute_strain_increments(const ShellGeometry<Lanes> &midpoint, const Lanes &thickness,
                                                  const double hourglass_coefficient, const Corners &increment,
-                                                 const Corners &rotation, const Corners &normal)
+                                                 const Corners &rotation, [[maybe_unused]] const Corners &normal)
     {
       if constexpr (physical)
         {
           Vector3<Lanes> director[4];
           for (int i = 0; i < 4; ++i)
-            director[i] = rotation[i].cross(normal[i]);
+            director[i] = rotation[i].cross(midpoint.director[i]);
           return physical_shell::compute_strains(midpoint, ShellModes<Lanes>::of_corners(increment),
                                                  ShellModes<Lanes>::of_corners(director));
         }
@@ -96,10 +96,10 @@ namespace birdstrike
 
     template <bool physical, class Corners>
     void compute_corner_forces(const ShellGeometry<Lanes> &end, const ShellStress<Lanes> &stress,
-                               const double hourglass_coefficient, const Corners &normal, Corners &force,
-                               Corners &moment)
+                               const double hourglass_coefficient, [[maybe_unused]] const Corners &normal,
+                               Corners &force, Corners &moment)
     {
-      const ShellVector<Lanes> resultants = ShellSectionLaw::compute_resultants(stress);
+      const ShellVector<Lanes> resultants = compute_resultants(stress);
       if constexpr (physical)
         {
           ShellModes<Lanes> f, fd;
@@ -108,7 +108,7 @@ namespace birdstrike
           f.corner_shares(force);
           fd.corner_shares(director_force);
           for (int i = 0; i < 4; ++i)
-            moment[i] = normal[i].cross(director_force[i]);
+            moment[i] = end.director[i].cross(director_force[i]);
         }
       else
         BelytschkoTsay<Lanes>(end, stress.thickness, hourglass_coefficient)

@@ -43,8 +43,9 @@ namespace birdstrike
   template <class Number>
   struct ShellGeometry
   {
-    ShellModes<Number> x; ///< m
-    ShellModes<Number> d; ///< -, the averaged nodal normals
+    ShellModes<Number> x;           ///< m
+    Vector3<Number>    director[4]; ///< -, n/(n.e3) of the averaged nodal normals n
+    ShellModes<Number> d;           ///< of the directors
     Vector3<Number>    e1, e2, e3;
     Number             area; ///< m^2
     Number             c1x, c1y, c2x, c2y;
@@ -55,14 +56,16 @@ namespace birdstrike
     {
       ShellGeometry g;
       g.x                      = ShellModes<Number>::of_corners(corner);
-      g.d                      = ShellModes<Number>::of_corners(normal);
       const Vector3<Number> a1 = g.x.m1, a2 = g.x.m2, a3 = g.x.m3;
       const Vector3<Number> normal_vector = a1.cross(a2);
       const Number          det           = sqrt(normal_vector.dot(normal_vector));
       g.area                              = 4. * det;
       g.e3                                = normal_vector * (Number(1.) / det);
-      const Vector3<Number> s1            = a1 * (Number(1.) / sqrt(a1.dot(a1)));
-      const Vector3<Number> s2            = a2 * (Number(1.) / sqrt(a2.dot(a2)));
+      for (int i = 0; i < 4; ++i)
+        g.director[i] = normal[i] * (Number(1.) / max(normal[i].dot(g.e3), Number(0.1)));
+      g.d                       = ShellModes<Number>::of_corners(g.director);
+      const Vector3<Number> s1  = a1 * (Number(1.) / sqrt(a1.dot(a1)));
+      const Vector3<Number> s2  = a2 * (Number(1.) / sqrt(a2.dot(a2)));
       const Vector3<Number> sum = s1 + s2, difference = s1 - s2;
       const Vector3<Number> s = sum * (Number(1.) / sqrt(2. * sum.dot(sum)));
       const Vector3<Number> t = difference * (Number(1.) / sqrt(2. * difference.dot(difference)));

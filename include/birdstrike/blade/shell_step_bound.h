@@ -35,7 +35,10 @@ namespace birdstrike
     const Number skew  = g.alpha * g.alpha + g.beta * g.beta;
     const Number cos2  = skew / (Number(1.) + skew);
     const Number t2    = thickness * thickness / Number(12.);
-    const Number r     = max(t2, Number(g.area / Number(8.)));
+    // theta x d of a director longer than one moves as with less inertia
+    const Number longest = max(max(Number(g.director[0].dot(g.director[0])), Number(g.director[1].dot(g.director[1]))),
+                               max(Number(g.director[2].dot(g.director[2])), Number(g.director[3].dot(g.director[3]))));
+    const Number r       = max(t2, Number(g.area / Number(8.))) / longest;
 
     const Number root     = sqrt(max(Number(trace * trace - 4. * (1. - nu * nu) * det), Number(0.)));
     const Number membrane = (0.5 * elasticity.plate_modulus() / density) * (trace + root);
