@@ -30,6 +30,9 @@ namespace birdstrike
     {
       const bool has_low  = low != "-MAX_DOUBLE" && low != "-2147483648",
                  has_high = high != "MAX_DOUBLE" && high != "2147483647";
+      // Patterns know closed intervals only: a bound next to nothing stands for "not zero".
+      if (has_low && kind == "a number" && std::stod(low) > 0. && std::stod(low) <= 1e-12)
+        return kind + " above 0" + (has_high ? ", at most " + high : "");
       if (has_low && has_high)
         return kind + " from " + low + " to " + high;
       if (has_low)

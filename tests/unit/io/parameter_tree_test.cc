@@ -29,6 +29,7 @@ TEST(ParameterTree, SplitsTextAndUnitAndPutsRangesInWords)
   prm.declare_entry("Point", "0, 0, 0", List(Double(), 3, 3), "A point. [m]");
   prm.declare_entry("Angle", "0", Double(-90., std::numeric_limits<double>::max()), "An angle [sic] of a path. [deg]");
   prm.declare_entry("Factor", "0", Double(std::numeric_limits<double>::lowest(), 1.), "A factor.");
+  prm.declare_entry("Length", "1", Double(1e-300), "A length. [m]");
   prm.declare_entry("File", "", FileName(), "A file. [-]");
   const ParameterTree tree(prm);
   EXPECT_EQ(tree.find({}, "Point")->range, "3 items separated by ',', each a number");
@@ -37,6 +38,7 @@ TEST(ParameterTree, SplitsTextAndUnitAndPutsRangesInWords)
   EXPECT_EQ(tree.find({}, "Angle")->text, "An angle [sic] of a path.");
   EXPECT_EQ(tree.find({}, "Angle")->unit, "deg");
   EXPECT_EQ(tree.find({}, "Factor")->range, "a number, at most 1");
+  EXPECT_EQ(tree.find({}, "Length")->range, "a number above 0");
   EXPECT_EQ(tree.find({}, "Factor")->unit, "");
 }
 
