@@ -31,10 +31,10 @@ namespace birdstrike
     if (scene.contact)
       max_penetration = std::max(max_penetration, scene.contact->report().max_penetration);
 
-    // Until a thousandth of all energy has reached the blade, a ratio of two small numbers says nothing.
+    // Until a hundredth of all energy has reached the blade, a ratio of two small numbers says nothing.
     const EnergyReport &energy   = balance.state().blade;
     const double        internal = energy.elastic + energy.plastic + energy.hourglass;
-    if (internal > 1e-3 * balance.initial_energy())
+    if (internal > 1e-2 * balance.initial_energy())
       hourglass_share.update(time, energy.hourglass / internal);
   }
 } // namespace birdstrike

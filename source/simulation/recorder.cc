@@ -13,6 +13,15 @@ namespace birdstrike
   {
     constexpr const char *axis_names[] = {"x", "y", "z"};
 
+    /// A user's name as part of a column's: what separates columns becomes an underscore.
+    std::string column_name(std::string name)
+    {
+      for (char &letter : name)
+        if (letter == ' ' || letter == ',' || letter == '/' || letter == '\t')
+          letter = '_';
+      return name;
+    }
+
     /// Intervals of zero mean "first and last state only".
     Ticks field_ticks_of(const double interval)
     {
@@ -80,7 +89,7 @@ namespace birdstrike
     history.add_column("penetration", "m", [this] { return scene.contact ? scene.contact->report().penetration : 0.; });
     const auto patches = parameters.pressure_patches();
     for (std::size_t p = 0; p < patches.size(); ++p)
-      history.add_column("pressure_" + patches[p].name, "Pa", [this, p] {
+      history.add_column("pressure_" + column_name(patches[p].name), "Pa", [this, p] {
         return scene.contact && !scene.contact->report().patch_pressures.empty()
                  ? scene.contact->report().patch_pressures[p]
                  : 0.;
@@ -112,7 +121,7 @@ namespace birdstrike
     const auto probes = scene.blade->probes();
     for (std::size_t p = 0; p < probes.size(); ++p)
       for (unsigned int c = 0; c < 3; ++c)
-        history.add_column("probe_" + probes[p].name + "_u" + axis_names[c], "m",
+        history.add_column("probe_" + column_name(probes[p].name) + "_u" + axis_names[c], "m",
                            [this, p, c] { return observed.probes[p].displacement[c]; });
   }
 
