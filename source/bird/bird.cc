@@ -10,6 +10,14 @@ namespace birdstrike
     /// Particles per thread range: whole registers and whole cache lines of every column.
     constexpr std::size_t grain = 64;
 
+    /// Liquid at zero pressure remembers how far it has come apart, up to twice its volume: beyond, spray would weigh
+    /// more and more in its neighbours' sums.
+    double expand_at_most(const double mu)
+    {
+      constexpr double thinnest = -0.5;
+      return mu > -1. && mu < thinnest ? thinnest : mu; // what is no density passes, to be reported
+    }
+
     double compute_slope(const EquationOfState &eos, const BirdParameters &parameters)
     {
       const auto &v = parameters.velocity;
@@ -123,7 +131,7 @@ namespace birdstrike
           particles.predicted_velocity[d][p] =
             particles.v[d][p] + scale * (particles.force[d][p] + particles.contact_force[d][p]);
       for (std::size_t p = begin; p < end; ++p)
-        predicted_mu[p] = particles.mu[p] + half_step * particles.mu_rate[p];
+        predicted_mu[p] = expand_at_most(compress(particles.mu[p], particles.compression_rate[p], half_step));
     });
   }
 
@@ -153,7 +161,7 @@ namespace birdstrike
               power -= particles.force[d][p] * ((is_first ? after : before) - particles.predicted_velocity[d][p]);
             }
           particles.internal_energy[p] += dt * power;
-          particles.mu[p] += dt * particles.mu_rate[p];
+          particles.mu[p] = expand_at_most(compress(particles.mu[p], particles.compression_rate[p], dt));
         }
     });
     if (is_first)

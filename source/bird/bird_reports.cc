@@ -1,5 +1,7 @@
 #include <birdstrike/bird/bird.h>
 
+#include <numeric>
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -97,7 +99,8 @@ namespace birdstrike
     const std::size_t n = particles.size();
     FieldSnapshot     snapshot;
     snapshot.points.resize(3 * n);
-    snapshot.cells.assign(particles.id.begin(), particles.id.end());
+    snapshot.cells.resize(particles.size());
+    std::iota(snapshot.cells.begin(), snapshot.cells.end(), 0u);
     Field velocity{"velocity", "m/s", false, 3, std::vector<double>(3 * n)};
     Field pressure{"pressure", "Pa", false, 1, std::vector<double>(n)};
     Field density{"density", "kg/m^3", false, 1, std::vector<double>(n)};

@@ -13,12 +13,51 @@ namespace birdstrike
     /// shocks of 177 m/s at Courant number 0.5: with 1 the predictor is unstable and the shock slow; with 0.5 plateaus
     /// are within 0.8 % and overshoots 0-5 %; with 0.2, 5-20 %; with 0, 40-70 % and chequered pressure.
     constexpr double pressure_share = 0.5;
-    /// Row of a symmetric tensor times a vector.
+    /// m^2, added to r^2: keeps 1/r finite for a particle that meets its own image or another in one place.
+    constexpr double smallest_distance2 = 1e-60;
+
+    /// A symmetric tensor times a vector.
     template <class Tensor, class Number>
-    Vector3<Number> multiply(const Tensor &t, const Vector3<Number> &x)
+    [[gnu::always_inline]] inline Vector3<Number> multiply(const Tensor &t, const Vector3<Number> &x)
     {
       return {t[0] * x[0] + t[3] * x[1] + t[4] * x[2], t[3] * x[0] + t[1] * x[1] + t[5] * x[2],
               t[4] * x[0] + t[5] * x[1] + t[2] * x[2]};
+    }
+
+    template <class Tensor>
+    [[gnu::always_inline]] inline Lanes stretch(const Tensor &t, const Vector3<Lanes> &x)
+    {
+      const Vector3<Lanes> tx = multiply(t, x);
+      return tx[0] * x[0] + tx[1] * x[1] + tx[2] * x[2];
+    }
+
+    template <class A>
+    double contract(const A &a, const SymmetricTensor &b)
+    {
+      return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2. * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+    }
+
+    SymmetricTensor symmetric_part(const Matrix3<double> &m)
+    {
+      return {
+        m(0, 0), m(1, 1), m(2, 2), 0.5 * (m(0, 1) + m(1, 0)), 0.5 * (m(0, 2) + m(2, 0)), 0.5 * (m(1, 2) + m(2, 1))};
+    }
+
+    Matrix3<double> full(const SymmetricTensor &t)
+    {
+      Matrix3<double> m;
+      m << t[0], t[3], t[4], t[3], t[1], t[5], t[4], t[5], t[2];
+      return m;
+    }
+
+    /// The jump v.x less the harmonic mean of both sides' slopes (van Leer 1974) where all agree in sign, else the
+    /// jump; never beyond zero.
+    [[gnu::always_inline]] inline Lanes remove_slopes(const Lanes &jump, const Lanes &a, const Lanes &b)
+    {
+      const Lanes zero = 0., product = a * b;
+      const auto  agree = product > zero;
+      const Lanes mean  = select(agree, 2. * product / select(agree, a + b, Lanes(1.)), zero);
+      return select(mean * jump > zero, select(stdx::abs(mean) < stdx::abs(jump), jump - mean, zero), jump);
     }
 
     double sum(const Lanes &a)
@@ -30,7 +69,6 @@ namespace birdstrike
   RiemannRates::RiemannRates(const BirdParameters &parameters, const EquationOfState &eos, const double spacing)
     : eos(eos)
     , h(parameters.smoothing_ratio * spacing)
-    , support(2. * h)
     , has_cutoff(parameters.tension_cutoff)
     , has_correction(parameters.gradient_correction)
     , has_reconstruction(parameters.reconstruction == "linear")
@@ -65,8 +103,42 @@ namespace birdstrike
             g[t] = particles.velocity_gradient[t][p + k];
           }
         b[6] = lane(rho, k) * lane(c, k);
-        b[7] = lane(rho, k);
+        b[7] = 1. / b[6];
       }
+  }
+
+  template <class Number>
+  inline void RiemannRates::Sums<Number>::add_force(const std::array<Number, 8> &P, const Number &q,
+                                                    const Vector3<Number> &wx)
+  {
+    force[0] += (P[0] + q) * wx[0] + P[3] * wx[1] + P[4] * wx[2];
+    force[1] += P[3] * wx[0] + (P[1] + q) * wx[1] + P[5] * wx[2];
+    force[2] += P[4] * wx[0] + P[5] * wx[1] + (P[2] + q) * wx[2];
+  }
+
+  template <class Number>
+  inline void RiemannRates::Sums<Number>::add_moments(const Vector3<Number> &wx, const Vector3<Number> &x)
+  {
+    moments[0] += wx[0] * x[0];
+    moments[1] += wx[1] * x[1];
+    moments[2] += wx[2] * x[2];
+    moments[3] += wx[0] * x[1];
+    moments[4] += wx[0] * x[2];
+    moments[5] += wx[1] * x[2];
+  }
+
+  template <class Number>
+  inline void RiemannRates::Sums<Number>::add_gradient(const Vector3<Number> &wx, const Vector3<Number> &v)
+  {
+    gradient[0] += v[0] * wx[0];
+    gradient[1] += v[0] * wx[1];
+    gradient[2] += v[0] * wx[2];
+    gradient[3] += v[1] * wx[0];
+    gradient[4] += v[1] * wx[1];
+    gradient[5] += v[1] * wx[2];
+    gradient[6] += v[2] * wx[0];
+    gradient[7] += v[2] * wx[1];
+    gradient[8] += v[2] * wx[2];
   }
 
   // The pair loop: one register of neighbours at a time, every sum of the formulation in one sweep. Longer than other
@@ -76,104 +148,107 @@ namespace birdstrike
                                const std::size_t end) const
   {
     const WendlandC2 kernel(h);
-    const Period     period = list.period();
-    const Lanes      zero   = 0.;
+    const Period     period  = list.period();
+    const Lanes      zero    = 0.;
+    const double     limiter = 1.5 * eos.reference_density(); // 3/c, with 1/c = rho0/Z
     for (std::size_t i = begin; i < end; ++i)
       {
-        const auto          &a = motion[i].value, &b = stress[i].value;
-        SymmetricTensor      B{1., 1., 1., 0., 0., 0.}, moments{};
-        std::array<Lanes, 6> M{}, L{};
-        Vector3<Lanes>       force(zero, zero, zero), own(zero, zero, zero); // sums of V w (p_j B_j + q) x and V w x
-        Lanes                div = 0., flux = 0., heat = 0., approach = 0., closest = 0., densest = 0.;
-        if constexpr (is_corrected)
-          for (int t = 0; t < 6; ++t)
-            B[t] = particles.correction[t][i];
+        const auto                &a = motion[i].value, &b = stress[i].value;
+        Sums<Lanes>                sums;
+        Lanes                      approach = 0., closest = 0., smallest = a[6];
         const std::uint32_t *const neighbors = list.neighbors(i);
         for (std::size_t k = 0; k < list.padded_count(i); k += n_lanes)
           {
-            const auto     A = load_records(motion, neighbors + k), S = load_records(stress, neighbors + k);
-            Vector3<Lanes> x, v;
-            for (int d = 0; d < 3; ++d)
-              {
-                x[d] = a[d] - A[d];
-                v[d] = a[3 + d] - A[3 + d];
-                if constexpr (is_periodic)
-                  if (period[d] > 0.)
-                    x[d] -= period[d] * stdx::nearbyint(x[d] * (1. / period[d]));
-              }
-            const Lanes r2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + 1e-60, inverse_r = 1. / sqrt(r2);
-            const Lanes r = r2 * inverse_r, w = kernel.slope(r), Vw = A[6] * w;
-            const Lanes vx        = v[0] * x[0] + v[1] * x[1] + v[2] * x[2];
-            const Lanes inverse_Z = 1. / (b[6] + S[6]);
-            Lanes       jump      = vx; // r times the separation speed at the midpoint
+            const auto           A = load_records(motion, neighbors + k), S = load_records(stress, neighbors + k);
+            Vector3<Lanes>       x(a[0] - A[0], a[1] - A[1], a[2] - A[2]);
+            const Vector3<Lanes> v(a[3] - A[3], a[4] - A[4], a[5] - A[5]);
+            if constexpr (is_periodic)
+              for (int d = 0; d < 3; ++d)
+                if (period[d] > 0.)
+                  x[d] -= period[d] * stdx::nearbyint(x[d] * (1. / period[d]));
+            const Lanes r2        = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + smallest_distance2;
+            const Lanes inverse_r = inverse_sqrt(r2), r = r2 * inverse_r, Vw = A[6] * kernel.slope(r);
+            const Lanes vx         = v[0] * x[0] + v[1] * x[1] + v[2] * x[2];
+            Lanes       separation = vx; // r times the separation speed at the midpoint
             if constexpr (is_linear)
-              {
-                const auto           G  = load_records(gradient, neighbors + k);
-                const Vector3<Lanes> gx = multiply(G, x), ix = multiply(gradient[i].value, x);
-                const Lanes          sj      = gx[0] * x[0] + gx[1] * x[1] + gx[2] * x[2];
-                const Lanes          si      = ix[0] * x[0] + ix[1] * x[1] + ix[2] * x[2];
-                const Lanes          product = si * sj, slopes = si + sj;
-                // harmonic mean of the slopes, where both and the jump agree in sign; never beyond the jump itself
-                const Lanes mean =
-                  select(product > zero, 2. * product / select(product > zero, slopes, Lanes(1.)), zero);
-                jump = select(mean * vx > zero, select(stdx::abs(mean) < stdx::abs(vx), vx - mean, zero), vx);
-              }
-            const Lanes u = max(-jump * inverse_r, zero);
-            const Lanes q = 2. * b[6] * S[6] * inverse_Z * u * min(3. * u * (b[7] + S[7]) * inverse_Z, Lanes(1.));
+              separation =
+                remove_slopes(vx, stretch(load_records(gradient, neighbors + k), x), stretch(gradient[i].value, x));
+            const Lanes u = max(-separation * inverse_r, zero);
+            const Lanes q = 0.5 * (b[6] + S[6]) * u * min(limiter * (b[7] + S[7]) * u, Lanes(1.));
+
+            const Vector3<Lanes> wx(Vw * x[0], Vw * x[1], Vw * x[2]);
             if constexpr (is_corrected)
               {
-                const Vector3<Lanes> Bx = multiply(B, x);
-                div += Vw * (v[0] * Bx[0] + v[1] * Bx[1] + v[2] * Bx[2]);
-                const Vector3<Lanes> Sx = multiply(S, x);
-                for (int d = 0; d < 3; ++d)
-                  force[d] += Vw * (Sx[d] + q * x[d]);
-                for (int t = 0; t < 6; ++t)
-                  {
-                    constexpr int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
-                    M[t] += Vw * x[row[t]] * x[column[t]];
-                    if constexpr (is_linear)
-                      L[t] += (0.5 * Vw) * (v[row[t]] * Bx[column[t]] + v[column[t]] * Bx[row[t]]);
-                  }
+                sums.add_force(S, q, wx);
+                sums.add_moments(wx, x);
+                sums.add_gradient(wx, v);
               }
             else
               {
-                div += Vw * vx;
                 for (int d = 0; d < 3; ++d)
-                  force[d] += Vw * (A[7] + q) * x[d];
+                  sums.force[d] += (A[7] + q) * wx[d];
+                sums.divergence += Vw * vx;
               }
-            for (int d = 0; d < 3; ++d)
-              own[d] += Vw * x[d];
-            flux += Vw * r * (a[7] - A[7]) * inverse_Z;
-            heat += Vw * q * vx;
+            sums.own[0] += wx[0];
+            sums.own[1] += wx[1];
+            sums.own[2] += wx[2];
+            sums.flux += Vw * r * (a[7] - A[7]) * (b[7] + S[7]);
+            sums.heat += Vw * q * vx;
             const auto meets = Vw > zero;
             approach         = max(approach, select(meets, -vx * inverse_r, zero));
-            densest          = max(densest, select(meets, S[7], zero));
+            smallest         = min(smallest, select(meets, A[6], smallest));
             closest          = max(closest, Vw);
           }
-        const double    V = a[6], p = a[7];
-        Vector3<double> pressed(p * sum(own[0]), p * sum(own[1]), p * sum(own[2]));
-        if constexpr (is_corrected)
-          pressed = multiply(B, pressed);
-        for (int d = 0; d < 3; ++d)
-          particles.force[d][i] = V * (sum(force[d]) + pressed[d]);
-        const double divergence = sum(div);
-        particles.mu_rate[i]    = -(divergence + 2. * pressure_share * sum(flux)) * b[7] / eos.reference_density();
-        particles.internal_energy_rate[i] = -V * (p * divergence + 0.5 * sum(heat));
-        const bool is_isolated            = stdx::hmax(closest) <= 0.;
-        particles.signal_speed[i]         = is_isolated ? 0. : particles.sound_speed[i] + 1.2 * stdx::hmax(approach);
-        particles.largest_mu[i]           = std::max(b[7], stdx::hmax(densest)) / eos.reference_density() - 1.;
-        if constexpr (is_corrected)
+        store_sums<is_corrected, is_linear>(particles, sums, i);
+        const bool is_isolated    = stdx::hmax(closest) <= 0.;
+        particles.signal_speed[i] = is_isolated ? 0. : particles.sound_speed[i] + 1.2 * stdx::hmax(approach);
+        particles.largest_mu[i]   = particles.mass / (stdx::hmin(smallest) * eos.reference_density()) - 1.;
+      }
+  }
+
+  template <bool is_corrected, bool is_linear>
+  void RiemannRates::store_sums(Particles &particles, const Sums<Lanes> &sums, const std::size_t i) const
+  {
+    const auto     &b = stress[i].value;
+    const double    V = motion[i].value[6], p = motion[i].value[7];
+    Vector3<double> own(sum(sums.own[0]), sum(sums.own[1]), sum(sums.own[2]));
+    double          divergence, power; // V w v.Bx and p times it
+    if constexpr (is_corrected)
+      {
+        SymmetricTensor B, L, M;
+        for (int t = 0; t < 6; ++t)
           {
-            for (int t = 0; t < 6; ++t)
-              moments[t] = sum(M[t]);
-            const SymmetricTensor next = compute_correction(moments);
-            for (int t = 0; t < 6; ++t)
-              {
-                particles.correction[t][i]        = next[t];
-                particles.velocity_gradient[t][i] = is_linear ? sum(L[t]) : 0.;
-              }
+            B[t] = particles.correction[t][i];
+            M[t] = sum(sums.moments[t]);
+          }
+        Matrix3<double> gradient;
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 3; ++c)
+            gradient(r, c) = sum(sums.gradient[3 * r + c]);
+        L          = symmetric_part(gradient);
+        own        = multiply(b, own);
+        divergence = contract(B, L);
+        power      = contract(b, L);
+        if constexpr (is_linear)
+          L = symmetric_part(gradient * full(B));
+        const SymmetricTensor next = compute_correction(M);
+        for (int t = 0; t < 6; ++t)
+          {
+            particles.correction[t][i]        = next[t];
+            particles.velocity_gradient[t][i] = is_linear ? L[t] : 0.;
           }
       }
+    else
+      {
+        own *= p;
+        divergence = sum(sums.divergence);
+        power      = p * divergence;
+      }
+    for (int d = 0; d < 3; ++d)
+      particles.force[d][i] = V * (sum(sums.force[d]) + own[d]);
+    // (p_i - p_j)/(Z_i + Z_j) with the mean of 1/Z
+    particles.compression_rate[i]     = -(divergence + 0.5 * pressure_share * sum(sums.flux));
+    particles.internal_energy_rate[i] = -V * (power + 0.5 * sum(sums.heat));
   }
 
   void RiemannRates::update(Particles &particles, const Particles::Column &predicted_mu, const NeighborList &list,

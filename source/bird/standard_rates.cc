@@ -138,7 +138,7 @@ namespace birdstrike
         for (int d = 0; d < 3; ++d)
           particles.force[d][i] = mass * mass * sum(force[d]);
         particles.internal_energy_rate[i] = -0.5 * mass * mass * sum(work);
-        particles.mu_rate[i]              = has_summation ? 0. : mass * sum(compression) / eos.reference_density();
+        particles.compression_rate[i]     = has_summation ? 0. : mass * sum(compression) / a[6];
         particles.signal_speed[i]         = is_isolated ? 0. : c + 1.2 * stdx::hmax(approach);
         particles.largest_mu[i] =
           std::max(a[6], static_cast<double>(stdx::hmax(densest))) / eos.reference_density() - 1.;

@@ -17,10 +17,10 @@ namespace birdstrike
 {
   /// The SPH bird: particles, their neighbour list and their rates, advanced by velocity Verlet. SI units.
   ///
-  ///   kick(dt/2, first)    v += f dt/2m,  mu += mu' dt/2
+  ///   kick(dt/2, first)    v += f dt/2m,  mu compressed over dt/2
   ///   drift(dt)            x += v dt; the list is rebuilt when its skin is used up
-  ///   compute_rates()      at v + f_old dt/2m and mu + mu' dt/2, both predicted to the end of the step; the second
-  ///   kick
+  ///   compute_rates()      at v + f_old dt/2m and at mu compressed further, both predicted to the end of the step; the
+  ///   second kick
   ///                        then corrects them with the new rates (trapezoidal rule)
   ///   kick(dt/2, second)
   ///

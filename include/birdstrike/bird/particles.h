@@ -28,7 +28,7 @@ namespace birdstrike
     // What the last evaluation of the rates left.
     Column3               force;                ///< N, of the particles on each other
     Column3               predicted_velocity;   ///< m/s, with which the rates were evaluated
-    Column                mu_rate;              ///< 1/s
+    Column                compression_rate;     ///< 1/s, -div v
     Column                internal_energy_rate; ///< W, at the predicted velocity
     Column                signal_speed;         ///< m/s, c + 1.2 largest approach speed; 0 if isolated
     Column                largest_mu;           ///< of the particle and those within its support
@@ -51,14 +51,23 @@ namespace birdstrike
     void resize(std::size_t n);
   };
 
+  /// mu after the time dt at a constant compression rate, 1 + mu' = (1 + mu) exp(rate dt), by the (2,2) Pade
+  /// approximant of exp: positive for any rate, digits of a small mu kept.
+  template <class Number>
+  Number compress(const Number &mu, const Number &rate, const double dt)
+  {
+    const Number e = dt * rate;
+    return mu + (1. + mu) * (12. * e / (12. - 6. * e + e * e));
+  }
+
   template <class Function>
   void Particles::for_each_column(const Function &f)
   {
     for (Column3 *vector : {&x, &v, &displacement, &force, &predicted_velocity, &contact_force})
       for (Column &column : *vector)
         f(column);
-    for (Column *column : {&mu, &internal_energy, &mu_rate, &internal_energy_rate, &signal_speed, &largest_mu, &volume,
-                           &density, &sound_speed})
+    for (Column *column : {&mu, &internal_energy, &compression_rate, &internal_energy_rate, &signal_speed, &largest_mu,
+                           &volume, &density, &sound_speed})
       f(*column);
     for (auto *tensor : {&correction, &velocity_gradient})
       for (Column &column : *tensor)

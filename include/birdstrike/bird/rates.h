@@ -12,8 +12,9 @@ namespace birdstrike
 {
   /// The right-hand side of the particle equations at given positions, predicted velocities and predicted mu.
   ///
-  /// `update` fills force, mu_rate, internal_energy_rate, signal_speed, largest_mu, volume, density and sound_speed.
-  /// Each owner sums over all its neighbours, with formulas symmetric in the pair: forces cancel to round-off, and
+  /// `update` fills force, compression_rate, internal_energy_rate, signal_speed, largest_mu, volume, density and
+  /// sound_speed. Each owner sums over all its neighbours, with formulas symmetric in the pair: forces cancel to
+  /// round-off, and
   ///   sum_i (internal_energy_rate_i + force_i . predicted_velocity_i) = 0  to round-off.
   /// Raises NumericalFailure if a density is not positive or a position or velocity not finite.
   class Rates

@@ -8,9 +8,9 @@ namespace birdstrike
   /// Riemann-based SPH in one fused pass (Vila 1999; limited acoustic solver after Zhang, Hu & Adams 2017).
   ///
   /// With x = x_i - x_j, w = -W'/r >= 0 (grad_i W = -w x), V = m/rho, B = correction matrix, u = approach speed,
-  /// Z = rho c, and q = 2 Z_i Z_j/(Z_i + Z_j) u min(3 u/c, 1) for u > 0, else 0:
+  /// Z = rho c, Y = 1/Z and q = (Z_i + Z_j)/2 u min(3 u rho0 (Y_i + Y_j)/2, 1) for u > 0, else 0:
   ///   force_i   =  V_i sum_j V_j w (p_i B_i + p_j B_j + q) x
-  ///   div_i     =  sum_j V_j w [ (v_i - v_j).B_i x + r (p_i - p_j)/(Z_i + Z_j) ],   mu_rate = -(1 + mu) div
+  ///   div_i     =  sum_j V_j w [ (v_i - v_j).B_i x + r (p_i - p_j)(Y_i + Y_j)/4 ],   compression_rate = -div
   ///   energy_i  = -V_i sum_j V_j w (v_i - v_j).(p_i B_i + q/2) x
   /// Force and divergence are adjoint, so the reversible part exchanges kinetic and internal energy exactly, and the
   /// rest, q, heats. B = (sum_j V_j w x x^T)^-1 makes the divergence of a linear velocity exact up to a free surface
@@ -30,17 +30,36 @@ namespace birdstrike
                 ThreadPool &pool) override;
 
   private:
+    /// The pair sums of one particle.
+    template <class Number>
+    struct Sums
+    {
+      [[gnu::always_inline]] inline void add_force(const std::array<Number, 8> &P, const Number &q,
+                                                   const Vector3<Number> &wx);
+      [[gnu::always_inline]] inline void add_moments(const Vector3<Number> &wx, const Vector3<Number> &x);
+      [[gnu::always_inline]] inline void add_gradient(const Vector3<Number> &wx, const Vector3<Number> &v);
+
+      std::array<Number, 3> force{};    ///< V w (p B + q) x
+      std::array<Number, 3> own{};      ///< V w x
+      std::array<Number, 6> moments{};  ///< V w x x^T
+      std::array<Number, 9> gradient{}; ///< V w v x^T
+      Number                divergence = 0., flux = 0., heat = 0.;
+    };
+
     template <class Number>
     void update_records(Particles &particles, const Particles::Column &mu, std::size_t p);
 
     template <bool is_periodic, bool is_corrected, bool is_linear>
     void sum_pairs(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;
 
+    template <bool is_corrected, bool is_linear>
+    void store_sums(Particles &particles, const Sums<Lanes> &sums, std::size_t i) const;
+
     EquationOfState eos;
-    double          h, support;
+    double          h;
     bool            has_cutoff, has_correction, has_reconstruction;
     Records         motion;   ///< x, v, V, p
-    Records         stress;   ///< p B (xx yy zz xy xz yz), Z, rho
+    Records         stress;   ///< p B (xx yy zz xy xz yz), Z, 1/Z
     Records         gradient; ///< symmetric velocity gradient (xx yy zz xy xz yz)
   };
 } // namespace birdstrike
