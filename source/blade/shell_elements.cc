@@ -160,7 +160,8 @@ namespace birdstrike
   {
     Implementation &my = *implementation;
     my.update_nodes(position, increment);
-    my.pool.parallel_for(my.batches.size(), 8, [&](const std::size_t begin, const std::size_t end) {
+    // a batch takes 0.7 us: 16 of them are worth the wake-up of another thread
+    my.pool.parallel_for(my.batches.size(), 16, [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t b = begin; b < end; ++b)
         {
           my.update_batch(b, dt);

@@ -4,6 +4,12 @@
 
 namespace birdstrike
 {
+  namespace
+  {
+    // about 10 us of work: less is not worth the wake-up of another thread
+    constexpr std::size_t node_grain = 512;
+  } // namespace
+
   void ShellElements::Implementation::load_corners(const std::size_t batch, double (NodeRecord::*member)[3],
                                                    CornerVectors    &result) const
   {
@@ -53,7 +59,7 @@ namespace birdstrike
 
   void ShellElements::Implementation::update_nodes(const double *position, const double *increment)
   {
-    pool.parallel_for(n_nodes, 64, [&](const std::size_t begin, const std::size_t end) {
+    pool.parallel_for(n_nodes, node_grain, [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)
         for (int c = 0; c < 3; ++c)
           {
@@ -62,7 +68,7 @@ namespace birdstrike
             records[n].rotation[c]  = increment[6 * n + 3 + c];
           }
     });
-    pool.parallel_for(n_nodes, 64, [&](const std::size_t begin, const std::size_t end) {
+    pool.parallel_for(n_nodes, node_grain, [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)
         update_normal(n);
     });
@@ -168,7 +174,7 @@ namespace birdstrike
 
   void ShellElements::Implementation::gather_forces(double *force) const
   {
-    pool.parallel_for(n_nodes, 64, [&](const std::size_t begin, const std::size_t end) {
+    pool.parallel_for(n_nodes, node_grain, [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)
         {
           double sum[6] = {0., 0., 0., 0., 0., 0.};

@@ -61,8 +61,15 @@ namespace birdstrike
       const Number          det           = sqrt(normal_vector.dot(normal_vector));
       g.area                              = 4. * det;
       g.e3                                = normal_vector * (Number(1.) / det);
-      for (int i = 0; i < 4; ++i)
-        g.director[i] = normal[i] * (Number(1.) / max(normal[i].dot(g.e3), Number(0.1)));
+      // four reciprocals with one division
+      const Number least = 0.1;
+      const Number h0 = max(Number(normal[0].dot(g.e3)), least), h1 = max(Number(normal[1].dot(g.e3)), least);
+      const Number h2 = max(Number(normal[2].dot(g.e3)), least), h3 = max(Number(normal[3].dot(g.e3)), least);
+      const Number h01 = h0 * h1, h23 = h2 * h3, product = Number(1.) / (h01 * h23);
+      g.director[0]             = normal[0] * (product * h1 * h23);
+      g.director[1]             = normal[1] * (product * h0 * h23);
+      g.director[2]             = normal[2] * (product * h3 * h01);
+      g.director[3]             = normal[3] * (product * h2 * h01);
       g.d                       = ShellModes<Number>::of_corners(g.director);
       const Vector3<Number> s1  = a1 * (Number(1.) / sqrt(a1.dot(a1)));
       const Vector3<Number> s2  = a2 * (Number(1.) / sqrt(a2.dot(a2)));

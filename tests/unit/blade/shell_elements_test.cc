@@ -236,7 +236,7 @@ TEST(ShellElements, StabilisationOfAPlasticElementIsCapped)
 TEST(ShellElements, ThreadsDoNotChangeABit)
 {
   const auto run = [](const std::size_t n_threads) {
-    Model           model(warped_mesh(23, 19), 0.01, titanium(HardeningLaw::linear, 1e9), n_threads);
+    Model           model(warped_mesh(35, 31), 0.01, titanium(HardeningLaw::linear, 1e9), n_threads);
     Eigen::VectorXd f;
     for (unsigned int step = 0; step < 5; ++step)
       f = model.move(some_motion(model, 3e-4, step), 1e-6);
