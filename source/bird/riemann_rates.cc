@@ -1,6 +1,7 @@
 #include <birdstrike/bird/correction.h>
 #include <birdstrike/bird/kernel.h>
 #include <birdstrike/bird/riemann_rates.h>
+#include <birdstrike/bird/symmetric_tensor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,40 +16,6 @@ namespace birdstrike
     constexpr double pressure_share = 0.5;
     /// m^2, added to r^2: keeps 1/r finite for a particle that meets its own image or another in one place.
     constexpr double smallest_distance2 = 1e-60;
-
-    /// A symmetric tensor times a vector.
-    template <class Tensor, class Number>
-    [[gnu::always_inline]] inline Vector3<Number> multiply(const Tensor &t, const Vector3<Number> &x)
-    {
-      return {t[0] * x[0] + t[3] * x[1] + t[4] * x[2], t[3] * x[0] + t[1] * x[1] + t[5] * x[2],
-              t[4] * x[0] + t[5] * x[1] + t[2] * x[2]};
-    }
-
-    template <class Tensor>
-    [[gnu::always_inline]] inline Lanes stretch(const Tensor &t, const Vector3<Lanes> &x)
-    {
-      const Vector3<Lanes> tx = multiply(t, x);
-      return tx[0] * x[0] + tx[1] * x[1] + tx[2] * x[2];
-    }
-
-    template <class A>
-    double contract(const A &a, const SymmetricTensor &b)
-    {
-      return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2. * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
-    }
-
-    SymmetricTensor symmetric_part(const Matrix3<double> &m)
-    {
-      return {
-        m(0, 0), m(1, 1), m(2, 2), 0.5 * (m(0, 1) + m(1, 0)), 0.5 * (m(0, 2) + m(2, 0)), 0.5 * (m(1, 2) + m(2, 1))};
-    }
-
-    Matrix3<double> full(const SymmetricTensor &t)
-    {
-      Matrix3<double> m;
-      m << t[0], t[3], t[4], t[3], t[1], t[5], t[4], t[5], t[2];
-      return m;
-    }
 
     /// The jump v.x less the harmonic mean of both sides' slopes (van Leer 1974) where all agree in sign, else the
     /// jump; never beyond zero.
@@ -107,40 +74,6 @@ namespace birdstrike
       }
   }
 
-  template <class Number>
-  inline void RiemannRates::Sums<Number>::add_force(const std::array<Number, 8> &P, const Number &q,
-                                                    const Vector3<Number> &wx)
-  {
-    force[0] += (P[0] + q) * wx[0] + P[3] * wx[1] + P[4] * wx[2];
-    force[1] += P[3] * wx[0] + (P[1] + q) * wx[1] + P[5] * wx[2];
-    force[2] += P[4] * wx[0] + P[5] * wx[1] + (P[2] + q) * wx[2];
-  }
-
-  template <class Number>
-  inline void RiemannRates::Sums<Number>::add_moments(const Vector3<Number> &wx, const Vector3<Number> &x)
-  {
-    moments[0] += wx[0] * x[0];
-    moments[1] += wx[1] * x[1];
-    moments[2] += wx[2] * x[2];
-    moments[3] += wx[0] * x[1];
-    moments[4] += wx[0] * x[2];
-    moments[5] += wx[1] * x[2];
-  }
-
-  template <class Number>
-  inline void RiemannRates::Sums<Number>::add_gradient(const Vector3<Number> &wx, const Vector3<Number> &v)
-  {
-    gradient[0] += v[0] * wx[0];
-    gradient[1] += v[0] * wx[1];
-    gradient[2] += v[0] * wx[2];
-    gradient[3] += v[1] * wx[0];
-    gradient[4] += v[1] * wx[1];
-    gradient[5] += v[1] * wx[2];
-    gradient[6] += v[2] * wx[0];
-    gradient[7] += v[2] * wx[1];
-    gradient[8] += v[2] * wx[2];
-  }
-
   // The pair loop: one register of neighbours at a time, every sum of the formulation in one sweep. Longer than other
   // functions because its intermediate values live in registers and are used by several sums.
   template <bool is_periodic, bool is_corrected, bool is_linear>
@@ -154,7 +87,7 @@ namespace birdstrike
     for (std::size_t i = begin; i < end; ++i)
       {
         const auto                &a = motion[i].value, &b = stress[i].value;
-        Sums<Lanes>                sums;
+        RiemannSums<Lanes>         sums;
         Lanes                      approach = 0., closest = 0., smallest = a[6];
         const std::uint32_t *const neighbors = list.neighbors(i);
         for (std::size_t k = 0; k < list.padded_count(i); k += n_lanes)
@@ -207,7 +140,7 @@ namespace birdstrike
   }
 
   template <bool is_corrected, bool is_linear>
-  void RiemannRates::store_sums(Particles &particles, const Sums<Lanes> &sums, const std::size_t i) const
+  void RiemannRates::store_sums(Particles &particles, const RiemannSums<Lanes> &sums, const std::size_t i) const
   {
     const auto     &b = stress[i].value;
     const double    V = motion[i].value[6], p = motion[i].value[7];

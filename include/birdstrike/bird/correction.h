@@ -1,13 +1,11 @@
 #pragma once
 
+#include <birdstrike/bird/symmetric_tensor.h>
+
 #include <algorithm>
-#include <array>
 
 namespace birdstrike
 {
-  /// Symmetric 3 x 3 tensor: xx yy zz xy xz yz.
-  using SymmetricTensor = std::array<double, 6>;
-
   /// Correction matrix of the kernel gradient, B = M^-1 with M = sum_j V_j w x x^T (Bonet & Lok 1999), blended to the
   /// identity where M is near singular: B = 1 + s (M^-1 - 1), s = 0 below det M = 0.03, 1 above 0.1.
   /// det M is 1 inside, about 1/2 on a face, 1/4 on an edge, 1/8 at a corner: all of these are corrected fully.

@@ -2,6 +2,7 @@
 
 #include <birdstrike/bird/rates.h>
 #include <birdstrike/bird/records.h>
+#include <birdstrike/bird/riemann_sums.h>
 
 namespace birdstrike
 {
@@ -30,22 +31,6 @@ namespace birdstrike
                 ThreadPool &pool) override;
 
   private:
-    /// The pair sums of one particle.
-    template <class Number>
-    struct Sums
-    {
-      [[gnu::always_inline]] inline void add_force(const std::array<Number, 8> &P, const Number &q,
-                                                   const Vector3<Number> &wx);
-      [[gnu::always_inline]] inline void add_moments(const Vector3<Number> &wx, const Vector3<Number> &x);
-      [[gnu::always_inline]] inline void add_gradient(const Vector3<Number> &wx, const Vector3<Number> &v);
-
-      std::array<Number, 3> force{};    ///< V w (p B + q) x
-      std::array<Number, 3> own{};      ///< V w x
-      std::array<Number, 6> moments{};  ///< V w x x^T
-      std::array<Number, 9> gradient{}; ///< V w v x^T
-      Number                divergence = 0., flux = 0., heat = 0.;
-    };
-
     template <class Number>
     void update_records(Particles &particles, const Particles::Column &mu, std::size_t p);
 
@@ -53,7 +38,7 @@ namespace birdstrike
     void sum_pairs(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;
 
     template <bool is_corrected, bool is_linear>
-    void store_sums(Particles &particles, const Sums<Lanes> &sums, std::size_t i) const;
+    void store_sums(Particles &particles, const RiemannSums<Lanes> &sums, std::size_t i) const;
 
     EquationOfState eos;
     double          h;
