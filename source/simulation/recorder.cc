@@ -58,6 +58,8 @@ namespace birdstrike
   {
     history.add_column("time", "s", [this] { return now; });
     history.add_column("step", "-", [this] { return static_cast<double>(steps); });
+    history.add_column("bird_step", "s", [this] { return scene.bird ? scene.last_plan().bird_step() : 0.; });
+    history.add_column("blade_step", "s", [this] { return scene.last_plan().blade_step(); });
     history.add_column("energy", "J", [this] { return balance.energy(); });
     history.add_column("energy_error", "-", [this] { return balance.energy_error(); });
     history.add_column("momentum_error", "-", [this] { return balance.momentum_error(); });

@@ -83,10 +83,15 @@ namespace birdstrike
         blade_vote->limit.value *= parameters.time.step_scale;
       }
     const unsigned int max_ratio = parameters.time.multirate ? parameters.time.maximum_ratio : 1;
-    const Schedule     schedule  = plan_step(bird_vote, blade_vote, max_ratio, remaining);
+    latest                       = plan_step(bird_vote, blade_vote, max_ratio, remaining);
     if (bird && contact)
-      largest_bird_step = step_growth * schedule.bird_step();
-    return schedule;
+      largest_bird_step = step_growth * latest.bird_step();
+    return latest;
+  }
+
+  const Schedule &Scene::last_plan() const
+  {
+    return latest;
   }
 
   SystemState Scene::state() const

@@ -39,6 +39,9 @@ namespace birdstrike
     /// shock builds up loses sum F^2 (dt_old^2 - dt_new^2)/(8 m), measured as 0.8 % of the bird's energy.
     Schedule plan(double remaining);
 
+    /// The latest plan; zero before the first.
+    const Schedule &last_plan() const;
+
     /// Energies and momenta of what is there; a bird that has gone keeps its books in `gone`.
     SystemState state() const;
 
@@ -51,6 +54,7 @@ namespace birdstrike
 
   private:
     const CaseParameters &parameters;
+    Schedule              latest;
     double                largest_bird_step; // s, for the next plan
     EnergyReport          gone_energy;
     MomentumReport        gone_momentum;

@@ -22,7 +22,7 @@ TEST(FreePlate, FollowsTheAcousticSolution)
        << " set Motion = free along normal\n set Mass = " << mass_per_area * width * width << "\n end\n end\n"
        << "subsection Bird\n set Shape = slab\n set Slab lengths = " << width << ", " << width << ", 0.08\n"
        << " set Periodic directions = xy\n set Density = 950\n set Particle spacing = " << dx << "\n"
-       << " set Velocity = 0, 0, 10\n set Aim point = 0, 0, 0\n set Retire = false\n"
+       << " set Velocity = 0, 0, 10\n set Aim point = 0, 0, -0.05\n set Retire = false\n"
        << " subsection Equation of state\n set Type = linear\n set Bulk modulus = 2.2e9\n end\n end\n"
        << "subsection Time\n set End time = " << 3.5 * tau << "\n end\n"
        << "subsection Output\n set History interval = 0\n end\n";
