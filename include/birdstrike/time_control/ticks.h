@@ -4,13 +4,12 @@
 
 namespace birdstrike
 {
-  /// Output ticks at multiples of an interval: due once the time has reached the next one. The first call is always due.
-  /// An interval of zero is due at every call; a negative one never.
+  /// Output ticks at multiples of an interval: due once the time has reached the next one. The first call is always
+  /// due. An interval of zero is due at every call; a negative one never.
   class Ticks
   {
   public:
-    explicit Ticks(const double interval)
-      : interval(interval)
+    explicit Ticks(const double interval) : interval(interval)
     {
     }
 

@@ -60,7 +60,8 @@ TEST(Bird, TheStepKnowsNoSpeedOfItsOwn)
   Bird a(slow, EosParameters(), pool), b(fast, EosParameters(), pool);
   EXPECT_EQ(a.step_limit().value, b.step_limit().value);
   // CFL h/c0 with c0 = 1036.92 m/s of this law
-  EXPECT_NEAR(a.step_limit().value, 0.5 * 1.3 * a.packing().spacing / std::sqrt(128e6 * 7.98 / 950.), 1e-15);
+  EXPECT_NEAR(a.step_limit().value,
+              BirdParameters().courant_number * 1.3 * a.packing().spacing / std::sqrt(128e6 * 7.98 / 950.), 1e-15);
 }
 
 TEST(Bird, FlightInClosedFormEqualsSteps)

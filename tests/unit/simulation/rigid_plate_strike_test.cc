@@ -17,42 +17,52 @@ namespace
     return std::cbrt(2. * mass / (std::numbers::pi * density)); // L = 2 D
   }
 
-  Strike strike_rigid_plate(const double speed, const std::vector<std::string> &more = {})
+  Strike strike_rigid_plate(const double speed, const double n_across, const std::vector<std::string> &more = {})
   {
     std::vector<std::string> overrides{"Bird/Velocity=0,0," + std::to_string(speed),
-                                       "Bird/Particle spacing=" + std::to_string(diameter() / 12.),
+                                       "Bird/Particle spacing=" + std::to_string(diameter() / n_across),
                                        "Time/End time=" + std::to_string(1.3 * 2. * diameter() / speed)};
     overrides.insert(overrides.end(), more.begin(), more.end());
     return run_shipped("rigid-plate.prm", overrides);
   }
+
+  void expect_jet_theory(const double speed, const double n_across, const double gauge_tolerance)
+  {
+    const Strike run  = strike_rigid_plate(speed, n_across);
+    const double area = 0.25 * std::numbers::pi * diameter() * diameter(), duration = 2. * diameter() / speed;
+
+    EXPECT_GE(run.summary.contact.impulse[2] / (mass * speed), 0.97);
+    EXPECT_LE(run.summary.contact.impulse[2] / (mass * speed), 1.02);
+
+    const double force = mean_over(run.curves, "contact_force_z", 0.35 * duration, 0.65 * duration);
+    EXPECT_NEAR(force / (density * area * speed * speed), 1., 0.10);
+
+    const double stagnation = mean_over(run.curves, "pressure_centre", 0.35 * duration, 0.65 * duration);
+    EXPECT_NEAR(stagnation / (0.5 * density * speed * speed), 1., gauge_tolerance);
+
+    EXPECT_LT(run.summary.contact.max_penetration_over_spacing, 0.5);
+    EXPECT_LT(run.summary.energy.max_relative_error, 5e-3);
+    EXPECT_LT(run.summary.momentum.max_relative_error, 1e-10);
+    EXPECT_EQ(run.summary.steps.blade, 0u); // no element exists
+  }
 } // namespace
 
-// Bird on a rigid plate at D/dx = 12. Impulse: all of m v, nothing rebounds (bounds 0.97 to 1.02; a rebound would pass
-// 1.05). Steady force rho A v^2 and stagnation pressure rho v^2 / 2: incompressible jet theory (Wilbeck 1978); the
-// tolerances allow for 12 particles across and 10 gauge samples of noise.
+// Bird on a rigid plate at D/dx = 12 and 16. Impulse: all of m v, nothing rebounds (bounds 0.97 to 1.02; a rebound
+// would pass 1.05). Steady force rho A v^2 within 10 % and stagnation pressure rho v^2 / 2 within 15 % (incompressible
+// jet theory, Wilbeck 1978), the pressure averaged over 0.6 of the radius and 0.3 L/v: a smaller gauge holds too few
+// particles at this spacing (at D/dx = 12 and half the radius the mean still scatters by 15 %, and a single gauge is
+// given 30 %).
 class RigidPlateStrike : public testing::TestWithParam<double>
 {
 };
 
 TEST_P(RigidPlateStrike, ImpulseSteadyForceAndStagnationPressure)
 {
-  const double speed = GetParam();
-  const Strike run   = strike_rigid_plate(speed);
-  const double area = 0.25 * std::numbers::pi * diameter() * diameter(), duration = 2. * diameter() / speed;
-
-  EXPECT_GE(run.summary.contact.impulse[2] / (mass * speed), 0.97);
-  EXPECT_LE(run.summary.contact.impulse[2] / (mass * speed), 1.02);
-
-  const double force = mean_over(run.curves, "contact_force_z", 0.35 * duration, 0.65 * duration);
-  EXPECT_NEAR(force / (density * area * speed * speed), 1., 0.10);
-
-  const double stagnation = mean_over(run.curves, "pressure_centre", 0.35 * duration, 0.65 * duration);
-  EXPECT_NEAR(stagnation / (0.5 * density * speed * speed), 1., 0.15);
-
-  EXPECT_LT(run.summary.contact.max_penetration_over_spacing, 0.5);
-  EXPECT_LT(run.summary.energy.max_relative_error, 5e-3);
-  EXPECT_LT(run.summary.momentum.max_relative_error, 1e-10);
-  EXPECT_EQ(run.summary.steps.blade, 0u); // no element exists
+  for (const auto &[n_across, gauge_tolerance] : {std::pair{12., 0.30}, {16., 0.15}})
+    {
+      SCOPED_TRACE(n_across);
+      expect_jet_theory(GetParam(), n_across, gauge_tolerance);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Speeds, RigidPlateStrike, testing::Values(100., 177.4, 300.));
@@ -61,9 +71,10 @@ INSTANTIATE_TEST_SUITE_P(Speeds, RigidPlateStrike, testing::Values(100., 177.4, 
 TEST(RigidPlateStrike, ObliqueStrikeIsFrictionless)
 {
   const double speed = 302.1, angle = 36.4 * std::numbers::pi / 180.;
-  const Strike run     = strike_rigid_plate(177.4, {"Bird/Velocity=0," + std::to_string(speed * std::cos(angle)) + "," +
-                                                    std::to_string(speed * std::sin(angle))});
-  const auto  &impulse = run.summary.contact.impulse;
+  const Strike run = strike_rigid_plate(
+    177.4, 12.,
+    {"Bird/Velocity=0," + std::to_string(speed * std::cos(angle)) + "," + std::to_string(speed * std::sin(angle))});
+  const auto &impulse = run.summary.contact.impulse;
   EXPECT_NEAR(impulse[2] / (mass * speed * std::sin(angle)), 1., 0.03);
   EXPECT_LT(std::hypot(impulse[0], impulse[1]) / impulse[2], 1e-3);
 }
@@ -73,7 +84,7 @@ TEST(RigidPlateStrike, ObliqueStrikeIsFrictionless)
 TEST(RigidPlateStrike, FreePlateTakesTheMomentumOfAJet)
 {
   const Strike run = strike_rigid_plate(
-    177.4, {"Blade/Rigid/Motion=free along normal", "Blade/Rigid/Mass=0.5233", "Time/End time=0.7e-3"});
+    177.4, 12., {"Blade/Rigid/Motion=free along normal", "Blade/Rigid/Mass=0.5233", "Time/End time=0.7e-3"});
   const double speed = run.curves.at("blade_momentum_z").back() / 0.5233;
   EXPECT_NEAR(speed / 30.998, 1., 0.05);
   EXPECT_LT(run.summary.momentum.max_relative_error, 1e-10);
