@@ -2,6 +2,7 @@
 #include <birdstrike/io/fields.h>
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/grid/reference_cell.h>
 
 #include <cstdio>
 #include <fstream>
@@ -67,6 +68,9 @@ namespace birdstrike
           {
             Patch &patch      = patches[cell];
             patch.patch_index = cell;
+            // its default is "invalid", for which VTU files get neither offsets nor cell types
+            if constexpr (dim > 0)
+              patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
             patch.data.reinit(n_rows, n_vertices);
             for (unsigned int v = 0; v < n_vertices; ++v)
               {

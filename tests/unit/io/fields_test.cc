@@ -41,17 +41,20 @@ namespace
     return bytes;
   }
 
-  /// The floats of one array: VTK's header of four 32-bit numbers (blocks, block size, last size, compressed size),
+  /// The numbers of one array: VTK's header of four 32-bit numbers (blocks, block size, last size, compressed size),
   /// then one zlib stream, each coded in base64 by itself.
-  std::vector<float> read_floats(std::string text)
+  template <class T>
+  std::vector<T> read_values(std::string text)
   {
     text.erase(std::remove_if(text.begin(), text.end(), [](const unsigned char c) { return std::isspace(c); }),
                text.end());
+    if (text.empty())
+      return {};
     const std::string header = decode_base64(text.substr(0, 24)), body = decode_base64(text.substr(24));
     std::uint32_t     sizes[4];
     std::memcpy(sizes, header.data(), sizeof(sizes));
-    std::vector<float> values(sizes[1] / sizeof(float));
-    uLongf             n_bytes = sizes[1];
+    std::vector<T> values(sizes[1] / sizeof(T));
+    uLongf         n_bytes = sizes[1];
     EXPECT_EQ(uncompress(reinterpret_cast<Bytef *>(values.data()), &n_bytes,
                          reinterpret_cast<const Bytef *>(body.data()), sizes[3]),
               Z_OK);
@@ -70,7 +73,8 @@ namespace
     for (const auto &[tag, node] : tree.get_child("VTKFile.UnstructuredGrid.Piece.PointData"))
       if (tag == "DataArray")
         arrays[node.get<std::string>("<xmlattr>.Name")] = {node.get("<xmlattr>.NumberOfComponents", ""),
-                                                           node.get("<xmlattr>.units", ""), read_floats(node.data())};
+                                                           node.get("<xmlattr>.units", ""),
+                                                           read_values<float>(node.data())};
     return arrays;
   }
 
@@ -98,6 +102,16 @@ TEST(FieldSeries, PlateFileHoldsItsCellsAndArrays)
   const Tree piece = tree.get_child("VTKFile.UnstructuredGrid.Piece");
   EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfCells"), 2);
   EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfPoints"), 8);
+
+  std::map<std::string, std::string> topology;
+  for (const auto &[tag, node] : piece.get_child("Cells"))
+    if (tag == "DataArray")
+      topology[node.get<std::string>("<xmlattr>.Name")] = node.data();
+  constexpr std::uint8_t vtk_quad = 9;
+  EXPECT_EQ(read_values<std::uint8_t>(topology.at("types")), (std::vector<std::uint8_t>{vtk_quad, vtk_quad}));
+  EXPECT_EQ(read_values<std::int32_t>(topology.at("offsets")), (std::vector<std::int32_t>{4, 8}));
+  EXPECT_EQ(read_values<std::int32_t>(topology.at("connectivity")),
+            (std::vector<std::int32_t>{0, 1, 3, 2, 4, 5, 7, 6})); // VTK goes round a quadrilateral
 
   const auto arrays = read_point_arrays(tree);
   ASSERT_EQ(arrays.size(), 2u);
