@@ -65,7 +65,9 @@ namespace birdstrike
         // the outer edge comes first: where inner regions tie with it, its exact zeros stand
         const Vector3<Number> e = a[l] - a[k];
         const Number          t = max(zero, min(one, (w - a[k]).dot(e) / max(e.dot(e), tiny)));
-        consider(k, one - t, t, zero < one);
+        // 1 - t is rounded; from it t is exact, so that 1 - s - t is zero and not a positive round-off
+        const Number s = one - t;
+        consider(k, s, one - s, zero < one);
 
         const Number spoke = max(zero, min(one, wa[k] / max(aa[k], tiny)));
         consider(k, spoke, zero, zero < one);

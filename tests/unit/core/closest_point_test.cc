@@ -112,6 +112,32 @@ TEST(ClosestPoint, WeightsTellEdgesAndCornersByExactZeros)
   EXPECT_EQ(corner.weights, (std::array<double, 4>{1., 0., 0., 0.}));
 }
 
+TEST(ClosestPoint, AlongAWholeEdgeTheZerosAreExact)
+{
+  // round-off of 1 - (1 - t) - t is positive for a quarter of all t: whoever asks for the feature would see the inside
+  std::mt19937                           random(5);
+  std::uniform_real_distribution<double> uniform(0.01, 0.99);
+  for (unsigned int trial = 0; trial < 2000; ++trial)
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        const Facet  x = warped_facet();
+        const Point3 a = x[k], b = x[(k + 1) % 4], centre = 0.25 * (x[0] + x[1] + x[2] + x[3]);
+        const Point3 outward = (b - a).cross((b - a).cross(centre - a)); // in the fan's plane, away from the centre
+        const double t       = uniform(random);
+        const Point3 p       = (1. - t) * a + t * b + 0.3 * outward / outward.norm();
+        const auto   scalar  = compute_closest_point(p, x);
+        EXPECT_EQ(scalar.weights[(k + 2) % 4], 0.) << k << ' ' << t;
+        EXPECT_EQ(scalar.weights[(k + 3) % 4], 0.) << k << ' ' << t;
+        EXPECT_NEAR(scalar.weights[k], 1. - t, 1e-14);
+        std::array<Vector3<Lanes>, 4> lanes;
+        for (unsigned int n = 0; n < 4; ++n)
+          lanes[n] = x[n].cast<Lanes>();
+        const auto wide = compute_closest_point<Lanes>(p.cast<Lanes>(), lanes);
+        EXPECT_TRUE(all(wide.weights[(k + 2) % 4] == Lanes(0.)));
+        EXPECT_TRUE(all(wide.weights[(k + 3) % 4] == Lanes(0.)));
+      }
+}
+
 TEST(ClosestPoint, ATriangleIsAQuadrilateralWithItsLastNodeTwice)
 {
   const Facet  x{Point3(0., 0., 0.), Point3(1., 0., 0.), Point3(0., 1., 0.), Point3(0., 1., 0.)};
