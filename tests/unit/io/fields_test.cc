@@ -123,7 +123,7 @@ TEST(FieldSeries, PlateFileHoldsItsCellsAndArrays)
   ASSERT_EQ(displacement.size(), 24u);
   EXPECT_EQ(std::vector<float>(displacement.begin() + 15, displacement.begin() + 18),
             (std::vector<float>{3., 3.5, 4.}));
-  const auto points = read_floats(piece.get_child("Points.DataArray").data());
+  const auto points = read_values<float>(piece.get_child("Points.DataArray").data());
   EXPECT_EQ(std::vector<float>(points.begin() + 15, points.begin() + 18), (std::vector<float>{2., 0., 0.}));
 }
 
