@@ -114,7 +114,8 @@ TEST(ClosestPoint, WeightsTellEdgesAndCornersByExactZeros)
 
 TEST(ClosestPoint, AlongAWholeEdgeTheZerosAreExact)
 {
-  // round-off of 1 - (1 - t) - t is positive for a quarter of all t: whoever asks for the feature would see the inside
+  // 1 - (1 - t) - t in round-off is positive for one in seven of these t: whoever asks for the feature would see the
+  // inside
   std::mt19937                           random(5);
   std::uniform_real_distribution<double> uniform(0.01, 0.99);
   for (unsigned int trial = 0; trial < 2000; ++trial)
