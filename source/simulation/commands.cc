@@ -20,9 +20,10 @@ namespace birdstrike
     /// Reads and checks a case; the command line's folder wins over the file's.
     void read(CaseParameters &parameters, const CaseRequest &request)
     {
-      parameters.read(request.prm_file, request.overrides);
+      std::vector<std::string> overrides = request.overrides;
       if (!request.output.empty())
-        parameters.output.directory = request.output;
+        overrides.push_back("Output/Directory=" + request.output);
+      parameters.read(request.prm_file, overrides);
     }
 
     void stop_on_signal(int)
