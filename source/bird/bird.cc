@@ -145,7 +145,12 @@ namespace birdstrike
   {
     const bool is_first = half == HalfKick::first;
     if (is_first)
-      half_step = dt;
+      {
+        half_step = dt;
+        // Those that stay feel the present pair forces for this last half kick; so do those that have left.
+        retired_share.momentum += dt * retired_share.force;
+        retired_share.force.setZero();
+      }
     else
       book_contact(dt);
     const double scale = dt / particles.mass;
@@ -190,6 +195,7 @@ namespace birdstrike
     retired_share.particles += share.particles;
     retired_share.energy += share.energy;
     retired_share.momentum += share.momentum;
+    retired_share.force += share.force;
     if (particles.size() > 0)
       list.update(particles, pool);
     ++revision;

@@ -50,6 +50,7 @@ namespace birdstrike
           }
         ++share.particles;
         share.momentum += particles.mass * v;
+        share.force += at(particles.force, p);
         share.energy += 0.5 * particles.mass * v.squaredNorm() + particles.internal_energy[p];
       }
     if (share.particles == 0)

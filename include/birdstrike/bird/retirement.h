@@ -18,6 +18,7 @@ namespace birdstrike
     std::size_t particles = 0;
     double      energy    = 0.;       ///< J, kinetic and internal
     Point3      momentum{0., 0., 0.}; ///< N s
+    Point3      force{0., 0., 0.};    ///< N, of the particles on each other, whose next half kick is still to be booked
   };
 
   /// Whether the straight path x + v t, t >= 0, meets the box.
