@@ -91,5 +91,7 @@ int main(int argc, char *argv[])
       return exit_code(is_asked ? ExitCode::done : ExitCode::bad_input);
     }
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    birdstrike::set_console_level("off"); // one rank speaks for all
   return run_guarded(action);
 }
