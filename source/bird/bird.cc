@@ -32,7 +32,8 @@ namespace birdstrike
     , shape(parameters)
     , packed(compute_packing(parameters, shape))
     , list(2. * parameters.smoothing_ratio * packed.spacing,
-           2. * parameters.smoothing_ratio * packed.spacing * parameters.skin, packed.period)
+           2. * parameters.smoothing_ratio * packed.spacing * parameters.skin, packed.period,
+           parameters.is_riemann() && parameters.pair_precision == "float" ? FloatLanes::size() : n_lanes)
     , rates(make_rates(parameters, eos, packed.spacing))
     , hugoniot_slope(compute_slope(eos, parameters))
   {
@@ -65,7 +66,9 @@ namespace birdstrike
     has_contact_force = false;
     list.update(particles, pool);
     ++revision;
+    rates->renew_correction();
     compute_rates();
+    rates->renew_correction();
     compute_rates(); // the correction matrices are those of the evaluation before
   }
 
@@ -92,7 +95,9 @@ namespace birdstrike
     half_step = 0.;
     list.update(particles, pool);
     ++revision;
+    rates->renew_correction();
     compute_rates();
+    rates->renew_correction();
     compute_rates(); // with the new correction matrices
   }
 

@@ -88,8 +88,8 @@ namespace birdstrike
     }
   } // namespace
 
-  NeighborList::NeighborList(const double support, const double skin, const Period &period)
-    : support(support), skin(skin), cell_period(period)
+  NeighborList::NeighborList(const double support, const double skin, const Period &period, const std::size_t padding)
+    : support(support), skin(skin), list_padding(padding), cell_period(period)
   {
   }
 
@@ -106,7 +106,7 @@ namespace birdstrike
       {
         const std::size_t cell = grid.occupied()[o];
         const Runs        runs = find_runs(grid, cell);
-        const std::size_t most = runs.total + 28 * n_lanes;
+        const std::size_t most = runs.total + 28 * n_lanes + list_padding;
         for (std::size_t p = grid.begin(cell); p < grid.end(cell); ++p)
           {
             if (used + most > lists.size())
@@ -123,7 +123,7 @@ namespace birdstrike
                                              r2 < range2 && ahead != static_cast<double>(p) &&
                                                ahead < static_cast<double>(runs.end[run]));
                 }
-            while ((out - list) % n_lanes != 0)
+            while ((out - list) % list_padding != 0)
               *out++ = n;
             offset[p] = used;
             count[p]  = out - list;
@@ -167,6 +167,7 @@ namespace birdstrike
     prefix[0] = 0;
     for (std::size_t p = 0; p < n; ++p)
       prefix[p + 1] = prefix[p] + count[p] + n_lanes;
+    longest_count = n == 0 ? 0 : *std::max_element(count.begin(), count.end());
     for (auto &u : particles.displacement)
       std::fill(u.begin(), u.end(), 0.);
     list_near_cells();

@@ -80,6 +80,13 @@ namespace birdstrike
                         Patterns::Selection("continuity|summation"));
       prm.add_parameter("Gradient correction", bird.gradient_correction,
                         "Whether the riemann formulation corrects kernel gradients near free surfaces. [-]");
+      prm.add_parameter("Correction interval", bird.correction_interval,
+                        "Evaluations of the rates after which the correction matrices are renewed. [-]",
+                        Patterns::Integer(1, 1000));
+      prm.add_parameter("Pair precision", bird.pair_precision,
+                        "Number type of what a pair of particles exchanges in the riemann formulation; state and sums "
+                        "over time are double. [-]",
+                        Patterns::Selection("double|float"));
       prm.add_parameter("Reconstruction", bird.reconstruction,
                         "Velocity at the midpoint of a pair in the riemann formulation: none, or linear from the "
                         "velocity gradients. [-]",

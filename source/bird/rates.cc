@@ -12,7 +12,11 @@ namespace birdstrike
   std::unique_ptr<Rates> make_rates(const BirdParameters &parameters, const EquationOfState &eos, const double spacing)
   {
     if (parameters.is_riemann())
-      return std::make_unique<RiemannRates>(parameters, eos, spacing);
+      {
+        if (parameters.pair_precision == "float")
+          return std::make_unique<RiemannRates<float>>(parameters, eos, spacing);
+        return std::make_unique<RiemannRates<double>>(parameters, eos, spacing);
+      }
     return std::make_unique<StandardRates>(parameters, eos, spacing);
   }
 

@@ -15,7 +15,7 @@ namespace birdstrike
 
     /// x_i - x_j to the nearest image.
     template <bool is_periodic>
-    Vector3<Lanes> separation(const Record &own, const std::array<Lanes, 8> &others, const Period &period)
+    Vector3<Lanes> separation(const Record<double, 8> &own, const std::array<Lanes, 8> &others, const Period &period)
     {
       Vector3<Lanes> x;
       for (int d = 0; d < 3; ++d)

@@ -21,7 +21,8 @@ namespace birdstrike
   class NeighborList
   {
   public:
-    NeighborList(double support, double skin, const Period &period);
+    /// Lists are padded to multiples of `padding`, the width of the loops that read them.
+    NeighborList(double support, double skin, const Period &period, std::size_t padding = n_lanes);
 
     /// Sorts the particles, clears their displacements and lists their neighbours.
     void update(Particles &particles, ThreadPool &pool);
@@ -40,6 +41,10 @@ namespace birdstrike
     const std::size_t *cost_prefix() const ///< summed padded counts, n + 1 entries
     {
       return prefix.data();
+    }
+    std::size_t longest() const ///< entries of the longest list
+    {
+      return longest_count;
     }
     std::size_t n_builds() const
     {
@@ -60,9 +65,10 @@ namespace birdstrike
       std::array<double, 3> low, high;
     };
 
-    double   support, skin;
-    Period   cell_period;
-    CellGrid grid;
+    double      support, skin;
+    std::size_t list_padding;
+    Period      cell_period;
+    CellGrid    grid;
     /// Lists of one chunk of cells; chunks are made for threads, lists do not depend on them.
     std::vector<AlignedVector<std::uint32_t>> chunks;
     std::vector<const std::uint32_t *>        first;
@@ -70,6 +76,7 @@ namespace birdstrike
     std::vector<std::size_t>                  prefix;
     std::vector<std::uint32_t>                near_start, near_cells, compact_index;
     std::vector<Box>                          boxes;
-    std::size_t                               builds = 0;
+    std::size_t                               longest_count = 0;
+    std::size_t                               builds        = 0;
   };
 } // namespace birdstrike

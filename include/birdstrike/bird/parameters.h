@@ -36,6 +36,8 @@ namespace birdstrike
     std::string           density_by          = "continuity";
     bool                  gradient_correction = true;
     std::string           reconstruction      = "none";
+    std::string           pair_precision      = "double";
+    unsigned int          correction_interval = 1; ///< passes
     bool                  tension_cutoff      = true;
     double courant_number    = 0.35; // 0.45 lets the first layer on a wall ring at 10 m/s (rms 70 %); 0.35: 1 %
     double skin              = 0.1;  ///< of the kernel's support

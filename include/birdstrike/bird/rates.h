@@ -26,6 +26,11 @@ namespace birdstrike
     /// particles.mu and ignores it.
     virtual void update(Particles &particles, const Particles::Column &predicted_mu, const NeighborList &list,
                         ThreadPool &pool) = 0;
+
+    /// Lets the next update renew what it would otherwise keep for some passes: the state was set, not computed.
+    virtual void renew_correction()
+    {
+    }
   };
 
   std::unique_ptr<Rates> make_rates(const BirdParameters &parameters, const EquationOfState &eos, double spacing);

@@ -15,13 +15,17 @@ namespace birdstrike
   ///   energy_i  = -V_i sum_j V_j w (v_i - v_j).(p_i B_i + q/2) x
   /// Force and divergence are adjoint, so the reversible part exchanges kinetic and internal energy exactly, and the
   /// rest, q, heats. B = (sum_j V_j w x x^T)^-1 makes the divergence of a linear velocity exact up to a free surface
-  /// (Bonet & Lok 1999); it is blended to the identity where that sum is near singular (corners of spray), and is
-  /// taken from the previous evaluation: geometry changes by a few percent of h a step, and one pass suffices.
+  /// (Bonet & Lok 1999); it is blended to the identity where that sum is near singular (corners of spray). It is taken
+  /// from an earlier evaluation, renewed every few passes: geometry changes by a percent of h a step.
   /// Half of the solver's velocity due to the pressure jump enters the divergence (see pressure_share for why not all).
   /// The dissipative terms stay uncorrected and central: they keep angular momentum.
   ///
   /// With reconstruction, u is the jump at the midpoint after removing the harmonic mean (van Leer 1974) of both
   /// particles' velocity gradients.
+  ///
+  /// T is the number type of a pair; state, rates and all that is added up over time are double. In float a pair sees
+  /// positions and velocities relative to one particle, and forces cancel exactly all the same (ForceSum).
+  template <class T>
   class RiemannRates : public Rates
   {
   public:
@@ -30,21 +34,50 @@ namespace birdstrike
     void update(Particles &particles, const Particles::Column &predicted_mu, const NeighborList &list,
                 ThreadPool &pool) override;
 
+    void renew_correction() override
+    {
+      passes_to_renewal = 0;
+    }
+
   private:
-    template <class Number>
-    void update_records(Particles &particles, const Particles::Column &mu, std::size_t p);
+    using Number = LanesOf<T>;
 
-    template <bool is_periodic, bool is_corrected, bool is_linear>
+    /// Records hold lengths in 2h (the kernel's support is 1) and velocities, both relative to one particle, and
+    /// volumes such that a product of two is V_i V_j 2h times the norm of the kernel's slope.
+    struct Scale
+    {
+      Point3 origin{0., 0., 0.}, velocity{0., 0., 0.}; ///< m, m/s
+      double length, volume;                           ///< m, 2h; root of N/Pa/m^6
+      double force = 1.;                               ///< N, unit of pair forces; a power of two
+    };
+
+    /// Largest values that bound the pair forces.
+    template <class N>
+    struct Bounds
+    {
+      N                pressure = 0., impedance = 0., volume = 0.; ///< Pa, kg/(m^2 s), record units
+      std::array<N, 3> slowest{}, fastest{};                       ///< m/s, relative
+    };
+
+    template <class N>
+    void           update_records(Particles &particles, const Particles::Column &mu, std::size_t p, Bounds<N> &bounds);
+    Bounds<double> update_chunk(Particles &particles, const Particles::Column &mu, std::size_t begin, std::size_t end);
+    void           update_force_unit(std::size_t longest_list);
+
+    void sum_range(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;
+    template <bool is_periodic, bool is_corrected, bool is_linear, bool is_renewing>
     void sum_pairs(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;
+    template <bool is_corrected, bool is_linear, bool is_renewing>
+    void store_sums(Particles &particles, const PairSums<Number> &sums, std::size_t i) const;
 
-    template <bool is_corrected, bool is_linear>
-    void store_sums(Particles &particles, const RiemannSums<Lanes> &sums, std::size_t i) const;
-
-    EquationOfState eos;
-    double          h;
-    bool            has_cutoff, has_correction, has_reconstruction;
-    Records         motion;   ///< x, v, V, p
-    Records         stress;   ///< p B (xx yy zz xy xz yz), Z, 1/Z
-    Records         gradient; ///< symmetric velocity gradient (xx yy zz xy xz yz)
+    EquationOfState             eos;
+    double                      h;
+    bool                        has_cutoff, has_correction, has_reconstruction;
+    unsigned int                renewal_interval, passes_to_renewal = 0;
+    bool                        is_renewing = true;
+    Scale                       scale;
+    std::vector<Bounds<double>> bounds;   ///< by chunk of particles
+    Records<T, 16>              pairs;    ///< x V, v p, p B: xx yy zz, Z/2, p B: xy xz yz, 3 rho0/(2 Z)
+    Records<T, 16>              gradient; ///< symmetric velocity gradient (xx yy zz xy xz yz), with reconstruction only
   };
 } // namespace birdstrike

@@ -1,57 +1,96 @@
 #pragma once
 
-#include <birdstrike/core/number.h>
+#include <birdstrike/bird/lane_sums.h>
 
 #include <array>
+#include <cstdint>
 
 namespace birdstrike
 {
-  /// The pair sums of one particle.
-  template <class Number>
-  struct RiemannSums
-  {
-    [[gnu::always_inline]] inline void add_force(const std::array<Number, 8> &P, const Number &q,
-                                                 const Vector3<Number> &wx);
-    [[gnu::always_inline]] inline void add_moments(const Vector3<Number> &wx, const Vector3<Number> &x);
-    [[gnu::always_inline]] inline void add_gradient(const Vector3<Number> &wx, const Vector3<Number> &v);
+  /// Sum of pair forces, one component per entry: in double as it comes, in float in fixed point.
+  ///
+  /// A pair force is antisymmetric to the last bit in float too, but a sum of floats is not: its round-off depends on
+  /// the order. Truncated to integers, which add exactly, pair forces cancel exactly, so that momentum is kept to the
+  /// round-off of double. The unit is chosen such that no sum overflows (RiemannRates::update_scale).
+  template <class T>
+  class ForceSum;
 
-    std::array<Number, 3> force{};    ///< V w (p B + q) x
-    std::array<Number, 3> own{};      ///< V w x
-    std::array<Number, 6> moments{};  ///< V w x x^T
-    std::array<Number, 9> gradient{}; ///< V w v x^T
-    Number                divergence = 0., flux = 0., heat = 0.;
+  template <>
+  class ForceSum<double>
+  {
+  public:
+    [[gnu::always_inline]] inline void add(const Vector3<Lanes> &f)
+    {
+      for (int d = 0; d < 3; ++d)
+        total[d] += f[d];
+    }
+    [[gnu::always_inline]] inline std::array<double, 3> value() const
+    {
+      return sum_lanes<double>(total);
+    }
+
+  private:
+    std::array<Lanes, 3> total{};
   };
 
-  template <class Number>
-  inline void RiemannSums<Number>::add_force(const std::array<Number, 8> &P, const Number &q, const Vector3<Number> &wx)
+  template <>
+  class ForceSum<float>
   {
-    force[0] += (P[0] + q) * wx[0] + P[3] * wx[1] + P[4] * wx[2];
-    force[1] += P[3] * wx[0] + (P[1] + q) * wx[1] + P[5] * wx[2];
-    force[2] += P[4] * wx[0] + P[5] * wx[1] + (P[2] + q) * wx[2];
-  }
+  public:
+    [[gnu::always_inline]] inline void add(const Vector3<FloatLanes> &f)
+    {
+      for (int d = 0; d < 3; ++d)
+        total[d] += stdx::static_simd_cast<Integers>(f[d]);
+    }
+    [[gnu::always_inline]] inline std::array<double, 3> value() const
+    {
+      std::array<double, 3> sums{};
+      for (int d = 0; d < 3; ++d)
+        {
+          std::array<std::int32_t, Integers::size()> lanes;
+          total[d].copy_to(lanes.data(), stdx::element_aligned);
+          std::int64_t sum = 0;
+          for (const std::int32_t lane : lanes)
+            sum += lane;
+          sums[d] = static_cast<double>(sum);
+        }
+      return sums;
+    }
 
-  template <class Number>
-  inline void RiemannSums<Number>::add_moments(const Vector3<Number> &wx, const Vector3<Number> &x)
-  {
-    moments[0] += wx[0] * x[0];
-    moments[1] += wx[1] * x[1];
-    moments[2] += wx[2] * x[2];
-    moments[3] += wx[0] * x[1];
-    moments[4] += wx[0] * x[2];
-    moments[5] += wx[1] * x[2];
-  }
+  private:
+    using Integers = stdx::rebind_simd_t<std::int32_t, FloatLanes>;
+    std::array<Integers, 3> total{};
+  };
 
+  /// The sums of one particle over its neighbours besides the force; w is V_i V_j times the kernel's slope.
   template <class Number>
-  inline void RiemannSums<Number>::add_gradient(const Vector3<Number> &wx, const Vector3<Number> &v)
+  struct PairSums
   {
-    gradient[0] += v[0] * wx[0];
-    gradient[1] += v[0] * wx[1];
-    gradient[2] += v[0] * wx[2];
-    gradient[3] += v[1] * wx[0];
-    gradient[4] += v[1] * wx[1];
-    gradient[5] += v[1] * wx[2];
-    gradient[6] += v[2] * wx[0];
-    gradient[7] += v[2] * wx[1];
-    gradient[8] += v[2] * wx[2];
-  }
+    std::array<Number, 12> mean{}; ///< w sym(v x^T): xx yy zz xy xz yz, then the transposed shears, flux, heat, weight
+    std::array<Number, 6>  moments{}; ///< w x x^T
+
+    static constexpr int flux = 9, heat = 10, weight = 11;
+
+    [[gnu::always_inline]] inline void add_gradient(const Vector3<Number> &wx, const Vector3<Number> &v)
+    {
+      mean[0] += v[0] * wx[0];
+      mean[1] += v[1] * wx[1];
+      mean[2] += v[2] * wx[2];
+      mean[3] += v[0] * wx[1];
+      mean[4] += v[0] * wx[2];
+      mean[5] += v[1] * wx[2];
+      mean[6] += v[1] * wx[0];
+      mean[7] += v[2] * wx[0];
+      mean[8] += v[2] * wx[1];
+    }
+    [[gnu::always_inline]] inline void add_moments(const Vector3<Number> &wx, const Vector3<Number> &x)
+    {
+      moments[0] += wx[0] * x[0];
+      moments[1] += wx[1] * x[1];
+      moments[2] += wx[2] * x[2];
+      moments[3] += wx[0] * x[1];
+      moments[4] += wx[0] * x[2];
+      moments[5] += wx[1] * x[2];
+    }
+  };
 } // namespace birdstrike

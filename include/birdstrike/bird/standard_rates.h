@@ -30,10 +30,10 @@ namespace birdstrike
     template <class Kernel, bool is_periodic>
     void sum_pairs(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;
 
-    EquationOfState eos;
-    double          spacing, h, alpha, beta;
-    bool            has_cutoff, has_summation, is_spline, is_fcc;
-    Records         motion; ///< x, v, rho, p/rho^2
-    Records         sound;  ///< c
+    EquationOfState    eos;
+    double             spacing, h, alpha, beta;
+    bool               has_cutoff, has_summation, is_spline, is_fcc;
+    Records<double, 8> motion; ///< x, v, rho, p/rho^2
+    Records<double, 8> sound;  ///< c
   };
 } // namespace birdstrike

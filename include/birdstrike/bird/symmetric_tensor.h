@@ -19,10 +19,10 @@ namespace birdstrike
   }
 
   /// x.t.x
-  template <class Tensor>
-  [[gnu::always_inline]] inline Lanes stretch(const Tensor &t, const Vector3<Lanes> &x)
+  template <class Tensor, class Number>
+  [[gnu::always_inline]] inline Number stretch(const Tensor &t, const Vector3<Number> &x)
   {
-    const Vector3<Lanes> tx = multiply(t, x);
+    const Vector3<Number> tx = multiply(t, x);
     return tx[0] * x[0] + tx[1] * x[1] + tx[2] * x[2];
   }
 

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <birdstrike/bird/records.h>
+
+#include <array>
+
+namespace birdstrike
+{
+  namespace internal
+  {
+    /// Lane k holds a_k + a_{k^S} where bit S of k is clear, b_k + b_{k^S} where it is set.
+    template <class T, std::size_t S, std::size_t... k>
+    [[gnu::always_inline]] inline LaneVector<T> fold(const LaneVector<T> &a, const LaneVector<T> &b,
+                                                     std::index_sequence<k...>)
+    {
+      constexpr std::size_t N = width<T>;
+      return __builtin_shufflevector(a, b, ((k & S) == 0 ? k : N + k - S)...) +
+             __builtin_shufflevector(a, b, ((k & S) == 0 ? k + S : N + k)...);
+    }
+
+    template <class T, std::size_t S, std::size_t n>
+    [[gnu::always_inline]] inline void fold_all(Rows<T> &m)
+    {
+      if constexpr (n > 1)
+        {
+          for (std::size_t k = 0; k < n / 2; ++k)
+            m.row[k] = fold<T, S>(m.row[2 * k], m.row[2 * k + 1], std::make_index_sequence<width<T>>());
+          fold_all<T, 2 * S, n / 2>(m);
+        }
+    }
+  } // namespace internal
+
+  /// sums[k] = sum over the lanes of terms[k]. All sums share one tree of shuffles, a third of the work of one
+  /// reduction each.
+  template <class T, std::size_t n>
+  [[gnu::always_inline]] inline std::array<double, n> sum_lanes(const std::array<LanesOf<T>, n> &terms)
+  {
+    constexpr std::size_t N = internal::width<T>;
+    std::array<double, n> sums;
+    for (std::size_t first = 0; first < n; first += N)
+      {
+        internal::Rows<T> m{};
+        for (std::size_t k = 0; k < N && first + k < n; ++k)
+          m.row[k] = std::bit_cast<internal::LaneVector<T>>(terms[first + k]);
+        internal::fold_all<T, 1, N>(m);
+        for (std::size_t k = 0; k < N && first + k < n; ++k)
+          sums[first + k] = m.row[0][k];
+      }
+    return sums;
+  }
+} // namespace birdstrike
