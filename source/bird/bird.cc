@@ -12,10 +12,11 @@ namespace birdstrike
 
     /// Liquid at zero pressure remembers how far it has come apart, up to twice its volume: beyond, spray would weigh
     /// more and more in its neighbours' sums.
-    double expand_at_most(const double mu)
+    template <class Number>
+    Number expand_at_most(const Number &mu)
     {
-      constexpr double thinnest = -0.5;
-      return mu > -1. && mu < thinnest ? thinnest : mu; // what is no density passes, to be reported
+      const Number thinnest(-0.5);
+      return select(mu > Number(-1.) && mu < thinnest, thinnest, mu); // what is no density passes, to be reported
     }
 
     double compute_slope(const EquationOfState &eos, const BirdParameters &parameters)
@@ -111,13 +112,14 @@ namespace birdstrike
   void Bird::drift(const double dt)
   {
     pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
-      for (int d = 0; d < 3; ++d)
-        for (std::size_t p = begin; p < end; ++p)
+      sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
+        for (int d = 0; d < 3; ++d)
           {
-            const double u = dt * particles.v[d][p];
-            particles.x[d][p] += u;
-            particles.displacement[d][p] += u;
+            const Number u = dt * load<Number>(&particles.v[d][p]);
+            store(load<Number>(&particles.x[d][p]) + u, &particles.x[d][p]);
+            store(load<Number>(&particles.displacement[d][p]) + u, &particles.displacement[d][p]);
           }
+      });
     });
     if (list.is_outdated(particles, pool))
       {
@@ -131,12 +133,15 @@ namespace birdstrike
     predicted_mu.resize(particles.size());
     const double scale = half_step / particles.mass;
     pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
-      for (int d = 0; d < 3; ++d)
-        for (std::size_t p = begin; p < end; ++p)
-          particles.predicted_velocity[d][p] =
-            particles.v[d][p] + scale * (particles.force[d][p] + particles.contact_force[d][p]);
-      for (std::size_t p = begin; p < end; ++p)
-        predicted_mu[p] = expand_at_most(compress(particles.mu[p], particles.compression_rate[p], half_step));
+      sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
+        for (int d = 0; d < 3; ++d)
+          {
+            const Number f = load<Number>(&particles.force[d][p]) + load<Number>(&particles.contact_force[d][p]);
+            store(load<Number>(&particles.v[d][p]) + scale * f, &particles.predicted_velocity[d][p]);
+          }
+        const Number mu = load<Number>(&particles.mu[p]), rate = load<Number>(&particles.compression_rate[p]);
+        store(expand_at_most(compress(mu, rate, half_step)), &predicted_mu[p]);
+      });
     });
   }
 
@@ -160,19 +165,19 @@ namespace birdstrike
       book_contact(dt);
     const double scale = dt / particles.mass;
     pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t p = begin; p < end; ++p)
-        {
-          double power = particles.internal_energy_rate[p];
-          for (int d = 0; d < 3; ++d)
-            {
-              const double before = particles.v[d][p];
-              const double after  = before + scale * (particles.force[d][p] + particles.contact_force[d][p]);
-              particles.v[d][p]   = after;
-              power -= particles.force[d][p] * ((is_first ? after : before) - particles.predicted_velocity[d][p]);
-            }
-          particles.internal_energy[p] += dt * power;
-          particles.mu[p] = expand_at_most(compress(particles.mu[p], particles.compression_rate[p], dt));
-        }
+      sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
+        Number power = load<Number>(&particles.internal_energy_rate[p]);
+        for (int d = 0; d < 3; ++d)
+          {
+            const Number f = load<Number>(&particles.force[d][p]), before = load<Number>(&particles.v[d][p]);
+            const Number after = before + scale * (f + load<Number>(&particles.contact_force[d][p]));
+            store(after, &particles.v[d][p]);
+            power -= f * ((is_first ? after : before) - load<Number>(&particles.predicted_velocity[d][p]));
+          }
+        store(load<Number>(&particles.internal_energy[p]) + dt * power, &particles.internal_energy[p]);
+        const Number mu = load<Number>(&particles.mu[p]), rate = load<Number>(&particles.compression_rate[p]);
+        store(expand_at_most(compress(mu, rate, dt)), &particles.mu[p]);
+      });
     });
     if (is_first)
       book_contact(dt);
@@ -183,10 +188,32 @@ namespace birdstrike
     if (!has_contact_force)
       return;
     const auto &f = particles.contact_force, &v = particles.v;
+    const auto  sums = pool.ordered_sums<4>(particles.size(), [&](const std::size_t begin, const std::size_t end) {
+      std::array<Lanes, 4>  whole{};
+      std::array<double, 4> rest{};
+      sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
+        for (int d = 0; d < 3; ++d)
+          {
+            const Number g = load<Number>(&f[d][p]), power = g * load<Number>(&v[d][p]);
+            if constexpr (std::is_same_v<Number, Lanes>)
+              {
+                whole[d] += g;
+                whole[3] += power;
+              }
+            else
+              {
+                rest[d] += g;
+                rest[3] += power;
+              }
+          }
+      });
+      for (int k = 0; k < 4; ++k)
+        rest[k] += stdx::reduce(whole[k]);
+      return rest;
+    });
     for (int d = 0; d < 3; ++d)
-      contact_impulse[d] += dt * sum([&](const std::size_t p) { return f[d][p]; });
-    contact_work +=
-      dt * sum([&](const std::size_t p) { return f[0][p] * v[0][p] + f[1][p] * v[1][p] + f[2][p] * v[2][p]; });
+      contact_impulse[d] += dt * sums[d];
+    contact_work += dt * sums[3];
   }
 
   std::size_t Bird::retire(const Box3 &blade_box)

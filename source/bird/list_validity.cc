@@ -7,88 +7,151 @@
 /// How long a neighbour list lasts: bounds of relative displacement between cells.
 namespace birdstrike
 {
+  namespace
+  {
+    constexpr std::size_t cells_per_chunk = 64;
+
+    /// Smallest and largest of u[begin .. end), at least one number.
+    void find_extremes(const double *u, const std::size_t begin, const std::size_t end, double &low, double &high)
+    {
+      low = high = u[begin];
+      if (end - begin < n_lanes)
+        {
+          for (std::size_t p = begin + 1; p < end; ++p)
+            {
+              low  = std::min(low, u[p]);
+              high = std::max(high, u[p]);
+            }
+          return;
+        }
+      Lanes least = load<Lanes>(u + end - n_lanes), most = least; // the last register may overlap the one before
+      for (std::size_t p = begin; p + n_lanes <= end; p += n_lanes)
+        {
+          const Lanes a = load<Lanes>(u + p);
+          least         = min(least, a);
+          most          = max(most, a);
+        }
+      low  = stdx::hmin(least);
+      high = stdx::hmax(most);
+    }
+  } // namespace
+
   void NeighborList::list_near_cells()
   {
-    const auto &occupied = grid.occupied();
-    compact_index.assign(grid.n_cells(), std::numeric_limits<std::uint32_t>::max());
-    for (std::size_t o = 0; o < occupied.size(); ++o)
-      compact_index[occupied[o]] = o;
-    near_start.assign(1, 0);
-    near_cells.clear();
-    boxes.resize(occupied.size());
-    for (std::size_t o = 0; o < occupied.size(); ++o)
+    const auto       &occupied   = grid.occupied();
+    const std::size_t n_occupied = occupied.size();
+    for (auto *column : {&lowest, &highest})
+      for (auto &bound : *column)
+        {
+          bound.reserve(n_occupied + n_lanes); // whole registers are read at the end of a run
+          bound.resize(n_occupied);
+        }
+    occupied_before.resize(grid.n_cells() + 1);
+    std::size_t o = 0;
+    for (std::size_t c = 0; c < occupied_before.size(); ++c)
       {
+        occupied_before[c] = o;
+        o += o < n_occupied && occupied[o] == c;
+      }
+    near_start.assign(1, 0);
+    near_runs.clear();
+    for (o = 0; o < n_occupied; ++o)
+      {
+        // each pair once: the other comes no later
+        const auto add_run = [&](const std::size_t first_cell, const std::size_t last_cell) {
+          const std::uint32_t begin = occupied_before[first_cell];
+          const std::uint32_t end   = std::min<std::uint32_t>(occupied_before[last_cell + 1], o + 1);
+          if (begin < end)
+            near_runs.push_back({begin, end});
+        };
         const auto [cx, cy, cz] = grid.cell_coordinates(occupied[o]);
         int       x[5], y[5], z[5];
         const int nx = grid.neighbors(0, cx, 2, x), ny = grid.neighbors(1, cy, 2, y), nz = grid.neighbors(2, cz, 2, z);
         for (int k = 0; k < nz; ++k)
           for (int j = 0; j < ny; ++j)
-            for (int i = 0; i < nx; ++i)
-              {
-                const std::uint32_t other = compact_index[grid.cell_index(x[i], y[j], z[k])];
-                if (other != std::numeric_limits<std::uint32_t>::max() && other <= o)
-                  near_cells.push_back(other);
-              }
-        near_start.push_back(near_cells.size());
+            if (!grid.is_periodic(0)) // neighbours along x are consecutive
+              add_run(grid.cell_index(x[0], y[j], z[k]), grid.cell_index(x[nx - 1], y[j], z[k]));
+            else
+              for (int i = 0; i < nx; ++i)
+                add_run(grid.cell_index(x[i], y[j], z[k]), grid.cell_index(x[i], y[j], z[k]));
+        near_start.push_back(near_runs.size());
       }
   }
 
-  bool NeighborList::is_outdated(const Particles &particles, ThreadPool &pool)
+  double NeighborList::update_extremes(const Particles &particles, ThreadPool &pool)
   {
     const auto       &occupied = grid.occupied();
     const auto       &u        = particles.displacement;
     const std::size_t n        = particles.size();
-    if (n == 0)
-      return false;
-    Point3 mean;
-    for (int d = 0; d < 3; ++d)
-      mean[d] = pool.ordered_sum(n, [&](const std::size_t begin, const std::size_t end) {
-        double sum = 0.;
-        for (std::size_t p = begin; p < end; ++p)
-          sum += u[d][p];
-        return sum;
-      }) / n;
-    const double farthest2 = pool.ordered_max(
+    const auto        sums     = pool.ordered_sums<3>(n, [&](const std::size_t begin, const std::size_t end) {
+      std::array<double, 3> sum{};
+      for (int d = 0; d < 3; ++d)
+        {
+          Lanes       whole = 0.;
+          std::size_t p     = begin;
+          for (; p + n_lanes <= end; p += n_lanes)
+            whole += load<Lanes>(&u[d][p]);
+          for (; p < end; ++p)
+            sum[d] += u[d][p];
+          sum[d] += stdx::reduce(whole);
+        }
+      return sum;
+    });
+    return pool.ordered_max(
       occupied.size(),
       [&](const std::size_t begin, const std::size_t end) {
-        double largest = 0.;
+        double farthest = 0.;
         for (std::size_t o = begin; o < end; ++o)
           {
             double sum = 0.;
             for (int d = 0; d < 3; ++d)
               {
-                const auto [low, high] =
-                  std::minmax_element(u[d].begin() + grid.begin(occupied[o]), u[d].begin() + grid.end(occupied[o]));
-                boxes[o].low[d]  = *low;
-                boxes[o].high[d] = *high;
-                const double far = std::max(*high - mean[d], mean[d] - *low);
+                double low, high;
+                find_extremes(u[d].data(), grid.begin(occupied[o]), grid.end(occupied[o]), low, high);
+                lowest[d][o]      = low;
+                highest[d][o]     = high;
+                const double mean = sums[d] / n, far = std::max(high - mean, mean - low);
                 sum += far * far;
               }
-            largest = std::max(largest, sum);
+            farthest = std::max(farthest, sum);
           }
-        return largest;
+        return farthest;
       },
-      64);
+      cells_per_chunk);
+  }
+
+  double NeighborList::compute_largest_spread(const std::size_t begin, const std::size_t end) const
+  {
+    const Lanes index([](const auto k) { return static_cast<double>(k); });
+    Lanes       largest = 0.;
+    for (std::size_t o = begin; o < end; ++o)
+      for (std::size_t r = near_start[o]; r < near_start[o + 1]; ++r)
+        for (std::size_t c = near_runs[r].begin; c < near_runs[r].end; c += n_lanes)
+          {
+            Lanes sum = 0.;
+            for (int d = 0; d < 3; ++d)
+              {
+                const Lanes spread =
+                  max(highest[d][o] - load<Lanes>(&lowest[d][c]), load<Lanes>(&highest[d][c]) - lowest[d][o]);
+                sum += spread * spread;
+              }
+            largest = max(largest, select(index < static_cast<double>(near_runs[r].end - c), sum, Lanes(0.)));
+          }
+    return stdx::hmax(largest);
+  }
+
+  bool NeighborList::is_outdated(const Particles &particles, ThreadPool &pool)
+  {
+    if (particles.size() == 0)
+      return false;
+    const double farthest2 = update_extremes(particles, pool);
+    if (4. * farthest2 <= skin * skin)
+      return false;
     if (2. * std::sqrt(farthest2) > 2. * grid.edge() - support)
       return true;
     return pool.ordered_max(
-             occupied.size(),
-             [&](const std::size_t begin, const std::size_t end) {
-               double largest = 0.;
-               for (std::size_t o = begin; o < end; ++o)
-                 for (std::size_t k = near_start[o]; k < near_start[o + 1]; ++k)
-                   {
-                     const Box &a = boxes[o], &b = boxes[near_cells[k]];
-                     double     sum = 0.;
-                     for (int d = 0; d < 3; ++d)
-                       {
-                         const double spread = std::max(a.high[d] - b.low[d], b.high[d] - a.low[d]);
-                         sum += spread * spread;
-                       }
-                     largest = std::max(largest, sum);
-                   }
-               return largest;
-             },
-             64) > skin * skin;
+             grid.occupied().size(),
+             [&](const std::size_t begin, const std::size_t end) { return compute_largest_spread(begin, end); },
+             cells_per_chunk) > skin * skin;
   }
 } // namespace birdstrike

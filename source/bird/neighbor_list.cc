@@ -50,41 +50,32 @@ namespace birdstrike
       return runs;
     }
 
-    /// Squared distance of point p from n_lanes consecutive points.
-    template <bool is_periodic>
-    Lanes distance_squared(const Particles &particles, const Point3 &p, const std::size_t j, const Period &period)
-    {
-      Lanes r2 = 0.;
-      for (int d = 0; d < 3; ++d)
-        {
-          Lanes x = load<Lanes>(&particles.x[d][j]) - p[d];
-          if constexpr (is_periodic)
-            if (period[d] > 0.)
-              x -= period[d] * stdx::nearbyint(x * (1. / period[d]));
-          r2 += x * x;
-        }
-      return r2;
-    }
-
-    /// Appends those of j, j+1, ... whose bit is set. Writes n_lanes entries, whatever the number kept.
-    std::uint32_t *append(std::uint32_t *out, const std::uint32_t j, const LanesMask &keep)
+    /// Bit k is set where lane k is.
+    std::uint32_t to_bits(const FloatLanes::mask_type &mask)
     {
 #if defined(__AVX512F__)
-      if constexpr (sizeof(LanesMask) == sizeof(__mmask8)) // one bit per lane
-        {
-          const auto    bits = std::bit_cast<__mmask8>(keep);
-          const __m512i step = _mm512_set_epi32(0, 0, 0, 0, 0, 0, 0, 0, 7, 6, 5, 4, 3, 2, 1, 0);
-          const __m512i kept = _mm512_maskz_compress_epi32(bits, _mm512_add_epi32(step, _mm512_set1_epi32(j)));
-          _mm256_storeu_si256(reinterpret_cast<__m256i *>(out), _mm512_castsi512_si256(kept));
-          return out + __builtin_popcount(bits);
-        }
+      if constexpr (sizeof(mask) == sizeof(__mmask16)) // one bit per lane
+        return std::bit_cast<__mmask16>(mask);
 #endif
-      for (std::size_t k = 0; k < n_lanes; ++k)
-        {
-          *out = j + k;
-          out += keep[k];
-        }
+      std::uint32_t bits = 0;
+      for (std::size_t k = 0; k < FloatLanes::size(); ++k)
+        bits |= static_cast<std::uint32_t>(mask[k]) << k;
+      return bits;
+    }
+
+    /// Appends j + k for each set bit k. May write as many entries as there are lanes, whatever the number kept.
+    std::uint32_t *append(std::uint32_t *out, const std::uint32_t j, std::uint32_t bits)
+    {
+#if defined(__AVX512F__)
+      const __m512i step = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+      _mm512_storeu_si512(
+        out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), _mm512_add_epi32(step, _mm512_set1_epi32(j))));
+      return out + std::popcount(bits);
+#else
+      for (; bits != 0; bits &= bits - 1)
+        *out++ = j + std::countr_zero(bits);
       return out;
+#endif
     }
   } // namespace
 
@@ -93,36 +84,72 @@ namespace birdstrike
   {
   }
 
+  /// Distances are computed in float, relative to one particle, with a range that is larger by its round-off.
+  void NeighborList::update_positions(const Particles &particles)
+  {
+    const std::size_t n       = particles.size();
+    double            largest = 0.;
+    for (int d = 0; d < 3; ++d)
+      {
+        positions[d].reserve(n + FloatLanes::size()); // whole registers are read at the end of the last run
+        positions[d].resize(n);
+        const double origin = n > 0 ? particles.x[d][0] : 0.;
+        for (std::size_t p = 0; p < n; ++p)
+          {
+            const double x  = particles.x[d][p] - origin;
+            positions[d][p] = static_cast<float>(x);
+            largest         = std::max(largest, std::abs(x));
+          }
+      }
+    safe_range = support + skin + 4. * std::numeric_limits<float>::epsilon() * largest;
+  }
+
   template <bool is_periodic>
-  void NeighborList::list_cells(const Particles &particles, const std::size_t chunk, const std::size_t begin,
+  std::uint32_t *NeighborList::list_run(std::uint32_t *out, const std::size_t p, const std::size_t begin,
+                                        const std::size_t end) const
+  {
+    constexpr std::size_t width  = FloatLanes::size();
+    const float           range2 = static_cast<float>(safe_range * safe_range);
+    for (std::size_t j = begin; j < end; j += width)
+      {
+        FloatLanes r2 = 0.f;
+        for (int d = 0; d < 3; ++d)
+          {
+            FloatLanes x = FloatLanes(&positions[d][j], stdx::element_aligned) - positions[d][p];
+            if constexpr (is_periodic)
+              if (const float period = static_cast<float>(cell_period[d]); period > 0.f)
+                x -= period * stdx::nearbyint(x * (1.f / period));
+            r2 += x * x;
+          }
+        std::uint32_t bits = to_bits(r2 < range2);
+        if (p - j < width) // unsigned: p lies in this register
+          bits &= ~(std::uint32_t(1) << (p - j));
+        if (end - j < width)
+          bits &= (std::uint32_t(1) << (end - j)) - 1;
+        out = append(out, j, bits);
+      }
+    return out;
+  }
+
+  template <bool is_periodic>
+  void NeighborList::list_cells(const std::size_t n, const std::size_t chunk, const std::size_t begin,
                                 const std::size_t end)
   {
-    AlignedVector<std::uint32_t> &lists  = chunks[chunk];
-    const double                  range2 = (support + skin) * (support + skin);
-    const std::size_t             n      = particles.size();
-    const Lanes                   index([](const auto k) { return static_cast<double>(k); });
-    std::size_t                   used = 0;
+    AlignedVector<std::uint32_t> &lists = chunks[chunk];
+    std::size_t                   used  = 0;
     for (std::size_t o = begin; o < end; ++o)
       {
         const std::size_t cell = grid.occupied()[o];
         const Runs        runs = find_runs(grid, cell);
-        const std::size_t most = runs.total + 28 * n_lanes + list_padding;
+        const std::size_t most = runs.total + FloatLanes::size() + list_padding;
         for (std::size_t p = grid.begin(cell); p < grid.end(cell); ++p)
           {
             if (used + most > lists.size())
               lists.resize(2 * (used + most));
             std::uint32_t *const list = lists.data() + used;
             std::uint32_t       *out  = list;
-            const Point3         here(particles.x[0][p], particles.x[1][p], particles.x[2][p]);
             for (int run = 0; run < runs.n; ++run)
-              for (std::size_t j = runs.begin[run]; j < runs.end[run]; j += n_lanes)
-                {
-                  const Lanes r2    = distance_squared<is_periodic>(particles, here, j, cell_period);
-                  const Lanes ahead = index + static_cast<double>(j);
-                  out               = append(out, j,
-                                             r2 < range2 && ahead != static_cast<double>(p) &&
-                                               ahead < static_cast<double>(runs.end[run]));
-                }
+              out = list_run<is_periodic>(out, p, runs.begin[run], runs.end[run]);
             while ((out - list) % list_padding != 0)
               *out++ = n;
             offset[p] = used;
@@ -136,7 +163,7 @@ namespace birdstrike
   {
     grid.update(particles, support + skin, cell_period, pool);
     const std::size_t n = particles.size();
-    // whole registers are read at the end of the last run: columns are reserved with slack (see Bird)
+    update_positions(particles);
     first.resize(n);
     count.resize(n);
     offset.resize(n);
@@ -156,9 +183,9 @@ namespace birdstrike
       for (std::size_t c = begin; c < end; ++c)
         {
           if (wraps)
-            list_cells<true>(particles, c, border(c), border(c + 1));
+            list_cells<true>(n, c, border(c), border(c + 1));
           else
-            list_cells<false>(particles, c, border(c), border(c + 1));
+            list_cells<false>(n, c, border(c), border(c + 1));
           for (std::size_t o = border(c); o < border(c + 1); ++o)
             for (std::size_t p = grid.begin(occupied[o]); p < grid.end(occupied[o]); ++p)
               first[p] = chunks[c].data() + offset[p];

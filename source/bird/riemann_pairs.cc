@@ -2,7 +2,7 @@
 #include <birdstrike/bird/riemann_rates.h>
 #include <birdstrike/bird/symmetric_tensor.h>
 
-#include <cmath>
+#include <algorithm>
 
 /// The sums over pairs of the Riemann-based formulation.
 namespace birdstrike
@@ -27,6 +27,38 @@ namespace birdstrike
       return select(mean * jump > zero, select(stdx::abs(mean) < stdx::abs(jump), jump - mean, zero), jump);
     }
 
+    /// What a pass computes: one kernel each.
+    template <bool periodic, bool corrected, bool linear, bool renewing>
+    struct Variant
+    {
+      static constexpr bool is_periodic = periodic, is_corrected = corrected, is_linear = linear,
+                            is_renewing = renewing;
+    };
+    template <bool is_periodic>
+    using Plain = Variant<is_periodic, false, false, true>;
+    template <bool is_periodic, bool is_renewing>
+    using Corrected = Variant<is_periodic, true, false, is_renewing>;
+    template <bool is_periodic>
+    using Linear = Variant<is_periodic, true, true, true>;
+
+    /// Symmetric part of the velocity gradient g B, g: xx yy zz, xy xz yz, yx zx zy.
+    template <class N>
+    void store_velocity_gradient(Particles &particles, const std::array<N, 9> &g, const std::array<N, 6> &B,
+                                 const std::size_t i)
+    {
+      const N gradient[3][3]   = {{g[0], g[3], g[4]}, {g[6], g[1], g[5]}, {g[7], g[8], g[2]}};
+      const N correction[3][3] = {{B[0], B[3], B[4]}, {B[3], B[1], B[5]}, {B[4], B[5], B[2]}};
+      N       L[3][3];
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+          L[r][c] =
+            gradient[r][0] * correction[0][c] + gradient[r][1] * correction[1][c] + gradient[r][2] * correction[2][c];
+      const std::array<N, 6> symmetric{
+        L[0][0], L[1][1], L[2][2], 0.5 * (L[0][1] + L[1][0]), 0.5 * (L[0][2] + L[2][0]), 0.5 * (L[1][2] + L[2][1])};
+      for (int t = 0; t < 6; ++t)
+        store(symmetric[t], &particles.velocity_gradient[t][i]);
+    }
+
     /// a + b for tensors stored as in a record: the pair's p_i B_i + p_j B_j, and q on the diagonal, times wx.
     template <class T, class Number>
     [[gnu::always_inline]] inline Vector3<Number> multiply_stress(const std::array<T, 16>      &a,
@@ -44,134 +76,153 @@ namespace birdstrike
   // functions because its intermediate values live in registers and are used by several sums. Each pair force is the
   // same, with opposite sign, to the last bit when its partner computes it: every operation is symmetric.
   template <class T>
-  template <bool is_periodic, bool is_corrected, bool is_linear, bool is_renewing>
-  void RiemannRates<T>::sum_pairs(Particles &particles, const NeighborList &list, const std::size_t begin,
-                                  const std::size_t end) const
+  template <class Variant>
+  void RiemannRates<T>::sum_neighbors(const NeighborList &list, const std::size_t i, SumBlock &block) const
   {
-    const Number     zero(0), one(1);
-    const T          unit = static_cast<T>(1. / scale.force); // a power of two: exact
-    std::array<T, 3> period;
-    for (int d = 0; d < 3; ++d)
-      period[d] = static_cast<T>(list.period()[d] / scale.length);
-    for (std::size_t i = begin; i < end; ++i)
+    const Number               zero(0), one(1);
+    const auto                &a    = pairs[i].value;
+    const T                    unit = static_cast<T>(1. / scale.force), V = a[3] * unit; // a power of two: exact
+    ForceSum<T>                force;
+    PairSums<Number>           sums;
+    Number                     approach = zero, smallest = a[3];
+    const std::uint32_t *const neighbors = list.neighbors(i);
+    std::array<T, 3>           period{};
+    if constexpr (Variant::is_periodic)
+      for (int d = 0; d < 3; ++d)
+        period[d] = static_cast<T>(list.period()[d] / scale.length);
+    for (std::size_t k = 0; k < list.padded_count(i); k += Number::size())
       {
-        const auto                &a = pairs[i].value;
-        const T                    V = a[3] * unit;
-        ForceSum<T>                force;
-        PairSums<Number>           sums;
-        Number                     approach = zero, smallest = a[3];
-        const std::uint32_t *const neighbors = list.neighbors(i);
-        for (std::size_t k = 0; k < list.padded_count(i); k += Number::size())
-          {
-            const auto            A = load_records(pairs, neighbors + k);
-            Vector3<Number>       x(a[0] - A[0], a[1] - A[1], a[2] - A[2]);
-            const Vector3<Number> v(a[4] - A[4], a[5] - A[5], a[6] - A[6]);
-            if constexpr (is_periodic)
-              for (int d = 0; d < 3; ++d)
-                if (period[d] > 0)
-                  x[d] -= period[d] * stdx::nearbyint(x[d] * (1 / period[d]));
-            const Number r2        = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + T(smallest_distance2);
-            const Number inverse_r = inverse_sqrt<T>(r2), r = r2 * inverse_r, t = max(one - r, zero);
-            const Number w          = V * A[3] * t * t * t;
-            const Number vx         = v[0] * x[0] + v[1] * x[1] + v[2] * x[2];
-            Number       separation = vx; // r times the separation speed at the midpoint
-            if constexpr (is_linear)
-              separation =
-                remove_slopes(vx, stretch(load_records(gradient, neighbors + k), x), stretch(gradient[i].value, x));
-            const Number u = max(-separation * inverse_r, zero), Y = a[15] + A[15];
-            const Number q = (a[11] + A[11]) * u * min(Y * u, one);
+        const auto            A = load_records(pairs, neighbors + k);
+        Vector3<Number>       x(a[0] - A[0], a[1] - A[1], a[2] - A[2]);
+        const Vector3<Number> v(a[4] - A[4], a[5] - A[5], a[6] - A[6]);
+        if constexpr (Variant::is_periodic)
+          for (int d = 0; d < 3; ++d)
+            if (period[d] > 0)
+              x[d] -= period[d] * stdx::nearbyint(x[d] * (1 / period[d]));
+        const Number r2        = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + T(smallest_distance2);
+        const Number inverse_r = inverse_sqrt<T>(r2), r = r2 * inverse_r, t = max(one - r, zero);
+        const Number w          = V * A[3] * t * t * t;
+        const Number vx         = v[0] * x[0] + v[1] * x[1] + v[2] * x[2];
+        Number       separation = vx; // r times the separation speed at the midpoint
+        if constexpr (Variant::is_linear)
+          separation =
+            remove_slopes(vx, stretch(load_records(gradient, neighbors + k), x), stretch(gradient[i].value, x));
+        const Number u = max(-separation * inverse_r, zero), Y = a[15] + A[15];
+        const Number q = (a[11] + A[11]) * u * min(Y * u, one);
 
-            const Vector3<Number> wx(w * x[0], w * x[1], w * x[2]);
-            if constexpr (is_corrected)
-              {
-                force.add(multiply_stress(a, A, q, wx));
-                sums.add_gradient(wx, v);
-              }
-            else
-              {
-                const Number s = a[7] + A[7] + q;
-                force.add({s * wx[0], s * wx[1], s * wx[2]});
-                sums.mean[0] += w * vx;
-              }
-            if constexpr (is_renewing)
-              {
-                sums.add_moments(wx, x);
-                smallest = min(smallest, select(t > zero, A[3], smallest));
-              }
-            sums.mean[sums.flux] += w * r * ((a[7] - A[7]) * Y);
-            sums.mean[sums.heat] += w * q * vx;
-            sums.mean[sums.weight] += w;
-            approach = max(approach, select(t > zero, is_linear ? max(-vx * inverse_r, zero) : u, zero));
+        const Vector3<Number> wx(w * x[0], w * x[1], w * x[2]);
+        if constexpr (Variant::is_corrected)
+          {
+            force.add(multiply_stress(a, A, q, wx));
+            sums.add_gradient(wx, v);
           }
-        const auto f = force.value();
-        for (int d = 0; d < 3; ++d)
-          particles.force[d][i] = scale.force * f[d];
-        store_sums<is_corrected, is_linear, is_renewing>(particles, sums, i);
-        const bool is_isolated    = particles.signal_speed[i] == 0.;
-        particles.signal_speed[i] = is_isolated ? 0. : particles.sound_speed[i] + 1.2 * stdx::hmax(approach);
-        if constexpr (is_renewing)
-          particles.largest_mu[i] =
-            particles.mass * scale.volume / (stdx::hmin(smallest) * eos.reference_density()) - 1.;
+        else
+          {
+            const Number s = a[7] + A[7] + q;
+            force.add({s * wx[0], s * wx[1], s * wx[2]});
+            sums.mean[0] += w * vx;
+          }
+        if constexpr (Variant::is_renewing)
+          {
+            sums.add_moments(wx, x);
+            smallest = min(smallest, select(t > zero, A[3], smallest));
+          }
+        sums.flux() += w * r * ((a[7] - A[7]) * Y);
+        sums.heat() += w * q * vx;
+        sums.weight() += w;
+        approach = max(approach, select(t > zero, Variant::is_linear ? max(-vx * inverse_r, zero) : u, zero));
       }
+    block.store(SumBlock::force, i % n_lanes, force.value());
+    block.store(SumBlock::gradient, i % n_lanes, sum_lanes<T>(sums.mean));
+    if constexpr (Variant::is_renewing)
+      block.store(SumBlock::moments, i % n_lanes, sum_lanes<T>(sums.moments));
+    const std::size_t lane                = i % n_lanes;
+    block.value[SumBlock::approach][lane] = static_cast<double>(stdx::hmax(approach));
+    block.value[SumBlock::smallest][lane] = static_cast<double>(stdx::hmin(smallest));
+    block.value[SumBlock::pressure][lane] = static_cast<double>(a[7]);
+    block.value[SumBlock::volume][lane]   = static_cast<double>(a[3]);
   }
 
   // Sums come in units of the force unit with the particle's own volume in them.
   template <class T>
-  template <bool is_corrected, bool is_linear, bool is_renewing>
-  void RiemannRates<T>::store_sums(Particles &particles, const PairSums<Number> &sums, const std::size_t i) const
+  template <class Variant, class N>
+  void RiemannRates<T>::store_rates(Particles &particles, const SumBlock &block, const std::size_t i) const
   {
-    const auto   s        = sum_lanes<T>(sums.mean);
-    const double pressure = static_cast<double>(pairs[i].value[7]);
-    const double volume = static_cast<double>(pairs[i].value[3]) / scale.volume, by_volume = scale.force / volume;
-    double       divergence = by_volume * s[0], power = pressure * divergence; // V w v.Bx and p times it
-    if constexpr (is_corrected)
+    const auto sum    = [&](const int component) { return block.get<N>(component, i % n_lanes); };
+    const N    volume = sum(SumBlock::volume) * (1. / scale.volume), pressure = sum(SumBlock::pressure);
+    const N    by_volume = scale.force / volume;
+    for (int d = 0; d < 3; ++d)
+      store(scale.force * sum(SumBlock::force + d), &particles.force[d][i]);
+
+    std::array<N, 9> g;
+    for (int k = 0; k < 9; ++k)
+      g[k] = by_volume * sum(SumBlock::gradient + k);
+    N divergence = g[0]; // V w v.Bx
+    if constexpr (Variant::is_corrected)
       {
-        SymmetricTensor B;
+        std::array<N, 6> B;
         for (int t = 0; t < 6; ++t)
-          B[t] = particles.correction[t][i];
-        Matrix3<double> gradient;
-        gradient << s[0], s[3], s[4], s[6], s[1], s[5], s[7], s[8], s[2];
-        gradient *= by_volume;
-        divergence = contract(B, symmetric_part(gradient));
-        power      = pressure * divergence;
-        if constexpr (is_linear)
+          B[t] = load<N>(&particles.correction[t][i]);
+        divergence =
+          B[0] * g[0] + B[1] * g[1] + B[2] * g[2] + B[3] * (g[3] + g[6]) + B[4] * (g[4] + g[7]) + B[5] * (g[5] + g[8]);
+        if constexpr (Variant::is_linear)
+          store_velocity_gradient(particles, g, B, i);
+        if constexpr (Variant::is_renewing)
           {
-            const SymmetricTensor L = symmetric_part(gradient * full(B));
+            std::array<N, 6> M;
             for (int t = 0; t < 6; ++t)
-              particles.velocity_gradient[t][i] = L[t];
-          }
-        if constexpr (is_renewing)
-          {
-            SymmetricTensor M = sum_lanes<T>(sums.moments);
-            for (double &m : M)
-              m *= by_volume * scale.length;
-            const SymmetricTensor next = compute_correction(M);
+              M[t] = (by_volume * scale.length) * sum(SumBlock::moments + t);
+            const auto next = compute_correction(M);
             for (int t = 0; t < 6; ++t)
-              particles.correction[t][i] = next[t];
+              store(next[t], &particles.correction[t][i]);
           }
       }
     // (p_i - p_j)/(Z_i + Z_j) with the mean of 1/Z, which records hold times 3/2 rho0
-    const double flux                 = by_volume / (1.5 * eos.reference_density()) * s[sums.flux];
-    particles.compression_rate[i]     = -(divergence + 0.5 * pressure_share * flux);
-    particles.internal_energy_rate[i] = -(volume * power + 0.5 * scale.force * s[sums.heat]);
-    particles.signal_speed[i]         = s[sums.weight]; // 0 if isolated
+    const N flux = by_volume * (1. / (1.5 * eos.reference_density())) * sum(SumBlock::flux);
+    store(-(divergence + 0.5 * pressure_share * flux), &particles.compression_rate[i]);
+    store(-(volume * pressure * divergence + 0.5 * scale.force * sum(SumBlock::heat)),
+          &particles.internal_energy_rate[i]);
+    const N fastest = load<N>(&particles.sound_speed[i]) + 1.2 * sum(SumBlock::approach);
+    store(select(sum(SumBlock::weight) > N(0.), fastest, N(0.)), &particles.signal_speed[i]);
+    if constexpr (Variant::is_renewing)
+      store(particles.mass * scale.volume / (eos.reference_density() * sum(SumBlock::smallest)) - 1.,
+            &particles.largest_mu[i]);
+  }
+
+  template <class T>
+  template <class Variant>
+  void RiemannRates<T>::sum_pairs(Particles &particles, const NeighborList &list, const std::size_t begin,
+                                  const std::size_t end) const
+  {
+    SumBlock block;
+    for (std::size_t first = begin; first < end; first += n_lanes)
+      {
+        const std::size_t last = std::min(end, first + n_lanes);
+        for (std::size_t i = first; i < last; ++i)
+          sum_neighbors<Variant>(list, i, block);
+        if (last - first == n_lanes)
+          store_rates<Variant, Lanes>(particles, block, first);
+        else
+          for (std::size_t i = first; i < last; ++i)
+            store_rates<Variant, double>(particles, block, i);
+      }
   }
 
   template <class T>
   void RiemannRates<T>::sum_range(Particles &particles, const NeighborList &list, const std::size_t begin,
                                   const std::size_t end) const
   {
-    const auto &period = list.period();
-    const bool  wraps  = period[0] > 0. || period[1] > 0. || period[2] > 0.;
-    using Sum          = void (RiemannRates::*)(Particles &, const NeighborList &, std::size_t, std::size_t) const;
+    const auto &t     = list.period();
+    const bool  wraps = t[0] > 0. || t[1] > 0. || t[2] > 0.;
+    using Sum         = void (RiemannRates::*)(Particles &, const NeighborList &, std::size_t, std::size_t) const;
     // without correction there are no gradients to reconstruct from; periodic cells are for verification
     const Sum every_pass[2][3] = {
-      {&RiemannRates::sum_pairs<false, false, false, true>, &RiemannRates::sum_pairs<false, true, false, true>,
-       &RiemannRates::sum_pairs<false, true, true, true>},
-      {&RiemannRates::sum_pairs<true, false, false, true>, &RiemannRates::sum_pairs<true, true, false, true>,
-       &RiemannRates::sum_pairs<true, true, true, true>}};
+      {&RiemannRates::sum_pairs<Plain<false>>, &RiemannRates::sum_pairs<Corrected<false, true>>,
+       &RiemannRates::sum_pairs<Linear<false>>},
+      {&RiemannRates::sum_pairs<Plain<true>>, &RiemannRates::sum_pairs<Corrected<true, true>>,
+       &RiemannRates::sum_pairs<Linear<true>>}};
     const bool is_keeping = !wraps && has_correction && !has_reconstruction && !is_renewing;
-    const Sum  sum        = is_keeping ? &RiemannRates::sum_pairs<false, true, false, false>
+    const Sum  sum        = is_keeping ? &RiemannRates::sum_pairs<Corrected<false, false>>
                                        : every_pass[wraps][has_correction ? (has_reconstruction ? 2 : 1) : 0];
     (this->*sum)(particles, list, begin, end);
   }

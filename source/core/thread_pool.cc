@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <thread>
 #include <vector>
 
@@ -179,30 +180,21 @@ namespace birdstrike
   double ThreadPool::ordered_sum(const std::size_t n, const std::function<double(std::size_t, std::size_t)> &term,
                                  const std::size_t chunk)
   {
-    const std::size_t   n_chunks = (n + chunk - 1) / chunk;
-    std::vector<double> partial(n_chunks);
-    parallel_for(n_chunks, 1, [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c)
-        partial[c] = term(c * chunk, std::min(n, (c + 1) * chunk));
-    });
-    double sum = 0.;
-    for (const double value : partial)
-      sum += value;
-    return sum;
+    return ordered_sums<1>(
+      n, [&](const std::size_t begin, const std::size_t end) { return std::array<double, 1>{term(begin, end)}; },
+      chunk)[0];
   }
 
   double ThreadPool::ordered_max(const std::size_t n, const std::function<double(std::size_t, std::size_t)> &term,
                                  const std::size_t chunk)
   {
-    const std::size_t   n_chunks = (n + chunk - 1) / chunk;
-    std::vector<double> partial(n_chunks);
+    const std::size_t n_chunks = (n + chunk - 1) / chunk;
+    scratch.resize(n_chunks);
     parallel_for(n_chunks, 1, [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
-        partial[c] = term(c * chunk, std::min(n, (c + 1) * chunk));
+        scratch[c] = term(c * chunk, std::min(n, (c + 1) * chunk));
     });
-    double largest = -std::numeric_limits<double>::infinity();
-    for (const double value : partial)
-      largest = std::max(largest, value);
-    return largest;
+    return std::accumulate(scratch.begin(), scratch.end(), -std::numeric_limits<double>::infinity(),
+                           [](const double a, const double b) { return std::max(a, b); });
   }
 } // namespace birdstrike

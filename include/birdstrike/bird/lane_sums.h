@@ -43,8 +43,10 @@ namespace birdstrike
         for (std::size_t k = 0; k < N && first + k < n; ++k)
           m.row[k] = std::bit_cast<internal::LaneVector<T>>(terms[first + k]);
         internal::fold_all<T, 1, N>(m);
+        std::array<T, N> folded;
+        std::memcpy(folded.data(), &m.row[0], sizeof(folded));
         for (std::size_t k = 0; k < N && first + k < n; ++k)
-          sums[first + k] = m.row[0][k];
+          sums[first + k] = folded[k];
       }
     return sums;
   }

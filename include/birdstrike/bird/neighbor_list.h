@@ -57,12 +57,18 @@ namespace birdstrike
 
   private:
     template <bool is_periodic>
-    void list_cells(const Particles &particles, std::size_t chunk, std::size_t begin, std::size_t end);
-    void list_near_cells();
+    void list_cells(std::size_t n, std::size_t chunk, std::size_t begin, std::size_t end);
+    template <bool is_periodic>
+    std::uint32_t *list_run(std::uint32_t *out, std::size_t p, std::size_t begin, std::size_t end) const;
+    void           update_positions(const Particles &particles);
+    void           list_near_cells();
+    double         update_extremes(const Particles &particles, ThreadPool &pool);
+    double         compute_largest_spread(std::size_t begin, std::size_t end) const;
 
-    struct Box
+    /// Occupied cells [begin, end).
+    struct CellRun
     {
-      std::array<double, 3> low, high;
+      std::uint32_t begin, end;
     };
 
     double      support, skin;
@@ -74,8 +80,11 @@ namespace birdstrike
     std::vector<const std::uint32_t *>        first;
     std::vector<std::uint32_t>                count, offset;
     std::vector<std::size_t>                  prefix;
-    std::vector<std::uint32_t>                near_start, near_cells, compact_index;
-    std::vector<Box>                          boxes;
+    std::vector<std::uint32_t>                near_start, occupied_before;
+    std::vector<CellRun>                      near_runs;
+    std::array<AlignedVector<float>, 3>       positions; ///< m, relative to one particle
+    double                                    safe_range = 0.;
+    Particles::Column3                        lowest, highest; ///< displacement, by occupied cell
     std::size_t                               longest_count = 0;
     std::size_t                               builds        = 0;
   };

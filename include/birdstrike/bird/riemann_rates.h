@@ -65,10 +65,12 @@ namespace birdstrike
     void           update_force_unit(std::size_t longest_list);
 
     void sum_range(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;
-    template <bool is_periodic, bool is_corrected, bool is_linear, bool is_renewing>
+    template <class Variant>
     void sum_pairs(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;
-    template <bool is_corrected, bool is_linear, bool is_renewing>
-    void store_sums(Particles &particles, const PairSums<Number> &sums, std::size_t i) const;
+    template <class Variant>
+    void sum_neighbors(const NeighborList &list, std::size_t i, SumBlock &block) const;
+    template <class Variant, class N>
+    void store_rates(Particles &particles, const SumBlock &block, std::size_t i) const;
 
     EquationOfState             eos;
     double                      h;

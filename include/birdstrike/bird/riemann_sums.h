@@ -62,14 +62,49 @@ namespace birdstrike
     std::array<Integers, 3> total{};
   };
 
+  /// The finished sums of as many consecutive particles as there are lanes, component by component.
+  struct SumBlock
+  {
+    /// Places of the components: force; w v x^T as xx yy zz, xy xz yz, yx zx zy; scalars; w x x^T;
+    /// extremes; the particle's own pressure and volume as its record has them.
+    static constexpr int force = 0, gradient = 3, flux = 12, heat = 13, weight = 14, moments = 15, approach = 21,
+                         smallest = 22, pressure = 23, volume = 24, size = 25;
+
+    template <std::size_t n>
+    [[gnu::always_inline]] inline void store(const int first, const std::size_t particle,
+                                             const std::array<double, n> &sums)
+    {
+      for (std::size_t k = 0; k < n; ++k)
+        value[first + k][particle] = sums[k];
+    }
+    template <class Number>
+    Number get(const int component, const std::size_t particle) const
+    {
+      return load<Number>(&value[component][particle]);
+    }
+
+    alignas(64) std::array<std::array<double, n_lanes>, size> value;
+  };
+
   /// The sums of one particle over its neighbours besides the force; w is V_i V_j times the kernel's slope.
   template <class Number>
   struct PairSums
   {
-    std::array<Number, 12> mean{}; ///< w sym(v x^T): xx yy zz xy xz yz, then the transposed shears, flux, heat, weight
+    std::array<Number, 12> mean{};    ///< from SumBlock::gradient on
     std::array<Number, 6>  moments{}; ///< w x x^T
 
-    static constexpr int flux = 9, heat = 10, weight = 11;
+    [[gnu::always_inline]] inline Number &flux()
+    {
+      return mean[SumBlock::flux - SumBlock::gradient];
+    }
+    [[gnu::always_inline]] inline Number &heat()
+    {
+      return mean[SumBlock::heat - SumBlock::gradient];
+    }
+    [[gnu::always_inline]] inline Number &weight()
+    {
+      return mean[SumBlock::weight - SumBlock::gradient];
+    }
 
     [[gnu::always_inline]] inline void add_gradient(const Vector3<Number> &wx, const Vector3<Number> &v)
     {

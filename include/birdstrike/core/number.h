@@ -132,6 +132,18 @@ namespace birdstrike
   {
     a.copy_to(p, stdx::element_aligned);
   }
+
+  /// Calls f(Lanes(), p) for whole registers p, p + n_lanes, ... of [begin, end) and f(double(), p) for the rest: `f`
+  /// is written once, with decltype of its first argument as number type.
+  template <class Function>
+  inline void sweep(const std::size_t begin, const std::size_t end, const Function &f)
+  {
+    std::size_t p = begin;
+    for (; p + n_lanes <= end; p += n_lanes)
+      f(Lanes(), p);
+    for (; p < end; ++p)
+      f(double(), p);
+  }
 } // namespace birdstrike
 
 namespace Eigen

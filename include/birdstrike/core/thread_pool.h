@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace birdstrike
 {
@@ -30,6 +33,26 @@ namespace birdstrike
     void parallel_for_balanced(std::size_t n, std::size_t grain, const std::size_t *prefix,
                                const std::function<void(std::size_t begin, std::size_t end)> &body);
 
+    /// Sums of several quantities at once: term(begin, end) returns them, over fixed chunks that are added in order.
+    template <std::size_t n_sums, class Term>
+    std::array<double, n_sums> ordered_sums(const std::size_t n, const Term &term, const std::size_t chunk = 1024)
+    {
+      const std::size_t n_chunks = (n + chunk - 1) / chunk;
+      scratch.resize(n_chunks * n_sums);
+      parallel_for(n_chunks, 1, [&](const std::size_t begin, const std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c)
+          {
+            const std::array<double, n_sums> part = term(c * chunk, std::min(n, (c + 1) * chunk));
+            std::copy(part.begin(), part.end(), scratch.begin() + c * n_sums);
+          }
+      });
+      std::array<double, n_sums> sums{};
+      for (std::size_t c = 0; c < n_chunks; ++c)
+        for (std::size_t k = 0; k < n_sums; ++k)
+          sums[k] += scratch[c * n_sums + k];
+      return sums;
+    }
+
     /// Sum of term(begin, end) over fixed chunks of `chunk` entities, added in chunk order: bitwise the same for any
     /// number of threads.
     double ordered_sum(std::size_t n, const std::function<double(std::size_t begin, std::size_t end)> &term,
@@ -42,5 +65,6 @@ namespace birdstrike
   private:
     class Workers;
     std::unique_ptr<Workers> workers;
+    std::vector<double>      scratch; ///< results of chunks; one loop at a time
   };
 } // namespace birdstrike

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/core/number.h>
+#include <birdstrike/material/power_law.h>
 
 #include <string>
 
@@ -87,16 +88,6 @@ namespace birdstrike
     double a3 = 0.; ///< Pa: C3
   };
 
-  /// B ((1 + mu)^gamma - 1) without cancellation at small mu.
-  inline double murnaghan_pressure(const double mu, const double B, const double gamma)
-  {
-    return B * std::expm1(gamma * std::log1p(mu));
-  }
-  inline Lanes murnaghan_pressure(const Lanes &mu, const double B, const double gamma)
-  {
-    return Lanes([&](const auto k) { return murnaghan_pressure(static_cast<double>(mu[k]), B, gamma); });
-  }
-
   template <class Number>
   Number EquationOfState::pressure(const Number &mu) const
   {
@@ -105,7 +96,7 @@ namespace birdstrike
       case Type::linear:
         return a1 * mu;
       case Type::murnaghan:
-        return murnaghan_pressure(mu, a1, a2);
+        return a1 * compute_power_less_one(mu, a2);
       case Type::polynomial:
         return select(mu > Number(0.), mu * (a1 + mu * (a2 + mu * a3)), a1 * mu);
       case Type::us_up:
