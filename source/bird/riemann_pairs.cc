@@ -138,7 +138,8 @@ namespace birdstrike
       block.store(SumBlock::moments, i % n_lanes, sum_lanes<T>(sums.moments));
     const std::size_t lane                = i % n_lanes;
     block.value[SumBlock::approach][lane] = static_cast<double>(stdx::hmax(approach));
-    block.value[SumBlock::smallest][lane] = static_cast<double>(stdx::hmin(smallest));
+    if constexpr (Variant::is_renewing)
+      block.value[SumBlock::smallest][lane] = static_cast<double>(stdx::hmin(smallest));
     block.value[SumBlock::pressure][lane] = static_cast<double>(a[7]);
     block.value[SumBlock::volume][lane]   = static_cast<double>(a[3]);
   }

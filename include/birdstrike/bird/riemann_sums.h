@@ -44,17 +44,14 @@ namespace birdstrike
     }
     [[gnu::always_inline]] inline std::array<double, 3> value() const
     {
-      std::array<double, 3> sums{};
+      std::array<Lanes, 3> sums;
       for (int d = 0; d < 3; ++d)
         {
-          std::array<std::int32_t, Integers::size()> lanes;
-          total[d].copy_to(lanes.data(), stdx::element_aligned);
-          std::int64_t sum = 0;
-          for (const std::int32_t lane : lanes)
-            sum += lane;
-          sums[d] = static_cast<double>(sum);
+          using Doubles     = stdx::fixed_size_simd<double, Integers::size()>;
+          const auto [a, b] = stdx::split<Lanes>(stdx::static_simd_cast<Doubles>(total[d]));
+          sums[d]           = a + b;
         }
-      return sums;
+      return sum_lanes<double>(sums);
     }
 
   private:

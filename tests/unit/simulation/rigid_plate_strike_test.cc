@@ -80,11 +80,12 @@ TEST(RigidPlateStrike, ObliqueStrikeIsFrictionless)
 }
 
 // A jet on a free rigid plate of the blade's mass: quasi-steady plate speed v (1 - exp(-m/M)) = 31.0 m/s when the bird
-// is consumed. A particle bird has a shock, spreads and bulks: 5 % of the quasi-steady value.
+// is consumed; at 0.7 ms its tail still pushes (0.950), from 1 ms on it has (0.964). A particle bird has a shock, spreads
+// and bulks: 5 % of the quasi-steady value.
 TEST(RigidPlateStrike, FreePlateTakesTheMomentumOfAJet)
 {
   const Strike run = strike_rigid_plate(
-    177.4, 12., {"Blade/Rigid/Motion=free along normal", "Blade/Rigid/Mass=0.5233", "Time/End time=0.7e-3"});
+    177.4, 12., {"Blade/Rigid/Motion=free along normal", "Blade/Rigid/Mass=0.5233", "Time/End time=1e-3"});
   const double speed = run.curves.at("blade_momentum_z").back() / 0.5233;
   EXPECT_NEAR(speed / 30.998, 1., 0.05);
   EXPECT_LT(run.summary.momentum.max_relative_error, 1e-10);
