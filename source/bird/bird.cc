@@ -38,6 +38,8 @@ namespace birdstrike
     , rates(make_rates(parameters, eos, packed.spacing))
     , hugoniot_slope(compute_slope(eos, parameters))
   {
+    if (parameters.is_halved)
+      list.mirror();
     place();
   }
 

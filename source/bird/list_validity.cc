@@ -110,7 +110,8 @@ namespace birdstrike
                 find_extremes(u[d].data(), grid.begin(occupied[o]), grid.end(occupied[o]), low, high);
                 lowest[d][o]      = low;
                 highest[d][o]     = high;
-                const double mean = sums[d] / n, far = std::max(high - mean, mean - low);
+                const double mean = is_mirrored && d == 1 ? 0. : sums[d] / n; // the images' mean is the same
+                const double far  = std::max(high - mean, mean - low);
                 sum += far * far;
               }
             farthest = std::max(farthest, sum);
@@ -123,7 +124,10 @@ namespace birdstrike
   double NeighborList::compute_largest_spread(const std::size_t begin, const std::size_t end) const
   {
     const Lanes index([](const auto k) { return static_cast<double>(k); });
-    Lanes       largest = 0.;
+    Lanes       largest   = 0.;
+    double      of_images = 0.;
+    for (std::size_t o = begin; is_mirrored && o < end; ++o)
+      of_images = std::max(of_images, compute_image_spread(o));
     for (std::size_t o = begin; o < end; ++o)
       for (std::size_t r = near_start[o]; r < near_start[o + 1]; ++r)
         for (std::size_t c = near_runs[r].begin; c < near_runs[r].end; c += n_lanes)
@@ -137,7 +141,31 @@ namespace birdstrike
               }
             largest = max(largest, select(index < static_cast<double>(near_runs[r].end - c), sum, Lanes(0.)));
           }
-    return stdx::hmax(largest);
+    return std::max(of_images, static_cast<double>(stdx::hmax(largest)));
+  }
+
+  /// As compute_largest_spread for one cell and the images of all cells that may come near it.
+  double NeighborList::compute_image_spread(const std::size_t o) const
+  {
+    const auto [cx, cy, cz] = grid.cell_coordinates(grid.occupied()[o]);
+    int       x[5], z[5];
+    const int nx = grid.neighbors(0, cx, 2, x), nz = grid.neighbors(2, cz, 2, z);
+    double    largest = 0.;
+    for (int k = 0; k < nz; ++k)
+      for (int j = 0; j < grid.count(1) && MirrorImages::may_meet(grid, cy, j); ++j)
+        for (std::size_t c = occupied_before[grid.cell_index(x[0], j, z[k])];
+             c < occupied_before[grid.cell_index(x[nx - 1], j, z[k]) + 1]; ++c)
+          {
+            double sum = 0.;
+            for (int d = 0; d < 3; ++d)
+              {
+                const double spread = d == 1 ? std::max(highest[d][o] + highest[d][c], -lowest[d][o] - lowest[d][c])
+                                             : std::max(highest[d][o] - lowest[d][c], highest[d][c] - lowest[d][o]);
+                sum += spread * spread;
+              }
+            largest = std::max(largest, sum);
+          }
+    return largest;
   }
 
   bool NeighborList::is_outdated(const Particles &particles, ThreadPool &pool)

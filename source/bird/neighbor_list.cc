@@ -87,18 +87,23 @@ namespace birdstrike
   /// Distances are computed in float, relative to one particle, with a range that is larger by its round-off.
   void NeighborList::update_positions(const Particles &particles)
   {
-    const std::size_t n       = particles.size();
+    const std::size_t n = particles.size(), n_all = n + 1 + mirror_images.size();
     double            largest = 0.;
     for (int d = 0; d < 3; ++d)
       {
-        positions[d].reserve(n + FloatLanes::size()); // whole registers are read at the end of the last run
-        positions[d].resize(n);
-        const double origin = n > 0 ? particles.x[d][0] : 0.;
+        positions[d].reserve(n_all + FloatLanes::size()); // whole registers are read at the end of the last run
+        positions[d].resize(n_all);
+        const double origin = n == 0 || (is_mirrored && d == 1) ? 0. : particles.x[d][0];
         for (std::size_t p = 0; p < n; ++p)
           {
             const double x  = particles.x[d][p] - origin;
             positions[d][p] = static_cast<float>(x);
             largest         = std::max(largest, std::abs(x));
+          }
+        for (std::size_t g = 0; g < mirror_images.size(); ++g)
+          {
+            const float x           = positions[d][mirror_images.source(g)];
+            positions[d][n + 1 + g] = d == 1 ? -x : x;
           }
       }
     safe_range = support + skin + 4. * std::numeric_limits<float>::epsilon() * largest;
@@ -131,6 +136,23 @@ namespace birdstrike
     return out;
   }
 
+  std::uint32_t *NeighborList::list_images(std::uint32_t *out, const std::size_t cell, const std::size_t p) const
+  {
+    const std::size_t first = positions[0].size() - mirror_images.size();
+    const auto [cx, cy, cz] = grid.cell_coordinates(cell);
+    int       x[3], z[3];
+    const int nx = grid.neighbors(0, cx, 1, x), nz = grid.neighbors(2, cz, 1, z);
+    for (int k = 0; k < nz; ++k)
+      for (int j = 0; j < grid.count(1) && MirrorImages::may_meet(grid, cy, j); ++j)
+        {
+          const std::size_t begin = grid.begin(grid.cell_index(x[0], j, z[k]));
+          const std::size_t end   = grid.end(grid.cell_index(x[nx - 1], j, z[k]));
+          out =
+            list_run<false>(out, p, first + mirror_images.count_before(begin), first + mirror_images.count_before(end));
+        }
+    return out;
+  }
+
   template <bool is_periodic>
   void NeighborList::list_cells(const std::size_t n, const std::size_t chunk, const std::size_t begin,
                                 const std::size_t end)
@@ -141,7 +163,7 @@ namespace birdstrike
       {
         const std::size_t cell = grid.occupied()[o];
         const Runs        runs = find_runs(grid, cell);
-        const std::size_t most = runs.total + FloatLanes::size() + list_padding;
+        const std::size_t most = runs.total + mirror_images.size() + FloatLanes::size() + list_padding;
         for (std::size_t p = grid.begin(cell); p < grid.end(cell); ++p)
           {
             if (used + most > lists.size())
@@ -150,6 +172,8 @@ namespace birdstrike
             std::uint32_t       *out  = list;
             for (int run = 0; run < runs.n; ++run)
               out = list_run<is_periodic>(out, p, runs.begin[run], runs.end[run]);
+            if (mirror_images.size() > 0)
+              out = list_images(out, cell, p);
             while ((out - list) % list_padding != 0)
               *out++ = n;
             offset[p] = used;
@@ -163,6 +187,12 @@ namespace birdstrike
   {
     grid.update(particles, support + skin, cell_period, pool);
     const std::size_t n = particles.size();
+    if (is_mirrored)
+      {
+        const auto  &y      = particles.x[1];
+        const double lowest = n == 0 ? 0. : *std::min_element(y.begin(), y.end());
+        mirror_images.update(particles, support + skin - std::min(0., lowest));
+      }
     update_positions(particles);
     first.resize(n);
     count.resize(n);

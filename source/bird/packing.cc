@@ -54,13 +54,14 @@ namespace birdstrike
       const double        quarter = parameters.packing == "fcc" ? 0.25 : 0.5;
       std::vector<Point3> best;
       for (const double lateral : {0., quarter})
-        for (const double axial : {0., quarter})
-          {
-            std::vector<Point3> points =
-              cut_lattice(lattice, shape, parameters.spacing, Point3(lateral, lateral, axial));
-            if (best.empty() || std::abs(points.size() - wanted) < std::abs(best.size() - wanted))
-              best = std::move(points);
-          }
+        if (!parameters.is_halved || lateral > 0.) // no particle in the plane of symmetry
+          for (const double axial : {0., quarter})
+            {
+              std::vector<Point3> points =
+                cut_lattice(lattice, shape, parameters.spacing, Point3(lateral, lateral, axial));
+              if (best.empty() || std::abs(points.size() - wanted) < std::abs(best.size() - wanted))
+                best = std::move(points);
+            }
       return best;
     }
 
@@ -163,14 +164,21 @@ namespace birdstrike
         }
     for (Point3 &p : packing.points)
       p = packing.centre + attitude * p;
+    if (parameters.is_halved)
+      {
+        packing.copies = 2;
+        std::erase_if(packing.points, [](const Point3 &p) { return p[1] < 0.; });
+        if (2 * packing.points.size() != n)
+          throw InputError("Section 'Bird': the packing is not symmetric about y = 0.\nCompute the whole bird.");
+      }
     return packing;
   }
 
   std::string Packing::summary(const Shape &shape) const
   {
-    return fmt::format("bird: {} particles of {:.6g} g, spacing {:.5g} mm, mass {:.9g} kg; length {:.5g} mm (nominal "
+    return fmt::format("bird: {} particles{} of {:.6g} g, spacing {:.5g} mm, mass {:.9g} kg; length {:.5g} mm (nominal "
                        "{:.5g}), diameter {:.5g} mm (nominal {:.5g})",
-                       points.size(), 1e3 * particle_mass, 1e3 * spacing, mass(), 1e3 * length, 1e3 * shape.length(),
-                       1e3 * diameter, 1e3 * shape.diameter());
+                       points.size(), copies == 2 ? " and their mirror images" : "", 1e3 * particle_mass, 1e3 * spacing,
+                       mass(), 1e3 * length, 1e3 * shape.length(), 1e3 * diameter, 1e3 * shape.diameter());
   }
 } // namespace birdstrike

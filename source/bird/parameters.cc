@@ -4,6 +4,8 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
 
+#include <cmath>
+
 namespace birdstrike
 {
   namespace
@@ -146,8 +148,34 @@ namespace birdstrike
     if (is_riemann() && !gradient_correction && reconstruction != "none")
       refuse("Reconstruction", "its velocity gradients need the gradient correction.",
              "Set 'none', or Gradient correction = true.");
+    if (is_halved)
+      check_halves();
     if (!is_riemann() && reconstruction != "none")
       refuse("Reconstruction", "the standard formulation has none.", "Set 'none', or Formulation = riemann.");
+  }
+
+  void BirdParameters::check_halves() const
+  {
+    const auto refuse_half = [](const std::string &entry, const std::string &found, const std::string &action) {
+      refuse(entry, found + " has no mirror plane y = 0.", action + ", or compute the whole bird.");
+    };
+    if (velocity[1] != 0.)
+      refuse_half("Velocity", "a velocity of " + std::to_string(velocity[1]) + " m/s along y", "Let y be 0");
+    if (aim_point[1] != 0. || chordwise_offset != 0.)
+      refuse_half(aim_point[1] != 0. ? "Aim point" : "Chordwise offset", "an aim beside the plane", "Aim at y = 0");
+    if (yaw != 0.)
+      refuse_half("Yaw", "a yawed bird", "Set it to 0 (pitch stays in the plane)");
+    if (std::hypot(velocity[1], velocity[2]) < 1e-3 * std::abs(velocity[0]))
+      refuse_half("Velocity", "the frame of a bird that flies along x", "Let it fly across the span");
+    if (packing != "cubic")
+      refuse_half("Packing", "the " + packing + " lattice", "Choose 'cubic'");
+    if (!is_riemann())
+      refuse("Formulation", "mirror images are written for the riemann formulation.",
+             "Set it, or compute the whole bird.");
+    if (periodic_directions != "none")
+      refuse("Periodic directions", "they do not go with a symmetry plane.", "Set 'none', or compute the whole bird.");
+    if (shape == "slab")
+      refuse("Shape", "a slab is not halved.", "Choose another shape, or compute the whole slab.");
   }
 
   bool BirdParameters::is_periodic(const int direction) const

@@ -115,6 +115,34 @@ namespace birdstrike
     return rest;
   }
 
+  template <class T>
+  void RiemannRates<T>::update_images(const MirrorImages &images, ThreadPool &pool)
+  {
+    const std::size_t first = pairs.size() - images.size();
+    pool.parallel_for(images.size(), chunk_size, [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t g = begin; g < end; ++g)
+        {
+          auto &image = pairs[first + g].value;
+          image       = pairs[images.source(g)].value;
+          for (const int odd : {1, 5, 12, 14}) // y, v_y, xy, yz
+            image[odd] = -image[odd];
+          if (has_reconstruction)
+            {
+              auto &L = gradient[first + g].value;
+              L       = gradient[images.source(g)].value;
+              for (const int odd : {3, 5})
+                L[odd] = -L[odd];
+            }
+        }
+    });
+    for (Bounds<double> &b : bounds) // images move the other way
+      if (images.size() > 0)
+        {
+          b.fastest[1] = std::max(b.fastest[1], -b.slowest[1]);
+          b.slowest[1] = -b.fastest[1];
+        }
+  }
+
   // |f| <= V_i V_j w r (|p_i B_i| + |p_j B_j| + q) with q <= Z u; as many of these as there are neighbours fit an
   // integer.
   template <class T>
@@ -149,21 +177,24 @@ namespace birdstrike
     const std::size_t n = particles.size();
     if (n == 0)
       return;
-    pairs.resize(n + 1);
+    const MirrorImages &images = list.images();
+    pairs.resize(n + 1 + images.size());
     // the dummy that pads the lists: no volume, no pressure, far away
     pairs[n].value = {T(1e9), T(1e9), T(1e9), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
     if (has_reconstruction)
-      gradient.resize(n + 1);
+      gradient.resize(n + 1 + images.size());
     for (int d = 0; d < 3; ++d)
       {
-        scale.origin[d]   = particles.x[d][0];
-        scale.velocity[d] = particles.predicted_velocity[d][0];
+        const bool is_mirrored = images.size() > 0 && d == 1; // an image's record then differs in signs alone
+        scale.origin[d]        = is_mirrored ? 0. : particles.x[d][0];
+        scale.velocity[d]      = is_mirrored ? 0. : particles.predicted_velocity[d][0];
       }
     bounds.resize((n + chunk_size - 1) / chunk_size);
     pool.parallel_for(bounds.size(), 1, [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
         bounds[c] = update_chunk(particles, predicted_mu, c * chunk_size, std::min(n, (c + 1) * chunk_size));
     });
+    update_images(images, pool);
     update_force_unit(list.longest());
     is_renewing       = passes_to_renewal == 0;
     passes_to_renewal = is_renewing ? renewal_interval - 1 : passes_to_renewal - 1;

@@ -53,6 +53,10 @@ namespace birdstrike
     {
       return smallest_edge;
     }
+    double lower_corner(const int d) const ///< m
+    {
+      return origin[d];
+    }
     const std::vector<std::uint32_t> &occupied() const ///< indices of the cells that hold particles
     {
       return occupied_cells;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/bird/cell_grid.h>
+#include <birdstrike/bird/mirror_images.h>
 #include <birdstrike/core/aligned_vector.h>
 
 #include <array>
@@ -17,12 +18,22 @@ namespace birdstrike
   /// was at least `range` apart and matters only after |u_i - u_j| > skin. Cells have an edge >= range; hence
   ///  - cells up to two apart: the boxes of u of both cells bound |u_i - u_j|; rebuild if it exceeds the skin;
   ///  - cells farther apart: initially at least 2 edges apart; rebuild if 2 max |u - u_mean| exceeds 2 edge - support.
-  /// A bird that flies as a whole never rebuilds.
+  /// A bird that flies as a whole never rebuilds. Of a mirrored bird the same holds with u reflected for images.
   class NeighborList
   {
   public:
     /// Lists are padded to multiples of `padding`, the width of the loops that read them.
     NeighborList(double support, double skin, const Period &period, std::size_t padding = n_lanes);
+
+    /// Lists the images of particles beyond the plane y = 0 too, from the next update on.
+    void mirror()
+    {
+      is_mirrored = true;
+    }
+    const MirrorImages &images() const
+    {
+      return mirror_images;
+    }
 
     /// Sorts the particles, clears their displacements and lists their neighbours.
     void update(Particles &particles, ThreadPool &pool);
@@ -61,6 +72,8 @@ namespace birdstrike
     template <bool is_periodic>
     std::uint32_t *list_run(std::uint32_t *out, std::size_t p, std::size_t begin, std::size_t end) const;
     void           update_positions(const Particles &particles);
+    std::uint32_t *list_images(std::uint32_t *out, std::size_t cell, std::size_t p) const;
+    double         compute_image_spread(std::size_t o) const;
     void           list_near_cells();
     double         update_extremes(const Particles &particles, ThreadPool &pool);
     double         compute_largest_spread(std::size_t begin, std::size_t end) const;
@@ -71,10 +84,12 @@ namespace birdstrike
       std::uint32_t begin, end;
     };
 
-    double      support, skin;
-    std::size_t list_padding;
-    Period      cell_period;
-    CellGrid    grid;
+    double       support, skin;
+    std::size_t  list_padding;
+    Period       cell_period;
+    CellGrid     grid;
+    bool         is_mirrored = false;
+    MirrorImages mirror_images;
     /// Lists of one chunk of cells; chunks are made for threads, lists do not depend on them.
     std::vector<AlignedVector<std::uint32_t>> chunks;
     std::vector<const std::uint32_t *>        first;

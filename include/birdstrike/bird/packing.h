@@ -23,7 +23,9 @@ namespace birdstrike
     Point3                axis;                 ///< unit vector of the bird's axis
     Point3                centre;               ///< m, at the start
 
-    double mass() const
+    int copies = 1; ///< 2 if a mirror image of the points belongs to the bird
+
+    double mass() const ///< kg, of the points
     {
       return particle_mass * points.size();
     }

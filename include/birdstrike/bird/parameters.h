@@ -45,10 +45,16 @@ namespace birdstrike
     bool         retire              = true;
     double       retirement_margin   = 0.05; ///< m
 
+    /// Only the half y > 0 is computed, mirrored at y = 0; set by the case, not by an entry of this section.
+    bool is_halved = false;
+
     void declare(dealii::ParameterHandler &prm);
 
     /// Rules between entries; throws InputError.
     void check() const;
+
+    /// What a bird needs to be halved by the plane y = 0; throws InputError.
+    void check_halves() const;
 
     bool is_periodic(int direction) const;
     bool is_riemann() const;

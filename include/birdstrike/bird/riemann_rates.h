@@ -63,6 +63,7 @@ namespace birdstrike
     void           update_records(Particles &particles, const Particles::Column &mu, std::size_t p, Bounds<N> &bounds);
     Bounds<double> update_chunk(Particles &particles, const Particles::Column &mu, std::size_t begin, std::size_t end);
     void           update_force_unit(std::size_t longest_list);
+    void           update_images(const MirrorImages &images, ThreadPool &pool);
 
     void sum_range(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;
     template <class Variant>
