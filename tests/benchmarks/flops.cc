@@ -1,0 +1,152 @@
+#include "flops.h"
+
+#include "counted_number.h"
+
+#include <birdstrike/bird/particles.h>
+#include <birdstrike/blade/shell_kernel.h>
+#include <birdstrike/blade/shell_section.h>
+#include <birdstrike/blade/shell_step_bound.h>
+#include <birdstrike/contact/law.h>
+#include <birdstrike/core/closest_point.h>
+
+/// Where a formula is a template on the number type it is run with a number that counts; where a loop is written in
+/// SIMD registers (pairs of particles, nodal loops) the operations are counted by hand, line by line, and stand here
+/// with what they belong to. After a change of such a loop its line here changes with it.
+namespace birdstrike::benchmarks
+{
+  // ---- bird ----
+
+  Work pair_loop_work(const double n_true_neighbors)
+  {
+    // RiemannRates::sum_pairs, corrected, no reconstruction; pairs beyond the support are computed too but are no work
+    constexpr double separation = 3. + 3. + 6.;        // x, v, r^2 with its smallest distance
+    constexpr double kernel     = 9. + 1. + 2. + 4.;   // 1/r by two Newton steps, r, 1 - q/2, V w
+    constexpr double solver     = 5. + 1. + 7. + 1.;   // v.x, u, q, approach
+    constexpr double sums       = 3. + 21. + 12. + 18. // w x, force, moments, gradient
+                            + 3. + 5. + 3.;            // own, flux, heat
+    constexpr double per_pair = separation + kernel + solver + sums;
+    // store_sums: B from moments 45, symmetric part 6, B.own 15, two contractions 24, rates 13, force 6;
+    // update_records: pressure and sound speed 2 x 20 + 7, rho, V, solid, p B, Z, 1/Z 13; predict: 9 + 11
+    constexpr double per_particle = 45. + 6. + 15. + 24. + 13. + 6. + 47. + 13. + 20.;
+    // read: x, v, force, contact force (12), mu, rate (2), B (6), list at 4 bytes; written: predicted v and mu (4),
+    // density, volume, sound speed (3), force (3), rates (2), signal speed, largest mu (2), B (6), gradient (6);
+    // written and read again: records of x, v, V, p and p B, Z, 1/Z (2 x 16)
+    constexpr double doubles = 12. + 2. + 6. + 4. + 3. + 3. + 2. + 2. + 6. + 6. + 32.;
+    return {per_pair * n_true_neighbors + per_particle, 8. * doubles + 4. * n_true_neighbors};
+  }
+
+  Work particle_motion_work()
+  {
+    // Bird::kick: velocity 3 x 3, power 3 x 3, energy 2, compress 11. Reads v, f, f_c, predicted v (12), rates (2), e,
+    // mu (2); writes v (3), e, mu (2)
+    return {9. + 9. + 2. + 11., 8. * (12. + 2. + 2. + 3. + 2.)};
+  }
+
+  Work particle_step_work(const double n_true_neighbors)
+  {
+    // two kicks; Bird::drift: 3 x 3 flops, x and displacement read and written, v read; its check: 9 flops, u read
+    const Work       pairs = pair_loop_work(n_true_neighbors), kick = particle_motion_work();
+    constexpr double drift_flops = 9. + 9., drift_doubles = 12. + 3. + 3.;
+    return {pairs.flops + 2. * kick.flops + drift_flops, pairs.bytes + 2. * kick.bytes + 8. * drift_doubles};
+  }
+
+  // ---- shell ----
+
+  namespace
+  {
+    using Vectors = Vector3<Counted>[4];
+
+    void set_plate(Vectors &position, Vectors &normal, Vectors &increment, Vectors &rotation, const double strain)
+    {
+      const double xi[4] = {-1., 1., 1., -1.}, eta[4] = {-1., -1., 1., 1.}, half = 2.5e-3;
+      for (int i = 0; i < 4; ++i)
+        {
+          const double x = half * xi[i], y = half * eta[i];
+          position[i]  = {x, y, 1e-5 * xi[i] * eta[i]};
+          normal[i]    = {1e-3 * xi[i], 1e-3 * eta[i], 1.};
+          increment[i] = {strain * x, 0., 0.};
+          rotation[i]  = {0., -150. * strain * x, 0.};
+        }
+    }
+
+    /// One element-step of ShellElements::Implementation::update_batch_as<true>, in its order.
+    void step_element(const ShellSectionLaw &law, ShellStress<Counted> &stress, ShellPoint<Counted> *points,
+                      const double strain)
+    {
+      Vectors position, normal, increment, rotation, middle, director;
+      set_plate(position, normal, increment, rotation, strain);
+      for (int i = 0; i < 4; ++i)
+        middle[i] = position[i] - Counted(0.5) * increment[i];
+      const auto midpoint = ShellGeometry<Counted>::of_corners(middle, normal);
+      for (int i = 0; i < 4; ++i)
+        director[i] = rotation[i].cross(midpoint.director[i]);
+      const auto strains = physical_shell::compute_strains(midpoint, ShellModes<Counted>::of_corners(increment),
+                                                           ShellModes<Counted>::of_corners(director));
+      if (points == nullptr)
+        law.has_yielded(stress, strains, 880e6);
+      law.update(strains, 0.7e-6, stress, points);
+      const auto          end = ShellGeometry<Counted>::of_corners(position, normal);
+      ShellModes<Counted> f, fd;
+      Vectors             force, moment;
+      physical_shell::compute_mode_forces(end, compute_resultants(stress), f, fd);
+      f.corner_shares(force);
+      fd.corner_shares(director);
+      for (int i = 0; i < 4; ++i)
+        moment[i] = end.director[i].cross(director[i]);
+      compute_eigenvalue_bound(end, stress.thickness, Counted(4.7e-4), law);
+    }
+  } // namespace
+
+  Work shell_work(const bool is_plastic, const unsigned int n_points)
+  {
+    ShellSection section;
+    section.n_points                   = n_points;
+    section.material.hardening.law     = HardeningLaw::linear;
+    section.material.hardening.modulus = 1.25e9;
+    const ShellSectionLaw law(section);
+    ShellStress<Counted>  stress{};
+    ShellPoint<Counted>   points[7];
+    stress.thickness = 4.27e-3;
+    if (is_plastic)
+      {
+        law.promote(stress, points);
+        for (int k = 0; k < 20; ++k)
+          step_element(law, stress, points, 1e-3);
+      }
+    const double element = count_flops([&] { step_element(law, stress, is_plastic ? points : nullptr, 2e-5); });
+    // work of the corner forces 4 x 6 x 3 and its booking 6; a node an element: normal from four corners 4 x 18 + 15,
+    // sum of four corners' forces 24
+    constexpr double elsewhere = 72. + 6. + 87. + 24.;
+    // a node: position, increment, force (15), record written and read (2 x 16); an element: corner forces written,
+    // read and gathered (3 x 24), stress (2 x 15), mass, area, bound, works (9), its nodes (2); a point: 2 x 6
+    const double doubles = 15. + 32. + 72. + 30. + 9. + 2. + (is_plastic ? 12. * n_points : 0.);
+    return {element + elsewhere, 8. * doubles};
+  }
+
+  // ---- contact ----
+
+  Work contact_work(const double n_pairs)
+  {
+    const std::array<Vector3<Counted>, 4> x       = {Vector3<Counted>(0., 0., 0.), Vector3<Counted>(5e-3, 0., 0.),
+                                                     Vector3<Counted>(5e-3, 5e-3, 0.), Vector3<Counted>(0., 5e-3, 0.)};
+    const double                          closest = count_flops([&] {
+      compute_closest_point(Vector3<Counted>(1e-3, 2e-3, 3e-3), x);
+      const auto normal = compute_area_vector(x);
+      sqrt(normal.dot(normal));
+    });
+    Touch<Counted>                        touch{1e-4, 2.5e-3, 1000., 1100., 1e-5, {0., 0., 1.}, {100., 0., -10.}};
+    const double                          force = count_flops([&] {
+      compute_contact_force(ContactLaw{1., 1., 0.4, 0., 2., 0.7e-6}, touch);
+      compute_reduced_mass(Counted(1e-5), std::array<Counted, 4>{.1, .2, .3, .4},
+                                                    std::array<Counted, 4>{1., 1., 1., 1.});
+    });
+    // a pair: distance and unit normal 4; a near point: gap 24 + 8, travel 6, overlap 3, direction 4; a touch (every
+    // second near point): relative velocity 24, shares of the nodes 4 x 6, sums 8
+    const double flops = n_pairs * (closest + 4.) + 45. + 0.5 * (force + 24. + 24. + 8.);
+    // a pair: indices (1), offset, normal, distance, weights written and read (2 x 11); a near point: position,
+    // velocity (6), record (2 x 10), slots (2 x 12); a touch: mass, density, sound speed, force (3 + 2 x 3), nodes'
+    // share
+    const double doubles = n_pairs * 23. + 50. + 0.5 * 9. + 4.;
+    return {flops, 8. * doubles};
+  }
+} // namespace birdstrike::benchmarks
