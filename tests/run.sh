@@ -8,7 +8,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${BIRDSTRIKE_BUILD:-$top/build}
 
 mapfile -t packages <"$top/.ci/packages"
-bash "$top/.ci/install" "${packages[@]}" libgtest-dev clang-format-14
+bash "$top/.ci/install" "${packages[@]}" libgtest-dev clang-format-14 python3 valgrind
 
 mkdir -p "$build"
 if ! cmake -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DBIRDSTRIKE_TESTS=ON -DBIRDSTRIKE_WERROR=ON >"$build/build.log" 2>&1 ||
