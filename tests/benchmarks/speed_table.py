@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+"""The README's table "Speed" from what run.sh has measured: python3 tests/benchmarks/speed_table.py build/speed
+
+Reads benchmarks.json and the run folders NAME-THREADS-REPEAT, of which the fastest counts. What is missing becomes a dash.
+"""
+
+import json
+import os
+import re
+import sys
+
+from compare import BadInput, read_benchmarks
+
+
+class Measured:
+    """Access to everything that was measured, None where it was not."""
+
+    def __init__(self, folder):
+        self.context, self.benchmarks = read_benchmarks(os.path.join(folder, "benchmarks.json"))
+        self.runs = {}
+        for name in sorted(os.listdir(folder)):
+            match = re.fullmatch(r"(\w+)-(\d+)-\d+", name)
+            if match and os.path.exists(os.path.join(folder, name, "summary.json")):
+                key, run = (match.group(1), int(match.group(2))), read_run(os.path.join(folder, name))
+                if key not in self.runs or run["summary"]["cost"]["wall"] < self.runs[key]["summary"]["cost"]["wall"]:
+                    self.runs[key] = run
+
+    def entry(self, name, n, threads=1):
+        size = f"/n:{n}" if isinstance(n, int) else f"/{n}"
+        return self.benchmarks.get(f"{name}{size}/threads:{threads}")
+
+    def per_unit(self, name, n, threads=1):
+        """ns per unit of work of the fastest repetition."""
+        entry = self.entry(name, n, threads)
+        return entry["time"] / entry["units"] if entry else None
+
+    def value(self, name, n, key, threads=1):
+        entry = self.entry(name, n, threads)
+        return entry.get(key) if entry else None
+
+    def run(self, name, threads=1):
+        return self.runs.get((name, threads))
+
+    def wall(self, name, threads=1):
+        run = self.run(name, threads)
+        return run["summary"]["cost"]["wall"] if run else None
+
+
+def read_run(folder):
+    with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+        summary = json.load(file)
+    sections, in_table = {}, False
+    with open(os.path.join(folder, "log.txt"), encoding="utf-8") as file:
+        for line in file:
+            in_table = in_table or line.startswith("section ")
+            match = re.match(r"(\S.*?)\s{2,}([\d.]+)\s+([\d.]+)%\s+(\d*)\s*$", line) if in_table else None
+            if match:
+                sections[match.group(1)] = float(match.group(2))
+    return {"summary": summary, "sections": sections}
+
+
+def combine(function, *values):
+    return None if any(value is None for value in values) else function(*values)
+
+
+def text(value, pattern="{:.0f}"):
+    return "–" if value is None else pattern.format(value)
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def machine(m):
+    c = m.context
+    run = m.run("frontal")
+    counts = "" if run is None else (f" `frontal.prm` to {1e3 * run['summary']['end']['time']:.0f} ms: {run['summary']['bird']['particles']} "
+                                     f"particles, {run['summary']['blade']['elements']} elements, {run['summary']['steps']['bird']} steps.")
+    return (f"{c.get('machine', 'unknown machine')}, {c.get('num_cpus', '?')} cores, {c.get('simd_doubles', '?')} doubles a register, "
+            f"{c.get('compiler', '?')} (`{c.get('flags', '')}`), commit {c.get('commit', '?')}.{counts}\n")
+
+
+def targets(m):
+    plastic = combine(lambda forces, step, elastic: forces + step - elastic, m.per_unit("shell/forces/physical/plastic_5", 1000),
+                      m.per_unit("shell/step/elastic", 1000), m.per_unit("shell/forces/physical/elastic", 1000))
+    run = m.run("frontal")
+    rest = run and sum(run["sections"].get(name, 0.0) for name in ("balance and output", "other")) / run["summary"]["cost"]["wall"]
+    cost = run["summary"]["cost"] if run else {}
+    neighbors = text(m.value("bird/step/riemann", 10000, "true_neighbors"))
+    ratio = combine(lambda one, two: one / two, m.wall("frontal_20k", 1), m.wall("frontal_20k", 2))
+    return table(["loop, one core", "target", "measured"], [
+        [f"particle-step, list, EOS and integration included ({neighbors} true neighbours)", "≤ 150 ns",
+         text(m.per_unit("bird/step/riemann", 10000), "{:.0f} ns")],
+        ["the same, mean over `frontal.prm`", "≤ 150 ns", text(cost.get("ns_per_particle_step"), "{:.0f} ns")],
+        ["element-step, elastic, integration included", "≤ 60 ns", text(m.per_unit("shell/step/elastic", 1000), "{:.0f} ns")],
+        ["element-step, 5 points, all plastic", "≤ 180 ns", text(plastic, "{:.0f} ns")],
+        ["element-step, mean over `frontal.prm`", "", text(cost.get("ns_per_element_step"), "{:.0f} ns")],
+        ["contact, per near point, lists amortised", "≤ 60 ns", text(m.per_unit("contact/step", 1000), "{:.0f} ns")],
+        ["everything else in a step (balance, output, rest)", "≤ 5 %", text(rest, "{:.1%}").replace("%", " %")],
+        ["`frontal.prm` to 2 ms", "≤ 3 s", text(m.wall("frontal"), "{:.2f} s")],
+        ["two threads over one, 20k particles and 5k shells", "≥ 1.8", text(ratio, "{:.2f}")]])
+
+
+def sizes(m):
+    rows = []
+    for label, name, unit in (("particle-step", "bird/step/riemann", "bytes_per_particle"),
+                              ("list build", "bird/list", None),
+                              ("element, elastic", "shell/forces/physical/elastic", "bytes_per_element"),
+                              ("element, 5 points plastic", "shell/forces/physical/plastic_5", "bytes_per_element"),
+                              ("near point", "contact/step", None)):
+        cells = [label]
+        for n in (1000, 10000, 100000, 1000000):
+            one, two = m.per_unit(name, n, 1), m.per_unit(name, n, 2)
+            cells.append("–" if one is None else f"{one:.0f} / {text(combine(lambda a, b: a / b, one, two), '{:.2f}')}")
+        cells.append(text(m.value(name, 100000, unit) if unit else None, "{:.0f} B"))
+        rows.append(cells)
+    return table(["ns on one core / gain by a second", "1e3", "1e4", "1e5", "1e6", "memory by the allocator, at 1e5"], rows)
+
+
+def phases(m):
+    rows = []
+    for phase in ("early_impact", "peak_flow", "blade_only"):
+        cells = [phase.replace("_", " ")]
+        for size in ("particles:1700", "particles:6800", "particles:20000"):
+            one, two = (combine(lambda e: e["time"], m.entry(f"scene/{phase}", size, threads)) for threads in (1, 2))
+            cells.append("–" if one is None else f"{one / 1e6:.2f} ms / {text(combine(lambda a, b: a / b, one, two), '{:.2f}')}")
+        rows.append(cells)
+    return table(["one step of the strike / gain by a second core", "1.7k particles, 0.3k shells", "6.8k, 1.1k", "20k, 5k"], rows)
+
+
+def shares(m):
+    run = m.run("frontal")
+    if run is None:
+        return ""
+    wall = run["summary"]["cost"]["wall"]
+    rows = [[name, f"{seconds:.2f} s", f"{seconds / wall:.1%}".replace("%", " %")] for name, seconds in run["sections"].items()]
+    return table(["`frontal.prm` to 2 ms, one core", "time", "share"], rows)
+
+
+def main():
+    if len(sys.argv) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    try:
+        measured = Measured(sys.argv[1])
+    except (BadInput, OSError, KeyError, ValueError) as error:
+        print(f"{sys.argv[1]}: {error}", file=sys.stderr)
+        return 2
+    print("\n".join(part for part in (machine(measured), targets(measured), sizes(measured), phases(measured), shares(measured)) if part))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
