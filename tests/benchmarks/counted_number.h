@@ -75,6 +75,11 @@ namespace birdstrike::benchmarks
   {
     return Counted::of(std::sqrt(a.value));
   }
+  /// As the loops compute it: an estimate by the hardware and two Newton steps.
+  inline Counted inverse_root(const Counted &a)
+  {
+    return Counted::of(1. / std::sqrt(a.value), 9.);
+  }
   inline Counted exp(const Counted &a)
   {
     return Counted::of(std::exp(a.value), 20.);

@@ -69,7 +69,8 @@ namespace birdstrike::benchmarks
         }
     }
 
-    /// One element-step of ShellElements::Implementation::update_batch_as<true>, in its order.
+    /// One element-step of the default formulation, in the order of the loop over batches
+    /// (source/blade/shell_loops.cc).
     void step_element(const ShellSectionLaw &law, ShellStress<Counted> &stress, ShellPoint<Counted> *points,
                       const double strain)
     {

@@ -14,7 +14,7 @@ LOOPS = (("particle pairs", "bird/rates/riemann/n:10000"),
          ("kick", "bird/kick/n:10000"),
          ("shell, elastic", "shell/forces/physical/elastic/n:1000"),
          ("shell, 5 points plastic", "shell/forces/physical/plastic_5/n:1000"),
-         ("contact", "contact/forces/n:1000"))
+         ("contact", "contact/step/n:1000"))
 
 
 def read_points(benchmarks):

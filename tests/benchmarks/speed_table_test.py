@@ -68,7 +68,7 @@ class SpeedTable(unittest.TestCase):
     def test_roofline(self):
         self.write([entry("machine/fma/n:1000/threads:1", 1.0, 1000, flops_per_unit=16.0),
                     entry("machine/triad/l2/n:20480/threads:1", 1.0, 1000, flops_per_unit=2.0, bytes_per_unit=24.0),
-                    entry("contact/forces/n:1000/threads:1", 100.0, 1000, flops_per_unit=500.0, bytes_per_unit=250.0)])
+                    entry("contact/step/n:1000/threads:1", 100.0, 1000, flops_per_unit=500.0, bytes_per_unit=250.0)])
         _, benchmarks = roofline.read_benchmarks(os.path.join(self.folder, "benchmarks.json"))
         self.assertEqual(roofline.read_ceilings(benchmarks), (16.0, {"l2": 24.0}))
         self.assertEqual(roofline.read_points(benchmarks), [("contact", 2.0, 5.0)])
