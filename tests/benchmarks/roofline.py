@@ -22,7 +22,7 @@ def read_points(benchmarks):
     points = []
     for label, name in LOOPS:
         entry = benchmarks.get(name + "/threads:1")
-        if entry:
+        if entry and entry.get("bytes_per_unit"):
             per_second = entry["flops_per_unit"] * entry["units"] / entry["time"]  # flop/ns
             points.append((label, entry["flops_per_unit"] / entry["bytes_per_unit"], per_second))
     return points
@@ -55,9 +55,8 @@ def draw(points, peak, bandwidths, title, path):
         x = [low, min(peak / bandwidth, high), high]
         axes.plot(x, [min(peak, bandwidth * i) for i in x], linewidth=1.2, label=f"{where}: {bandwidth:.0f} GB/s")
     axes.axhline(peak, color="black", linewidth=0.8, label=f"fused multiply-add: {peak:.0f} GFLOP/s")
-    for label, intensity, speed in points:
-        axes.plot([intensity], [speed], "o", color="black")
-        axes.annotate(f"{label} {speed:.1f}", (intensity, speed), textcoords="offset points", xytext=(6, 4), fontsize=8)
+    for (label, intensity, speed), marker in zip(points, "osD^v"):
+        axes.plot([intensity], [speed], marker, markersize=7, linestyle="", label=f"{label}: {speed:.1f} GFLOP/s")
     axes.set(xscale="log", yscale="log", xlim=(low, high), ylim=(0.5, 2.0 * peak), title=title,
              xlabel="flop per byte that must move", ylabel="GFLOP/s, one core")
     axes.title.set_fontsize(9)

@@ -34,6 +34,11 @@ class Measured:
         entry = self.entry(name, n, threads)
         return entry["time"] / entry["units"] if entry else None
 
+    def gain(self, name, n):
+        """By a second thread: by the clock for both, while one thread's cost is its processor time."""
+        one, two = self.entry(name, n, 1), self.entry(name, n, 2)
+        return one["real_time"] / two["real_time"] if one and two else None
+
     def value(self, name, n, key, threads=1):
         entry = self.entry(name, n, threads)
         return entry.get(key) if entry else None
@@ -77,8 +82,10 @@ def machine(m):
     run = m.run("frontal")
     counts = "" if run is None else (f" `frontal.prm` to {1e3 * run['summary']['end']['time']:.0f} ms: {run['summary']['bird']['particles']} "
                                      f"particles, {run['summary']['blade']['elements']} elements, {run['summary']['steps']['bird']} steps.")
+    load = (c.get("load_avg") or [0.0])[0]
+    busy = f" **The machine had other work (load {load:.1f}): runs and second threads are not to be trusted.**" if load > 0.5 else ""
     return (f"{c.get('machine', 'unknown machine')}, {c.get('num_cpus', '?')} cores, {c.get('simd_doubles', '?')} doubles a register, "
-            f"{c.get('compiler', '?')} (`{c.get('flags', '')}`), commit {c.get('commit', '?')}.{counts}\n")
+            f"{c.get('compiler', '?')} (`{c.get('flags', '')}`), commit {c.get('commit', '?')}.{counts}{busy}\n")
 
 
 def targets(m):
@@ -111,8 +118,8 @@ def sizes(m):
                               ("near point", "contact/step", None)):
         cells = [label]
         for n in (1000, 10000, 100000, 1000000):
-            one, two = m.per_unit(name, n, 1), m.per_unit(name, n, 2)
-            cells.append("–" if one is None else f"{one:.0f} / {text(combine(lambda a, b: a / b, one, two), '{:.2f}')}")
+            one = m.per_unit(name, n)
+            cells.append("–" if one is None else f"{one:.0f} / {text(m.gain(name, n), '{:.2f}')}")
         cells.append(text(m.value(name, 100000, unit) if unit else None, "{:.0f} B"))
         rows.append(cells)
     return table(["ns on one core / gain by a second", "1e3", "1e4", "1e5", "1e6", "memory by the allocator, at 1e5"], rows)
@@ -123,8 +130,8 @@ def phases(m):
     for phase in ("early_impact", "peak_flow", "blade_only"):
         cells = [phase.replace("_", " ")]
         for size in ("particles:1700", "particles:6800", "particles:20000"):
-            one, two = (combine(lambda e: e["time"], m.entry(f"scene/{phase}", size, threads)) for threads in (1, 2))
-            cells.append("–" if one is None else f"{one / 1e6:.2f} ms / {text(combine(lambda a, b: a / b, one, two), '{:.2f}')}")
+            one = m.entry(f"scene/{phase}", size)
+            cells.append("–" if one is None else f"{one['time'] / 1e6:.2f} ms / {text(m.gain(f'scene/{phase}', size), '{:.2f}')}")
         rows.append(cells)
     return table(["one step of the strike / gain by a second core", "1.7k particles, 0.3k shells", "6.8k, 1.1k", "20k, 5k"], rows)
 
