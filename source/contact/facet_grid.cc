@@ -14,6 +14,15 @@ namespace birdstrike
       }
   }
 
+  void Box::add(const Box &other)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        low[d]  = std::min(low[d], other.low[d]);
+        high[d] = std::max(high[d], other.high[d]);
+      }
+  }
+
   double Box::separation(const Box &other) const
   {
     double result = -1e300;
@@ -30,40 +39,49 @@ namespace birdstrike
     return x;
   }
 
-  void FacetGrid::update(const FacetsView &facets, const double reach)
+  void FacetGrid::update(const FacetsView &facets, const double reach, const Box &region)
   {
     all = Box();
     boxes.assign(facets.n_facets, Box());
+    chosen.clear();
     for (std::size_t f = 0; f < facets.n_facets; ++f)
       {
         for (const std::uint32_t node : facets.nodes[f])
           boxes[f].add(facets.position + 3 * node, reach);
-        all.add(boxes[f].low.data());
-        all.add(boxes[f].high.data());
+        if (boxes[f].separation(region) > 0.)
+          continue;
+        chosen.push_back(static_cast<std::uint32_t>(f));
+        all.add(boxes[f]);
       }
-    set_cells(facets);
+    set_cells();
 
     // counting sort: count, offsets, fill; facets come in ascending order
     first.assign(n_cells[0] * n_cells[1] * n_cells[2] + 1, 0);
-    for (std::size_t f = 0; f < facets.n_facets; ++f)
-      visit_cells(f, [&](const std::size_t cell) { ++first[cell + 1]; });
+    for (const std::uint32_t f : chosen)
+      visit_cells(boxes[f], [&](const std::size_t cell) { ++first[cell + 1]; });
     for (std::size_t c = 1; c < first.size(); ++c)
       first[c] += first[c - 1];
     entries.resize(first.back());
-    for (std::size_t f = 0; f < facets.n_facets; ++f)
-      visit_cells(f, [&](const std::size_t cell) { entries[first[cell]++] = static_cast<std::uint32_t>(f); });
+    for (const std::uint32_t f : chosen)
+      visit_cells(boxes[f], [&](const std::size_t cell) { entries[first[cell]++] = f; });
     for (std::size_t c = first.size() - 1; c > 0; --c)
       first[c] = first[c - 1];
     first[0] = 0;
   }
 
-  void FacetGrid::set_cells(const FacetsView &facets)
+  void FacetGrid::set_cells()
   {
+    n_cells = {1, 1, 1};
+    if (chosen.empty())
+      return;
     double mean_size = 0.; // of the longest sides of the boxes
-    for (const Box &box : boxes)
-      mean_size += std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
-    double cell = mean_size / std::max<std::size_t>(facets.n_facets, 1);
-    for (std::size_t n_total = std::size_t(-1); n_total > 4 * facets.n_facets + 1; cell *= 1.26) // 2 in volume
+    for (const std::uint32_t f : chosen)
+      {
+        const Box &box = boxes[f];
+        mean_size += std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
+      }
+    double cell = mean_size / static_cast<double>(chosen.size());
+    for (std::size_t n_total = std::size_t(-1); n_total > 4 * chosen.size() + 1; cell *= 1.26) // 2 in volume
       {
         n_total = 1;
         for (unsigned int d = 0; d < 3; ++d)
@@ -86,9 +104,9 @@ namespace birdstrike
   }
 
   template <class Visit>
-  void FacetGrid::visit_cells(const std::size_t facet, const Visit &visit) const
+  void FacetGrid::visit_cells(const Box &box, const Visit &visit) const
   {
-    const auto low = cell_of(boxes[facet].low.data()), high = cell_of(boxes[facet].high.data());
+    const auto low = cell_of(box.low.data()), high = cell_of(box.high.data());
     for (std::size_t k = low[2]; k <= high[2]; ++k)
       for (std::size_t j = low[1]; j <= high[1]; ++j)
         for (std::size_t i = low[0]; i <= high[0]; ++i)

@@ -1,6 +1,4 @@
-#include <birdstrike/contact/gather.h>
 #include <birdstrike/contact/narrow_phase.h>
-#include <birdstrike/core/closest_point.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,203 +12,185 @@ namespace birdstrike
 
     // below this share of the size the direction p - q is round-off, and the facet's normal takes its place
     constexpr double no_distance = 1e-6;
+
+    Point3 unit_normal(const FacetsView &facets, const std::uint32_t facet)
+    {
+      const auto x = facet_nodes(facets, facet);
+      return (x[2] - x[0]).cross(x[3] - x[1]).normalized();
+    }
+
+    bool has_passed(const PointRecord &record, const std::uint64_t call)
+    {
+      return record.last_call + 1 == call && (record.sides[0].is_through || record.sides[1].is_through);
+    }
   } // namespace
 
-  void NarrowPhase::update(const ContactScene &scene, PointMemory &memory, ThreadPool &pool)
+  /// The awake pairs [begin, end) of one point.
+  struct NarrowPhase::Group
   {
-    ++n_calls;
+    std::uint32_t begin, end, near;
+  };
+
+  void NarrowPhase::update(const ContactScene &scene, CandidateBlock &present, const double travelled,
+                           PointMemory &memory)
+  {
     touching.clear();
-    if (scene.candidates.n_pairs() == 0)
+    n_active_points = 0;
+    block           = &present;
+    if (present.is_new)
+      keep_passed_awake(scene, memory);
+    const double reach = std::max(scene.reach, 4. * scene.step * present.speed);
+    pairs.find_awake(present, reach, travelled);
+    present.n_awake = pairs.n();
+    if (pairs.n() == 0)
       return;
-    compute_closest_points(scene, pool);
-    slots.resize(2 * scene.candidates.n_near());
-    pool.parallel_for(scene.candidates.n_near(), 128, [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t near = begin; near < end; ++near)
-        decide(scene, near, memory);
-    });
-    for (const TouchingPair &slot : slots)
-      if (slot.share > 0.)
-        touching.push_back(slot);
+    pairs.compute(scene.points, scene.facets, scene.topology, present, travelled);
+    const auto near_of = [&](const std::uint32_t place) { return present.pair_near[pairs.pair[place]]; };
+    for (std::uint32_t begin = 0, end = 0; begin < pairs.n(); begin = end)
+      {
+        const std::uint32_t near = near_of(begin);
+        while (end < pairs.n() && near_of(end) == near)
+          ++end;
+        ++n_active_points;
+        decide(scene, {begin, end, near}, reach, memory);
+      }
   }
 
-  void NarrowPhase::compute_closest_points(const ContactScene &scene, ThreadPool &pool)
+  std::uint32_t NarrowPhase::nearest(const Group &group) const
   {
-    const std::size_t n = scene.candidates.pair_point().size();
-    distances.resize(n);
-    for (auto *arrays : {&offsets, &normals})
-      for (auto &array : *arrays)
-        array.resize(n);
-    for (auto &array : weights)
-      array.resize(n);
-
-    const auto batch = [&](const std::size_t b) {
-      const auto           x = gather_facets(scene.facets, &scene.candidates.pair_facet()[b]);
-      const auto           q = compute_closest_point(gather_points(scene.points, &scene.candidates.pair_point()[b]), x);
-      const Vector3<Lanes> normal = compute_area_vector(x);
-      const Lanes          length = sqrt(normal.dot(normal));
-      store(sqrt(q.distance_squared), &distances[b]);
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          store(q.offset[d], &offsets[d][b]);
-          store(normal[d] / length, &normals[d][b]);
-        }
-      for (unsigned int k = 0; k < 4; ++k)
-        store(q.weights[k], &weights[k][b]);
-    };
-    pool.parallel_for(n, 32 * n_lanes, [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t b = begin; b < end; b += n_lanes)
-        batch(b);
-    });
-  }
-
-  std::uint32_t NarrowPhase::nearest(const std::uint32_t begin, const std::uint32_t end) const
-  {
-    double        smallest = distances[begin];
-    std::uint32_t best     = begin;
-    double        seen     = -1.; // |r . N| of the best, computed only for ties
-    const auto    look     = [&](const std::uint32_t k) {
-      return std::abs(offsets[0][k] * normals[0][k] + offsets[1][k] * normals[1][k] + offsets[2][k] * normals[2][k]);
-    };
-    for (std::uint32_t k = begin + 1; k < end; ++k)
-      if (distances[k] < smallest * (1. - tie))
+    double        smallest = pairs.distance[group.begin];
+    std::uint32_t best     = group.begin;
+    for (std::uint32_t k = group.begin + 1; k < group.end; ++k)
+      if (const double distance = pairs.distance[k]; distance < smallest * (1. - tie))
         {
           best     = k;
-          smallest = distances[k];
-          seen     = -1.;
+          smallest = distance;
         }
-      else if (distances[k] <= smallest * (1. + tie))
-        {
-          seen = seen < 0. ? look(best) : seen;
-          if (const double other = look(k); other > seen * (1. + tie))
-            {
-              best = k;
-              seen = other;
-            }
-        }
-    return best;
-  }
-
-  bool NarrowPhase::is_local_minimum(const ContactScene &scene, const std::size_t near, const std::uint32_t pair) const
-  {
-    const auto &facet_of = scene.candidates.pair_facet();
-    const auto &nodes    = scene.facets.nodes[facet_of[pair]];
-    const auto  shares   = [&](const std::array<std::uint32_t, 4> &others) {
-      for (unsigned int k = 0; k < 4; ++k)
-        if (weights[k][pair] > 0. && std::find(others.begin(), others.end(), nodes[k]) == others.end())
-          return false;
-      return true;
-    };
-    for (std::uint32_t k = scene.candidates.first_pair()[near]; k < scene.candidates.first_pair()[near + 1]; ++k)
-      if (distances[k] < distances[pair] * (1. - tie) && shares(scene.facets.nodes[facet_of[k]]))
-        return false;
-    return true;
-  }
-
-  std::int64_t NarrowPhase::opposed(const ContactScene &scene, const std::size_t near, const std::uint32_t first,
-                                    const double reach) const
-  {
-    std::int64_t best = -1;
-    const Point3 r1   = offset(first);
-    for (std::uint32_t k = scene.candidates.first_pair()[near]; k < scene.candidates.first_pair()[near + 1]; ++k)
-      if (k != first && distances[k] < reach && (best < 0 || distances[k] < distances[best]) &&
-          offset(k).dot(r1) < share_starts_at * distances[k] * distances[first] && is_local_minimum(scene, near, k))
+      else if (distance <= smallest * (1. + tie) &&
+               std::abs(pairs.height[k]) > std::abs(pairs.height[best]) * (1. + tie))
         best = k;
     return best;
   }
 
-  /// How a pair lies, before its side is known.
-  struct NarrowPhase::Gap
+  bool NarrowPhase::is_local_minimum(const Group &group, const ContactScene &scene, const std::uint32_t place) const
   {
-    double      range;         // g, m
-    double      travel;        // of the point past the surface within the step, m
-    std::int8_t seen;          // side of the facet on which the point is
-    bool        is_beyond;     // a free edge
-    bool        is_degenerate; // on the surface itself
-  };
-
-  NarrowPhase::Gap NarrowPhase::compute_gap(const ContactScene &scene, const std::uint32_t pair,
-                                            const double size) const
-  {
-    const std::uint32_t i = scene.candidates.pair_point()[pair], f = scene.candidates.pair_facet()[pair];
-    const double        w[4] = {weights[0][pair], weights[1][pair], weights[2][pair], weights[3][pair]};
-    const Point3        facet_normal(normals[0][pair], normals[1][pair], normals[2][pair]);
-
-    Gap    gap;
-    Point3 velocity(scene.points.velocity[0][i], scene.points.velocity[1][i], scene.points.velocity[2][i]);
-    gap.range = 0.5 * size;
-    for (unsigned int k = 0; k < 4; ++k)
-      {
-        const std::uint32_t node = scene.facets.nodes[f][k];
-        velocity -= w[k] * Eigen::Map<const Point3>(scene.facets.velocity + node * scene.facets.velocity_stride);
-        gap.range += w[k] * scene.topology.half_thickness(node);
-      }
-    gap.travel        = velocity.norm() * scene.step;
-    gap.is_beyond     = scene.topology.is_on_rim(scene.facets, f, w);
-    gap.is_degenerate = distances[pair] < no_distance * size;
-    // on the surface itself the point is where it came from
-    gap.seen = (gap.is_degenerate ? -velocity.dot(facet_normal) : offset(pair).dot(facet_normal)) < 0. ? -1 : 1;
-    return gap;
+    const auto &nodes  = scene.facets.nodes[facet_of(place)];
+    const auto  shares = [&](const std::array<std::uint32_t, 4> &others) {
+      for (unsigned int k = 0; k < 4; ++k)
+        if (pairs.weight[k][place] > 0. && std::find(others.begin(), others.end(), nodes[k]) == others.end())
+          return false;
+      return true;
+    };
+    for (std::uint32_t k = group.begin; k < group.end; ++k)
+      if (pairs.distance[k] < pairs.distance[place] * (1. - tie) && shares(scene.facets.nodes[facet_of(k)]))
+        return false;
+    return true;
   }
 
-  bool NarrowPhase::touch(const ContactScene &scene, const std::uint32_t pair, const PointRecord &before,
+  std::int64_t NarrowPhase::opposed(const Group &group, const ContactScene &scene, const std::uint32_t first,
+                                    const double reach) const
+  {
+    std::int64_t best = -1;
+    const Point3 r1   = pairs.offset_of(first);
+    for (std::uint32_t k = group.begin; k < group.end; ++k)
+      if (k != first && pairs.distance[k] < reach && (best < 0 || pairs.distance[k] < pairs.distance[best]) &&
+          pairs.offset_of(k).dot(r1) < share_starts_at * pairs.distance[k] * pairs.distance[first] &&
+          is_local_minimum(group, scene, k))
+        best = k;
+    return best;
+  }
+
+  bool NarrowPhase::touch(const ContactScene &scene, const std::uint32_t place, const PointRecord &before,
                           TouchingPair &result, PointRecord::Side &side) const
   {
-    const Gap          gap   = compute_gap(scene, pair, before.size);
-    const std::int32_t piece = scene.topology.piece(scene.candidates.pair_facet()[pair]);
-    side                     = {};
-    if (before.last_call + 1 == n_calls)
+    const std::uint32_t facet    = facet_of(place);
+    const std::int32_t  piece    = scene.topology.piece(facet);
+    const double        distance = pairs.distance[place];
+    const Point3        offset = pairs.offset_of(place), velocity = pairs.velocity_of(place);
+    const bool          is_beyond     = scene.topology.is_on_rim(scene.facets, facet, pairs.weights_of(place));
+    const bool          is_degenerate = distance < no_distance * before.size; // on the surface itself
+    const Point3        normal        = is_degenerate ? unit_normal(scene.facets, facet) : Point3(0., 0., 0.);
+    // on the surface itself the point is where it came from
+    const std::int8_t seen = (is_degenerate ? -velocity.dot(normal) : pairs.height[place]) < 0. ? -1 : 1;
+
+    side = {};
+    if (before.last_call + 1 == scene.call)
       for (const PointRecord::Side &old : before.sides)
         if (old.piece == piece && side.piece < 0)
           side = old;
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around
-    const bool is_passage = side.is_touching || distances[pair] <= 2. * gap.travel;
-    if (gap.is_beyond)
+    const bool is_passage = side.is_touching || distance <= 2. * velocity.norm() * scene.step;
+    if (is_beyond)
       side.sign = 0;
-    else if (side.piece < 0 || side.sign == 0 || (gap.seen != side.sign && !is_passage))
+    else if (side.piece < 0 || side.sign == 0 || (seen != side.sign && !is_passage))
       {
-        if (!scene.facets.two_sided && gap.seen < 0)
+        if (!scene.facets.two_sided && seen < 0)
           {
             side = {};
             return false;
           }
-        side.sign = gap.seen;
+        side.sign = seen;
       }
     side.piece           = piece;
-    const double sign    = gap.is_beyond ? 1. : side.sign * gap.seen;
-    const double overlap = gap.range - sign * distances[pair];
+    const double sign    = is_beyond ? 1. : side.sign * seen;
+    const double overlap = 0.5 * before.size + pairs.half_thickness[place] - sign * distance;
     side.reference       = std::max(scene.is_first ? overlap : std::min(side.reference, overlap), 0.);
     side.is_touching     = overlap > 0.;
-    result.pair          = pair;
+    side.is_through      = side.is_touching && sign < 0.;
+    result.place         = place;
     result.penetration   = overlap - side.reference;
-    result.normal        = offset(pair) * (sign / distances[pair]);
-    if (gap.is_degenerate)
-      result.normal =
-        (gap.is_beyond ? gap.seen : side.sign) * Point3(normals[0][pair], normals[1][pair], normals[2][pair]);
+    result.normal        = is_degenerate ? Point3((is_beyond ? seen : side.sign) * normal) : offset * (sign / distance);
     return result.penetration > 0.;
   }
 
-  void NarrowPhase::decide(const ContactScene &scene, const std::size_t near, PointMemory &memory)
+  void NarrowPhase::decide(const ContactScene &scene, const Group &group, const double reach, PointMemory &memory)
   {
-    const std::uint32_t begin = scene.candidates.first_pair()[near], end = scene.candidates.first_pair()[near + 1];
-    PointRecord        &record = memory[scene.points.id[scene.candidates.pair_point()[begin]]];
-    const PointRecord   before = record;
-    TouchingPair       &first = slots[2 * near], &second = slots[2 * near + 1];
+    PointRecord        &record  = memory[scene.points.id[block->points[group.near]]];
+    const std::uint32_t closest = nearest(group);
+    if (pairs.distance[closest] >= reach && !has_passed(record, scene.call))
+      return;
+
+    const PointRecord before = record;
+    TouchingPair      first, second;
+    first.near = second.near = group.near;
     first.share = second.share = 0.;
     record.sides[1]            = {};
-    record.last_call           = n_calls;
-
-    const std::uint32_t closest = nearest(begin, end);
+    record.last_call           = scene.call;
     if (touch(scene, closest, before, first, record.sides[0]))
       first.share = 1.;
-    if (end - begin < 2)
-      return;
-    const std::int64_t other = opposed(scene, near, closest, scene.topology.max_half_thickness() + 0.5 * before.size);
-    if (other < 0 || !touch(scene, static_cast<std::uint32_t>(other), before, second, record.sides[1]))
-      return;
-    const double cosine = first.share > 0. ? first.normal.dot(second.normal) : -1.;
-    const double ramp   = std::clamp((share_starts_at - cosine) / (share_starts_at - share_is_full_at), 0., 1.);
-    second.share        = ramp * ramp * (3. - 2. * ramp);
+    if (group.end - group.begin > 1)
+      {
+        const std::int64_t other =
+          opposed(group, scene, closest, scene.topology.max_half_thickness() + 0.5 * before.size);
+        if (other >= 0 && touch(scene, static_cast<std::uint32_t>(other), before, second, record.sides[1]))
+          {
+            const double cosine = first.share > 0. ? first.normal.dot(second.normal) : -1.;
+            const double ramp   = std::clamp((share_starts_at - cosine) / (share_starts_at - share_is_full_at), 0., 1.);
+            second.share        = ramp * ramp * (3. - 2. * ramp);
+          }
+      }
+    for (const TouchingPair &touched : {first, second})
+      if (touched.share > 0.)
+        touching.push_back(touched);
+    if (has_passed(record, scene.call + 1))
+      keep_awake(group.near);
+  }
+
+  void NarrowPhase::keep_passed_awake(const ContactScene &scene, PointMemory &memory)
+  {
+    for (std::uint32_t near = 0; near < block->points.size(); ++near)
+      if (has_passed(memory[scene.points.id[block->points[near]]], scene.call))
+        keep_awake(near);
+    block->is_new = false;
+  }
+
+  void NarrowPhase::keep_awake(const std::uint32_t near)
+  {
+    const auto &points = block->pair_near;
+    const auto  range  = std::equal_range(points.begin(), points.end(), near);
+    for (auto k = range.first; k != range.second; ++k)
+      block->pair_bound[static_cast<std::size_t>(k - points.begin())] = -1e300;
   }
 } // namespace birdstrike

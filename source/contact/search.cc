@@ -1,203 +1,146 @@
-#include <birdstrike/contact/gather.h>
 #include <birdstrike/contact/search.h>
-#include <birdstrike/core/closest_point.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace birdstrike
 {
   namespace
   {
-    constexpr std::size_t points_per_chunk = 512;
-
-    /// max over points of |x - x_old - shift|, m.
-    double points_motion(const PointsView &points, const std::array<AlignedVector<double>, 3> &old, const Point3 &shift,
-                         ThreadPool &pool)
-    {
-      const auto largest = [&](const std::size_t begin, const std::size_t end) {
-        Lanes      square(0.);
-        double     tail   = 0.;
-        const auto motion = [&]<class Number>(const Number &, const std::size_t i) {
-          Number sum(0.);
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              const Number dx =
-                load<Number>(points.position[d] + i) - load<Number>(old[d].data() + i) - Number(shift[d]);
-              sum += dx * dx;
-            }
-          return sum;
-        };
-        std::size_t i = begin;
-        for (; i + n_lanes <= end; i += n_lanes)
-          square = max(square, motion(Lanes(), i));
-        for (; i < end; ++i)
-          tail = max(tail, motion(double(), i));
-        return std::max(stdx::hmax(square), tail);
-      };
-      return points.n == 0 ? 0. : std::sqrt(pool.ordered_max(points.n, largest));
-    }
-
-    double nodes_motion(const FacetsView &facets, const AlignedVector<double> &old, const Point3 &shift,
-                        ThreadPool &pool)
-    {
-      const auto largest = [&](const std::size_t begin, const std::size_t end) {
-        double square = 0.;
-        for (std::size_t n = begin; n < end; ++n)
-          {
-            double sum = 0.;
-            for (unsigned int d = 0; d < 3; ++d)
-              {
-                const double dx = facets.position[3 * n + d] - old[3 * n + d] - shift[d];
-                sum += dx * dx;
-              }
-            square = max(square, sum);
-          }
-        return square;
-      };
-      return std::sqrt(pool.ordered_max(facets.n_nodes, largest));
-    }
-
-    Box box_of(const PointsView &points)
-    {
-      Box box;
-      for (unsigned int d = 0; d < 3; ++d)
-        if (points.n > 0)
-          {
-            const auto [low, high] = std::minmax_element(points.position[d], points.position[d] + points.n);
-            box.low[d]             = *low;
-            box.high[d]            = *high;
-          }
-      return box;
-    }
-  } // namespace
+    constexpr std::size_t points_per_block = 256; // the near ones' records and results fit in the first-level cache
+  }                                               // namespace
 
   void CandidateSearch::forget()
   {
-    allowed_motion = -1.;
+    is_known = false;
+  }
+
+  std::size_t CandidateSearch::n_pairs() const
+  {
+    std::size_t n = 0;
+    for (const CandidateBlock &block : all_blocks)
+      n += block.n_pairs();
+    return n;
   }
 
   void CandidateSearch::update(const PointsView &points, const FacetsView &facets, const double range,
                                const double margin, ThreadPool &pool)
   {
-    if (is_valid(points, facets, pool))
+    const bool is_same = is_known && points.revision == points_revision && facets.revision == facets_revision &&
+                         points.n == old_points[0].size() && 3 * facets.n_nodes == old_nodes.size() &&
+                         facets.n_facets == n_facets;
+    if (!is_same)
+      set_blocks(points, facets);
+    watch(points, facets, pool);
+    path += last_motion;
+    if (is_same && closest_away() > range + 0.5 * margin && path + last_motion <= margin)
       {
-        ++(is_apart ? n_calls.apart : n_calls.reused);
+        ++(is_tracking ? n_calls.reused : n_calls.apart);
         return;
       }
-    points_revision = points.revision;
-    facets_revision = facets.revision;
-    for (unsigned int d = 0; d < 3; ++d)
-      old_points[d].assign(points.position[d], points.position[d] + points.n);
-    old_nodes.assign(facets.position, facets.position + 3 * facets.n_nodes);
-    last_motion = 0.;
 
-    Box surface;
-    for (std::size_t f = 0; f < facets.n_facets; ++f)
-      for (const std::uint32_t node : facets.nodes[f])
-        surface.add(facets.position + 3 * node);
-    const double distance = points.n == 0 || facets.n_facets == 0 ? 1e300 : surface.separation(box_of(points));
-    is_apart              = distance > range + margin;
-    allowed_motion        = is_apart ? distance - range : margin;
-    if (is_apart)
+    is_known      = true;
+    is_tracking   = false;
+    path          = 0.;
+    n_near_points = 0;
+    for (CandidateBlock &block : all_blocks)
       {
-        ++n_calls.apart;
-        n_real_pairs = 0;
-        first_pair_of_near.clear();
-        return;
+        block.is_tracked = surface.separation(block.box) <= range + 1.5 * margin;
+        is_tracking |= block.is_tracked;
       }
-    ++n_calls.searches;
-    find_pairs(points, facets, range + margin, pool);
+    ++(is_tracking ? n_calls.searches : n_calls.apart);
+    if (is_tracking)
+      find_pairs(points, facets, range + margin, pool);
   }
 
-  bool CandidateSearch::is_valid(const PointsView &points, const FacetsView &facets, ThreadPool &pool)
+  void CandidateSearch::set_blocks(const PointsView &points, const FacetsView &facets)
   {
-    if (allowed_motion < 0. || points.revision != points_revision || facets.revision != facets_revision ||
-        points.n != old_points[0].size() || 3 * facets.n_nodes != old_nodes.size())
-      return false;
-    if (points.n == 0 || facets.n_facets == 0)
-      return true;
-    const Point3 shift  = Eigen::Map<const Point3>(facets.position) - Eigen::Map<const Point3>(old_nodes.data());
-    const double motion = points_motion(points, old_points, shift, pool) + nodes_motion(facets, old_nodes, shift, pool);
-    const double reserve = std::max(motion - last_motion, 0.);
-    last_motion          = motion;
-    return motion + reserve <= allowed_motion;
+    points_revision = points.revision;
+    facets_revision = facets.revision;
+    n_facets        = facets.n_facets;
+    for (auto &component : old_points)
+      component.resize(points.n);
+    old_nodes.resize(3 * facets.n_nodes);
+    all_blocks.resize((points.n + points_per_block - 1) / points_per_block);
+    for (std::size_t b = 0; b < all_blocks.size(); ++b)
+      {
+        all_blocks[b].begin      = b * points_per_block;
+        all_blocks[b].end        = std::min(points.n, (b + 1) * points_per_block);
+        all_blocks[b].is_tracked = false;
+      }
+    set_node_parts(facets);
+    is_tracking = false;
+  }
+
+  double CandidateSearch::closest_away() const
+  {
+    double smallest = 1e300;
+    for (const CandidateBlock &block : all_blocks)
+      if (!block.is_tracked)
+        smallest = std::min(smallest, surface.separation(block.box));
+    return smallest;
   }
 
   void CandidateSearch::find_pairs(const PointsView &points, const FacetsView &facets, const double reach,
                                    ThreadPool &pool)
   {
-    grid.update(facets, reach);
-    chunks.resize((points.n + points_per_chunk - 1) / points_per_chunk);
-    const auto collect = [&](Chunk &chunk, const std::size_t begin, const std::size_t end) {
-      chunk.points.clear();
-      chunk.facets.clear();
-      for (std::size_t i = begin; i < end; ++i)
+    Box region;
+    for (const CandidateBlock &block : all_blocks)
+      if (block.is_tracked)
+        region.add(block.box);
+    grid.update(facets, reach, region);
+    std::copy(facets.position, facets.position + old_nodes.size(), old_nodes.begin());
+    const auto collect_blocks = [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b)
         {
-          const Point3 p(points.position[0][i], points.position[1][i], points.position[2][i]);
-          if (!grid.box().contains(p))
+          CandidateBlock &block = all_blocks[b];
+          block.clear();
+          if (!block.is_tracked)
             continue;
-          for (const std::uint32_t f : grid.near(p))
-            if (grid.box(f).contains(p))
-              {
-                chunk.points.push_back(static_cast<std::uint32_t>(i));
-                chunk.facets.push_back(f);
-              }
+          for (unsigned int d = 0; d < 3; ++d)
+            std::copy(points.position[d] + block.begin, points.position[d] + block.end,
+                      old_points[d].begin() + static_cast<std::ptrdiff_t>(block.begin));
+          collect(points, reach, block);
+          block.number_surface(facets);
+          block.find_speed(points, facets);
         }
-      keep_close(chunk, points, facets, reach);
     };
-    pool.parallel_for(chunks.size(), 1, [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c)
-        collect(chunks[c], c * points_per_chunk, std::min(points.n, (c + 1) * points_per_chunk));
-    });
-    join_chunks();
+    pool.parallel_for(all_blocks.size(), 1, std::ref(collect_blocks));
+    std::size_t n_nodes = 0;
+    for (CandidateBlock &block : all_blocks)
+      {
+        block.first_node = n_nodes;
+        n_nodes += block.nodes.keys().size();
+        n_near_points += block.points.size();
+      }
   }
 
-  void CandidateSearch::keep_close(Chunk &chunk, const PointsView &points, const FacetsView &facets, const double reach)
+  void CandidateSearch::collect(const PointsView &points, const double reach, CandidateBlock &block) const
   {
-    const std::size_t n      = chunk.points.size();
-    std::size_t       n_kept = 0;
-    while (n > 0 && chunk.points.size() % n_lanes != 0)
+    for (std::size_t i = block.begin; i < block.end; ++i)
       {
-        chunk.points.push_back(chunk.points.back());
-        chunk.facets.push_back(chunk.facets.back());
-      }
-    for (std::size_t b = 0; b < n; b += n_lanes)
-      {
-        const auto closest =
-          compute_closest_point(gather_points(points, &chunk.points[b]), gather_facets(facets, &chunk.facets[b]));
-        const auto is_close = closest.distance_squared <= Lanes(reach * reach);
-        for (std::size_t j = 0; j < n_lanes && b + j < n; ++j)
-          if (is_close[j])
-            {
-              chunk.points[n_kept] = chunk.points[b + j];
-              chunk.facets[n_kept] = chunk.facets[b + j];
-              ++n_kept;
-            }
-      }
-    chunk.points.resize(n_kept);
-    chunk.facets.resize(n_kept);
-  }
-
-  void CandidateSearch::join_chunks()
-  {
-    point_of_pair.clear();
-    facet_of_pair.clear();
-    first_pair_of_near.clear();
-    for (const Chunk &chunk : chunks)
-      {
-        point_of_pair.insert(point_of_pair.end(), chunk.points.begin(), chunk.points.end());
-        facet_of_pair.insert(facet_of_pair.end(), chunk.facets.begin(), chunk.facets.end());
-      }
-    n_real_pairs = point_of_pair.size();
-    for (std::size_t k = 0; k < n_real_pairs; ++k)
-      if (k == 0 || point_of_pair[k] != point_of_pair[k - 1])
-        first_pair_of_near.push_back(static_cast<std::uint32_t>(k));
-    first_pair_of_near.push_back(static_cast<std::uint32_t>(n_real_pairs));
-    while (n_real_pairs > 0 && point_of_pair.size() % n_lanes != 0)
-      {
-        point_of_pair.push_back(point_of_pair.back());
-        facet_of_pair.push_back(facet_of_pair.back());
+        const Point3 p(points.position[0][i], points.position[1][i], points.position[2][i]);
+        if (!grid.box().contains(p))
+          continue;
+        const std::size_t before = block.n_pairs();
+        for (const std::uint32_t f : grid.near(p))
+          {
+            double distance_squared = 0.; // to the facet's own box
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                const double outside =
+                  std::max(0., std::max(grid.box(f).low[d] - p[d], p[d] - grid.box(f).high[d]) + reach);
+                distance_squared += outside * outside;
+              }
+            if (distance_squared > reach * reach)
+              continue;
+            block.pair_near.push_back(static_cast<std::uint32_t>(block.points.size()));
+            block.pair_facet.push_back(f);
+            block.pair_bound.push_back(std::sqrt(distance_squared));
+          }
+        if (block.n_pairs() > before)
+          block.points.push_back(static_cast<std::uint32_t>(i));
       }
   }
 } // namespace birdstrike

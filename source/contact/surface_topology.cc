@@ -70,7 +70,8 @@ namespace birdstrike
       nodal_half_thickness.empty() ? 0. : *std::max_element(nodal_half_thickness.begin(), nodal_half_thickness.end());
   }
 
-  bool SurfaceTopology::is_on_rim(const FacetsView &facets, const std::uint32_t facet, const double (&weights)[4]) const
+  bool SurfaceTopology::is_on_rim(const FacetsView &facets, const std::uint32_t facet,
+                                  const std::array<double, 4> &weights) const
   {
     unsigned int n_zero = 0, corner = 0;
     for (unsigned int k = 0; k < 4; ++k)

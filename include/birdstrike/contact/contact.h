@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/contact/narrow_phase.h>
+#include <birdstrike/contact/node_sums.h>
 #include <birdstrike/contact/parameters.h>
 #include <birdstrike/contact/point_memory.h>
 #include <birdstrike/contact/report.h>
@@ -9,7 +10,6 @@
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/thread_pool.h>
 
-#include <array>
 #include <vector>
 
 namespace birdstrike
@@ -22,9 +22,10 @@ namespace birdstrike
   /// Friction acts at the point, one offset g away from the surface; the couple that this leaves is given to the nodes
   /// as forces of zero sum, so that it too keeps both.
   ///
-  /// Results are bitwise the same for any number of threads: pairs write their own entries, sums go in the order of the
-  /// list. Work and impulse are booked by the parts, in the kicks by these forces. Nothing here limits the step, moves
-  /// a point or removes one. Throws InputError from the constructor for bad patches.
+  /// Results are bitwise the same for any number of threads: blocks of a fixed number of points write their own
+  /// entries, nodes gather what the blocks hold for them in the order of the blocks. Work and impulse are booked by the
+  /// parts, in the kicks by these forces. Nothing here limits the step, moves a point or removes one. Throws InputError
+  /// from the constructor for bad patches.
   class Contact
   {
   public:
@@ -43,25 +44,20 @@ namespace birdstrike
     void set_clock(double time);
 
   private:
-    struct Batch;
-    void update_touches(const PointsView &points, const FacetsView &facets, double step, ThreadPool &pool);
-    void compute_forces(const PointsView &points, const FacetsView &facets, double step, ThreadPool &pool);
-    void compute_batch(const PointsView &points, const FacetsView &facets, double step, std::size_t begin);
-    void scatter(const PointsView &points, const FacetsView &facets);
-    void add_couple(const FacetsView &facets, std::size_t touch, const Point3 &force);
-    void add_to_patches(const PointsView &points, std::size_t touch);
+    void update_candidates(const PointsView &points, const FacetsView &facets, ThreadPool &pool);
+    void add_block_forces(const ContactScene &scene, ThreadPool &pool);
+    void sum_report();
     void update_peaks(double spacing);
 
     ContactParameters          parameters;
     std::vector<PressurePatch> patches;
 
-    SurfaceTopology topology;
-    PointMemory     memory;
-    CandidateSearch search;
-    NarrowPhase     narrow_phase;
-
-    std::array<AlignedVector<double>, 3> forces; // [touch], N, on the point
-    AlignedVector<double>                stored, dissipated;
+    SurfaceTopology          topology;
+    PointMemory              memory;
+    CandidateSearch          search;
+    NodeSums                 node_sums;
+    std::vector<BlockReport> block_reports;
+    std::vector<std::size_t> cost; // [blocks + 1], summed
 
     ContactReport last;
     double        clock    = 0.; // s

@@ -28,19 +28,26 @@ namespace birdstrike
 
     /// Largest axis-wise distance to another box, m: a lower bound of the distance, negative where they overlap.
     double separation(const Box &other) const;
+
+    void add(const Box &other);
+
+    static Box everything()
+    {
+      return {{{-1e300, -1e300, -1e300}}, {{1e300, 1e300, 1e300}}};
+    }
   };
 
   /// The four nodes of a facet.
   std::array<Point3, 4> facet_nodes(const FacetsView &facets, std::size_t facet);
 
-  /// A uniform grid over the boxes of all facets, each widened by `reach`. The cells are about as large as one such box
-  /// and no more than four a facet, so a single large facet has a single cell.
+  /// A uniform grid over the boxes of the facets that meet a region, each widened by `reach`. The cells are about as
+  /// large as one such box and no more than four a facet, so a single large facet has a single cell.
   class FacetGrid
   {
   public:
-    void update(const FacetsView &facets, double reach);
+    void update(const FacetsView &facets, double reach, const Box &region = Box::everything());
 
-    const Box &box() const ///< of all widened facets
+    const Box &box() const ///< of all widened facets that meet the region
     {
       return all;
     }
@@ -54,12 +61,13 @@ namespace birdstrike
 
   private:
     std::array<std::size_t, 3> cell_of(const double *p) const;
-    void                       set_cells(const FacetsView &facets);
+    void                       set_cells();
     template <class Visit>
-    void visit_cells(std::size_t facet, const Visit &visit) const;
+    void visit_cells(const Box &box, const Visit &visit) const;
 
     Box                        all;
     std::vector<Box>           boxes;
+    std::vector<std::uint32_t> chosen; // facets that meet the region
     std::array<std::size_t, 3> n_cells{};
     std::array<double, 3>      cells_per_metre{};
     std::vector<std::uint32_t> first, entries; // facets by cell

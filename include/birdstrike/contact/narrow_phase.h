@@ -1,11 +1,9 @@
 #pragma once
 
+#include <birdstrike/contact/pair_geometry.h>
 #include <birdstrike/contact/point_memory.h>
-#include <birdstrike/contact/search.h>
 #include <birdstrike/contact/surface_topology.h>
-#include <birdstrike/core/aligned_vector.h>
 
-#include <array>
 #include <vector>
 
 namespace birdstrike
@@ -13,7 +11,8 @@ namespace birdstrike
   /// One point that touches one facet.
   struct TouchingPair
   {
-    std::uint32_t pair;        ///< of the candidate list
+    std::uint32_t place;       ///< in PairGeometry
+    std::uint32_t near;        ///< place of the point in CandidateBlock::points
     double        share;       ///< -, in (0, 1]: weight of a second facet, see NarrowPhase
     double        penetration; ///< m, > 0
     Point3        normal;      ///< from the surface to the point
@@ -24,9 +23,10 @@ namespace birdstrike
   {
     const PointsView      &points;
     const FacetsView      &facets;
-    const CandidateSearch &candidates;
     const SurfaceTopology &topology;
     double                 step;     ///< s
+    double                 reach;    ///< m, from where on a point needs no look, see NarrowPhase
+    std::uint64_t          call;     ///< number of this call, one more than that of the last
     bool                   is_first; ///< penetrations found now become references
   };
 
@@ -43,44 +43,47 @@ namespace birdstrike
   /// distance and pushes in another direction (between two shells, in a notch). With the cosine between the two
   /// directions falling from 0.5 to 0.2 the second share rises from 0 to 1; so a slightly folded surface never counts
   /// twice. A third facet (inner corner of a box) is not seen.
+  ///
+  /// *Who is looked at.* Pairs closer than the reach, the larger of max g and four steps' flight. Of a point further
+  /// away there is nothing to remember: it cannot pass the surface before it is next seen, and so its side is then
+  /// again the one on which it is. Only one that has already passed is kept awake wherever it is.
   class NarrowPhase
   {
   public:
-    /// Fills `touches` in the order of the candidate list. To be called at every step, also without candidates: memory
-    /// lasts from one call to the next.
-    void update(const ContactScene &scene, PointMemory &memory, ThreadPool &pool);
+    /// Fills touches() for one block, in the order of its points.
+    void update(const ContactScene &scene, CandidateBlock &block, double travelled, PointMemory &memory);
 
     const std::vector<TouchingPair> &touches() const
     {
       return touching;
     }
-
-    /// Of one pair: p - q, m, and the shares of the four nodes.
-    Point3 offset(const std::uint32_t pair) const
+    const PairGeometry &geometry() const
     {
-      return Point3(offsets[0][pair], offsets[1][pair], offsets[2][pair]);
+      return pairs;
     }
-    double weight(const std::uint32_t pair, const unsigned int k) const
+    std::size_t n_active() const ///< points with an awake pair
     {
-      return weights[k][pair];
+      return n_active_points;
     }
 
   private:
-    struct Gap;
-    void          compute_closest_points(const ContactScene &scene, ThreadPool &pool);
-    void          decide(const ContactScene &scene, std::size_t near, PointMemory &memory);
-    std::uint32_t nearest(std::uint32_t begin, std::uint32_t end) const;
-    std::int64_t  opposed(const ContactScene &scene, std::size_t near, std::uint32_t first, double reach) const;
-    bool          is_local_minimum(const ContactScene &scene, std::size_t near, std::uint32_t pair) const;
-    Gap           compute_gap(const ContactScene &scene, std::uint32_t pair, double size) const;
-    bool          touch(const ContactScene &scene, std::uint32_t pair, const PointRecord &before, TouchingPair &result,
+    struct Group;
+    void          decide(const ContactScene &scene, const Group &group, double reach, PointMemory &memory);
+    std::uint32_t nearest(const Group &group) const;
+    std::int64_t  opposed(const Group &group, const ContactScene &scene, std::uint32_t first, double reach) const;
+    bool          is_local_minimum(const Group &group, const ContactScene &scene, std::uint32_t place) const;
+    bool          touch(const ContactScene &scene, std::uint32_t place, const PointRecord &before, TouchingPair &result,
                         PointRecord::Side &side) const;
+    void          keep_passed_awake(const ContactScene &scene, PointMemory &memory);
+    void          keep_awake(std::uint32_t near);
+    std::uint32_t facet_of(const std::uint32_t place) const // global
+    {
+      return block->facets.keys()[block->pair_facet[pairs.pair[place]]];
+    }
 
-    std::array<AlignedVector<double>, 3> offsets, normals; // [pair], m; unit normals of the facets
-    std::array<AlignedVector<double>, 4> weights;
-    AlignedVector<double>                distances; // m
-    std::vector<TouchingPair>            slots;     // two for each near point; share 0: free
-    std::vector<TouchingPair>            touching;
-    std::uint64_t                        n_calls = 0;
+    PairGeometry              pairs;
+    std::vector<TouchingPair> touching;
+    std::size_t               n_active_points = 0;
+    CandidateBlock           *block           = nullptr; // in work
   };
 } // namespace birdstrike

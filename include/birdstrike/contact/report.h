@@ -22,9 +22,38 @@ namespace birdstrike
     double max_penetration              = 0.; ///< m
     double max_penetration_over_spacing = 0.; ///< -
 
-    std::uint64_t calls    = 0;
-    std::uint64_t skipped  = 0; ///< calls in which points and facets were apart: no search, no forces
-    std::uint64_t searches = 0; ///< candidate lists built
-    std::uint64_t reused   = 0; ///< calls served by the last list
+    // work done and saved, over all calls
+    std::uint64_t calls         = 0;
+    std::uint64_t skipped       = 0; ///< calls in which points and facets were apart: no search, no forces
+    std::uint64_t searches      = 0; ///< candidate lists built
+    std::uint64_t reused        = 0; ///< calls served by the last list
+    std::uint64_t pairs_listed  = 0; ///< sum over calls of the pairs of point and facet on the list
+    std::uint64_t pairs_tested  = 0; ///< of these, closest points computed; the others slept
+    std::uint64_t points_near   = 0; ///< sum over calls of the points on the list
+    std::uint64_t points_active = 0; ///< of these, with a pair tested
+    std::uint64_t touches       = 0; ///< sum over calls of n_touching
+
+    /// Points on the list, mean over the calls that were not skipped.
+    double mean_points_near() const
+    {
+      return calls > skipped ? static_cast<double>(points_near) / static_cast<double>(calls - skipped) : 0.;
+    }
+  };
+
+  /// A block's share in the last call.
+  struct BlockReport
+  {
+    std::array<double, 3> force{};
+    double                stored_energy = 0., dissipation_power = 0., penetration = 0.;
+    std::size_t           n_touching = 0, n_tested = 0, n_active = 0;
+    std::vector<double>   patch_pressures;
+
+    void clear(const std::size_t n_patches)
+    {
+      force         = {};
+      stored_energy = dissipation_power = penetration = 0.;
+      n_touching = n_tested = n_active = 0;
+      patch_pressures.assign(n_patches, 0.);
+    }
   };
 } // namespace birdstrike

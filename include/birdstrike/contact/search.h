@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/contact/candidate_block.h>
 #include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/core/aligned_vector.h>
 #include <birdstrike/core/contact_views.h>
@@ -10,12 +11,15 @@
 
 namespace birdstrike
 {
-  /// Pairs (point, facet) that may touch before the next search.
+  /// Pairs (point, facet) that may touch before the next search, by blocks of points.
   ///
-  /// A search collects the pairs within `range` + margin. They serve until the motion of points and nodes since then,
-  /// in a frame that moves with the first node, may have used up the margin, max |dx_points| + max |dx_nodes| > margin,
-  /// with the last motion once more in reserve: a point is on the list a step before it can touch. While the boxes of
-  /// points and facets are further apart than that, their distance is the margin, and there are no pairs.
+  /// A search collects the pairs whose boxes are within `range` + margin. They serve until the path travelled since,
+  /// the sum over calls of max |dx_points| + max |dx_nodes| in a frame that moves with the first node, has used up the
+  /// margin, with the last step once more in reserve: a point is on the list a step before it can touch.
+  ///
+  /// A block whose box is away from the surface's box has no pairs and no share in that path: its points cost the three
+  /// loads of their box. A search is due when one comes within range + margin/2, and takes up all within range + 3/2
+  /// margin. While all blocks are away nothing else is done.
   class CandidateSearch
   {
   public:
@@ -32,28 +36,33 @@ namespace birdstrike
     /// Forces a search at the next call.
     void forget();
 
-    /// Pairs sorted by point, then facet; the arrays are padded to whole SIMD batches with copies of the last pair.
-    std::size_t n_pairs() const
+    std::vector<CandidateBlock> &blocks()
     {
-      return n_real_pairs;
+      return all_blocks;
     }
-    const std::vector<std::uint32_t> &pair_point() const ///< index of the point, not its id
+    const std::vector<CandidateBlock> &blocks() const
     {
-      return point_of_pair;
-    }
-    const std::vector<std::uint32_t> &pair_facet() const
-    {
-      return facet_of_pair;
+      return all_blocks;
     }
 
-    /// Points that have pairs: the k-th has pairs first_pair()[k] to first_pair()[k + 1].
-    std::size_t n_near() const
+    bool is_apart() const
     {
-      return first_pair_of_near.empty() ? 0 : first_pair_of_near.size() - 1;
+      return n_near() == 0;
     }
-    const std::vector<std::uint32_t> &first_pair() const
+    std::size_t n_near() const ///< points on the list
     {
-      return first_pair_of_near;
+      return n_near_points;
+    }
+    std::size_t n_pairs() const;
+
+    /// Since the last search, and within the last step, by any point relative to any facet, m.
+    double travelled() const
+    {
+      return path;
+    }
+    double step_motion() const
+    {
+      return last_motion;
     }
     const Counts &counts() const
     {
@@ -61,26 +70,33 @@ namespace birdstrike
     }
 
   private:
-    struct Chunk
+    void   set_blocks(const PointsView &points, const FacetsView &facets);
+    void   set_node_parts(const FacetsView &facets);
+    void   watch(const PointsView &points, const FacetsView &facets, ThreadPool &pool);
+    void   watch_points(const PointsView &points, const Point3 &shift, CandidateBlock &block);
+    void   watch_nodes(const FacetsView &facets, const Point3 &shift, std::size_t part);
+    double closest_away() const;
+    void   find_pairs(const PointsView &points, const FacetsView &facets, double reach, ThreadPool &pool);
+    void   collect(const PointsView &points, double reach, CandidateBlock &block) const;
+
+    struct NodePart
     {
-      std::vector<std::uint32_t> points, facets;
+      Box    box;
+      Point3 motion; // largest of each component, m
     };
 
-    bool        is_valid(const PointsView &points, const FacetsView &facets, ThreadPool &pool);
-    void        find_pairs(const PointsView &points, const FacetsView &facets, double reach, ThreadPool &pool);
-    static void keep_close(Chunk &chunk, const PointsView &points, const FacetsView &facets, double reach);
-    void        join_chunks();
+    FacetGrid                   grid;
+    std::vector<CandidateBlock> all_blocks;
+    std::vector<NodePart>       node_parts;
+    std::size_t                 n_near_points = 0;
 
-    FacetGrid                  grid;
-    std::vector<Chunk>         chunks; // of points
-    std::vector<std::uint32_t> point_of_pair, facet_of_pair, first_pair_of_near;
-    std::size_t                n_real_pairs = 0;
-
-    std::array<AlignedVector<double>, 3> old_points; // positions at the last search
+    std::array<AlignedVector<double>, 3> old_points; // positions at the last call, of tracked blocks
     AlignedVector<double>                old_nodes;
     std::uint64_t                        points_revision = 0, facets_revision = 0;
-    double                               allowed_motion = -1., last_motion = 0.; // m
-    bool                                 is_apart = false;
+    std::size_t                          n_facets = 0;
+    Box                                  surface;                     // of all nodes, now
+    double                               path = 0., last_motion = 0.; // m
+    bool                                 is_known = false, is_tracking = false;
     Counts                               n_calls;
   };
 } // namespace birdstrike

@@ -2,6 +2,7 @@
 
 #include <birdstrike/core/contact_views.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace birdstrike
     void update_thickness(const FacetsView &facets);
 
     /// Whether the closest point with these weights lies on a free edge or at a node of one.
-    bool is_on_rim(const FacetsView &facets, std::uint32_t facet, const double (&weights)[4]) const;
+    bool is_on_rim(const FacetsView &facets, std::uint32_t facet, const std::array<double, 4> &weights) const;
 
     /// Number of the connected piece of surface; sides are remembered piece by piece.
     std::int32_t piece(const std::uint32_t facet) const

@@ -34,8 +34,9 @@ TEST(Search, FindsWhatBruteForceFindsWhileEverythingMoves)
       const FacetsView facets = scene.facets();
       search.update(points, facets, range, 1e-3, pool);
       std::set<std::pair<std::uint32_t, std::uint32_t>> found;
-      for (std::size_t k = 0; k < search.n_pairs(); ++k)
-        EXPECT_TRUE(found.emplace(search.pair_point()[k], search.pair_facet()[k]).second);
+      for (const CandidateBlock &block : search.blocks())
+        for (std::size_t k = 0; k < block.n_pairs(); ++k)
+          EXPECT_TRUE(found.emplace(block.points[block.pair_near[k]], block.facets.keys()[block.pair_facet[k]]).second);
       for (std::uint32_t i = 0; i < points.n; ++i)
         for (std::uint32_t f = 0; f < facets.n_facets; ++f)
           if (compute_closest_point(scene.position(i), facet_nodes(facets, f)).distance_squared < range * range)

@@ -12,9 +12,9 @@ TEST(SurfaceTopology, RimIsWhereNoNeighbourIs)
   SurfaceTopology  topology;
   const FacetsView facets = scene.facets();
   topology.update(facets);
-  const double inside[4] = {0.25, 0.25, 0.25, 0.25}, first_edge[4] = {0.5, 0.5, 0., 0.},
-               second_edge[4] = {0., 0.5, 0.5, 0.};
-  const double first_node[4]  = {1., 0., 0., 0.};
+  const std::array<double, 4> inside{0.25, 0.25, 0.25, 0.25}, first_edge{0.5, 0.5, 0., 0.},
+    second_edge{0., 0.5, 0.5, 0.};
+  const std::array<double, 4> first_node{1., 0., 0., 0.};
   EXPECT_FALSE(topology.is_on_rim(facets, 0, inside));
   EXPECT_TRUE(topology.is_on_rim(facets, 0, first_edge)); // y = 0
   EXPECT_FALSE(topology.is_on_rim(facets, 0, second_edge));

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <birdstrike/contact/facet_grid.h>
+#include <birdstrike/contact/local_numbers.h>
+#include <birdstrike/core/aligned_vector.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace birdstrike
+{
+  /// A fixed number of consecutive points, those of them that are near the surface, and their pairs with facets. Facets
+  /// and nodes near a block have numbers of its own: its work stays in the first-level cache and writes nowhere else.
+  struct CandidateBlock
+  {
+    std::size_t begin = 0, end = 0; ///< range of points
+
+    Box    box;                    ///< of its points, now
+    double motion_squared = 0.;    ///< m^2, largest of its points since the last call, relative to the first node
+    bool   is_tracked     = false; ///< it may have pairs
+    bool   is_new         = false; ///< its list has not been used yet
+
+    std::vector<std::uint32_t> points;     ///< near ones, ascending
+    std::vector<std::uint32_t> pair_near;  ///< [pair], place in `points`, ascending
+    std::vector<std::uint32_t> pair_facet; ///< [pair], number in `facets`, by ascending facet for each point
+
+    /// [pair], m, from number_surface() on padded to whole registers: a lower bound of the distance plus what points
+    /// and facets had travelled when it was found. While this less the present travel exceeds the reach, the pair
+    /// sleeps.
+    AlignedVector<double> pair_bound;
+
+    LocalNumbers                              facets, nodes;
+    std::vector<std::array<std::uint32_t, 4>> facet_nodes;     ///< [facets], numbers in `nodes`
+    double                                    speed      = 0.; ///< m/s, bound of near point against facet
+    std::size_t                               first_node = 0;  ///< sum of nodes of all blocks before
+    std::size_t                               n_awake    = 0;  ///< pairs in the last call: its cost
+
+    void clear();
+
+    /// Gives the facets of the pairs, so far by their global index, and their nodes the block's own numbers.
+    void number_surface(const FacetsView &facets);
+
+    void find_speed(const PointsView &points, const FacetsView &facets);
+
+    std::size_t n_pairs() const
+    {
+      return pair_near.size();
+    }
+  };
+} // namespace birdstrike

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <birdstrike/contact/candidate_block.h>
+#include <birdstrike/contact/node_records.h>
+#include <birdstrike/contact/surface_topology.h>
+#include <birdstrike/core/aligned_vector.h>
+#include <birdstrike/core/contact_views.h>
+
+#include <array>
+#include <vector>
+
+namespace birdstrike
+{
+  /// How the awake pairs of one block lie at this moment: point p, closest point q of the facet.
+  class PairGeometry
+  {
+  public:
+    /// Finds the pairs that are awake: those that may be closer than `reach` after `travelled`.
+    void find_awake(const CandidateBlock &block, double reach, double travelled);
+
+    /// Computes them, and when they next have to be looked at.
+    void compute(const PointsView &points, const FacetsView &facets, const SurfaceTopology &topology,
+                 CandidateBlock &block, double travelled);
+
+    std::size_t n() const
+    {
+      return n_awake;
+    }
+
+    std::vector<std::uint32_t>           pair;             ///< of the block, ascending; padded
+    AlignedVector<double>                distance;         ///< |p - q|, m
+    AlignedVector<double>                height;           ///< (p - q) . unit normal, m
+    AlignedVector<double>                half_thickness;   ///< at q, m
+    AlignedVector<double>                inverse_mass;     ///< sum w_k^2 / m_k, 1/kg
+    std::array<AlignedVector<double>, 3> offset, velocity; ///< p - q, m; of p relative to q, m/s
+    std::array<AlignedVector<double>, 4> weight;           ///< q = sum w_k x_k
+
+    Point3 offset_of(const std::size_t a) const
+    {
+      return {offset[0][a], offset[1][a], offset[2][a]};
+    }
+    Point3 velocity_of(const std::size_t a) const
+    {
+      return {velocity[0][a], velocity[1][a], velocity[2][a]};
+    }
+    std::array<double, 4> weights_of(const std::size_t a) const
+    {
+      return {weight[0][a], weight[1][a], weight[2][a], weight[3][a]};
+    }
+
+  private:
+    void load_block_nodes(const FacetsView &facets, const SurfaceTopology &topology, const CandidateBlock &block);
+    void compute_batch(const PointsView &points, const CandidateBlock &block, std::size_t begin);
+
+    std::size_t               n_awake = 0;
+    AlignedVector<NodeRecord> nodes; // of the block, by its numbers
+  };
+} // namespace birdstrike

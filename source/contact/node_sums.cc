@@ -1,0 +1,57 @@
+#include <birdstrike/contact/node_sums.h>
+
+#include <functional>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr std::uint32_t absent = 0xffffffffu;
+    constexpr std::size_t   grain  = 2048; // nodes that are worth a second thread's wake-up, at 5 ns each
+  }                                        // namespace
+
+  void NodeSums::set_nodes(const std::vector<CandidateBlock> &blocks, const std::size_t n_nodes)
+  {
+    place.assign(n_nodes, absent);
+    nodes.clear();
+    first.assign(1, 0);
+    for (const CandidateBlock &block : blocks)
+      for (const std::uint32_t node : block.nodes.keys())
+        {
+          if (place[node] == absent)
+            {
+              place[node] = static_cast<std::uint32_t>(nodes.size());
+              nodes.push_back(node);
+              first.push_back(0);
+            }
+          ++first[place[node] + 1];
+        }
+    for (std::size_t n = 1; n < first.size(); ++n)
+      first[n] += first[n - 1];
+    sums.assign(first.back(), Force{});
+    entries.resize(first.back());
+    std::uint32_t entry = 0;
+    for (const CandidateBlock &block : blocks)
+      for (const std::uint32_t node : block.nodes.keys())
+        entries[first[place[node]]++] = entry++;
+    for (std::size_t n = nodes.size(); n > 0; --n)
+      first[n] = first[n - 1];
+    first[0] = 0;
+  }
+
+  void NodeSums::add_to(const FacetsView &facets, ThreadPool &pool) const
+  {
+    const auto add = [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+        {
+          Force total{};
+          for (std::uint32_t e = first[n]; e < first[n + 1]; ++e)
+            for (unsigned int d = 0; d < 4; ++d)
+              total[d] += sums[entries[e]][d];
+          for (unsigned int d = 0; d < 3; ++d)
+            facets.force[nodes[n] * facets.velocity_stride + d] += total[d];
+        }
+    };
+    pool.parallel_for(nodes.size(), grain, std::ref(add));
+  }
+} // namespace birdstrike

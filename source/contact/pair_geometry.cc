@@ -1,0 +1,101 @@
+#include <birdstrike/contact/gather.h>
+#include <birdstrike/contact/pair_geometry.h>
+#include <birdstrike/core/closest_point.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  void PairGeometry::find_awake(const CandidateBlock &block, const double reach, const double travelled)
+  {
+    const double limit = reach + travelled;
+    n_awake            = 0;
+    pair.resize(std::max(pair.size(), block.pair_bound.size() + n_lanes));
+    for (std::size_t b = 0; b < block.pair_bound.size(); b += n_lanes)
+      if (any(load<Lanes>(&block.pair_bound[b]) < Lanes(limit)))
+        for (std::size_t k = b; k < b + n_lanes; ++k)
+          {
+            pair[n_awake] = static_cast<std::uint32_t>(k);
+            n_awake += block.pair_bound[k] < limit ? 1 : 0;
+          }
+    for (std::size_t a = n_awake; a % n_lanes != 0; ++a)
+      pair[a] = pair[n_awake - 1];
+  }
+
+  void PairGeometry::load_block_nodes(const FacetsView &facets, const SurfaceTopology &topology,
+                                      const CandidateBlock &block)
+  {
+    const auto &keys = block.nodes.keys();
+    nodes.resize(std::max(nodes.size(), keys.size()));
+    for (std::size_t n = 0; n < keys.size(); ++n)
+      {
+        const double *x = facets.position + 3 * keys[n], *v = facets.velocity + facets.velocity_stride * keys[n];
+        nodes[n].value = {
+          x[0], x[1], x[2], v[0], v[1], v[2], facets.inverse_mass[keys[n]], topology.half_thickness(keys[n])};
+      }
+  }
+
+  void PairGeometry::compute(const PointsView &points, const FacetsView &facets, const SurfaceTopology &topology,
+                             CandidateBlock &block, const double travelled)
+  {
+    const std::size_t n_padded = (n_awake + n_lanes - 1) / n_lanes * n_lanes;
+    const auto        grow     = [&](AlignedVector<double> &array) { array.resize(std::max(array.size(), n_padded)); };
+    for (auto *array : {&distance, &height, &half_thickness, &inverse_mass})
+      grow(*array);
+    for (auto *arrays : {&offset, &velocity})
+      for (auto &array : *arrays)
+        grow(array);
+    for (auto &array : weight)
+      grow(array);
+
+    load_block_nodes(facets, topology, block);
+    for (std::size_t a = 0; a < n_padded; a += n_lanes)
+      compute_batch(points, block, a);
+    for (std::size_t a = 0; a < n_awake; ++a)
+      block.pair_bound[pair[a]] = distance[a] + travelled;
+  }
+
+  void PairGeometry::compute_batch(const PointsView &points, const CandidateBlock &block, const std::size_t begin)
+  {
+    std::array<std::array<std::uint32_t, n_lanes>, 4> corner;
+    std::array<std::uint32_t, n_lanes>                point;
+    for (std::size_t j = 0; j < n_lanes; ++j)
+      {
+        const std::uint32_t k     = pair[begin + j];
+        const auto         &facet = block.facet_nodes[block.pair_facet[k]];
+        for (unsigned int c = 0; c < 4; ++c)
+          corner[c][j] = facet[c];
+        point[j] = block.points[block.pair_near[k]];
+      }
+
+    std::array<std::array<Lanes, 8>, 4> node;
+    std::array<Vector3<Lanes>, 4>       x;
+    for (unsigned int c = 0; c < 4; ++c)
+      {
+        node[c] = load_nodes(nodes.data(), corner[c].data());
+        x[c]    = {node[c][0], node[c][1], node[c][2]};
+      }
+    const auto           q      = compute_closest_point(gather_points(points, point.data()), x);
+    const Vector3<Lanes> normal = compute_area_vector(x);
+    store(sqrt(q.distance_squared), &distance[begin]);
+    store(q.offset.dot(normal) / sqrt(normal.dot(normal)), &height[begin]);
+
+    Lanes thickness(0.), inverse(0.);
+    for (unsigned int c = 0; c < 4; ++c)
+      {
+        thickness += q.weights[c] * node[c][7];
+        inverse += q.weights[c] * q.weights[c] * node[c][6];
+        store(q.weights[c], &weight[c][begin]);
+      }
+    store(thickness, &half_thickness[begin]);
+    store(inverse, &inverse_mass[begin]);
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        Lanes relative = gather(points.velocity[d], point.data());
+        for (unsigned int c = 0; c < 4; ++c)
+          relative -= q.weights[c] * node[c][3 + d];
+        store(q.offset[d], &offset[d][begin]);
+        store(relative, &velocity[d][begin]);
+      }
+  }
+} // namespace birdstrike

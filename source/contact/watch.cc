@@ -1,0 +1,147 @@
+#include <birdstrike/contact/search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+// What is looked at in every call: the boxes of points and nodes, and how far the tracked ones have moved.
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr std::size_t nodes_per_part = 1024; // a multiple of all lane counts
+    constexpr std::size_t min_units      = 8;    // blocks that are worth a second thread's wake-up
+
+    /// Low, high and largest squared motion of the points [i, i + lanes).
+    template <class Number>
+    struct PointsSeen
+    {
+      std::array<Number, 3> low{{Number(1e300), Number(1e300), Number(1e300)}},
+        high{{Number(-1e300), Number(-1e300), Number(-1e300)}};
+      Number motion_squared = Number(0.);
+
+      template <bool is_tracked>
+      void add(const PointsView &points, std::array<AlignedVector<double>, 3> &old, const Point3 &shift,
+               const std::size_t i)
+      {
+        Number sum(0.);
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const Number x = load<Number>(points.position[d] + i);
+            low[d]         = min(low[d], x);
+            high[d]        = max(high[d], x);
+            if constexpr (is_tracked)
+              {
+                const Number dx = x - load<Number>(old[d].data() + i) - Number(shift[d]);
+                sum += dx * dx;
+                store(x, old[d].data() + i);
+              }
+          }
+        if constexpr (is_tracked)
+          motion_squared = max(motion_squared, sum);
+      }
+    };
+  } // namespace
+
+  void CandidateSearch::set_node_parts(const FacetsView &facets)
+  {
+    node_parts.resize((facets.n_nodes + nodes_per_part - 1) / nodes_per_part);
+  }
+
+  void CandidateSearch::watch(const PointsView &points, const FacetsView &facets, ThreadPool &pool)
+  {
+    const Point3 shift =
+      is_tracking && facets.n_nodes > 0
+        ? Point3(Eigen::Map<const Point3>(facets.position) - Eigen::Map<const Point3>(old_nodes.data()))
+        : Point3(0., 0., 0.);
+    const auto watch_units = [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t u = begin; u < end; ++u)
+        if (u < node_parts.size())
+          watch_nodes(facets, shift, u);
+        else
+          watch_points(points, shift, all_blocks[u - node_parts.size()]);
+    };
+    pool.parallel_for(node_parts.size() + all_blocks.size(), min_units, std::ref(watch_units));
+
+    surface             = Box();
+    Point3 nodes_motion = Point3::Zero();
+    for (const NodePart &part : node_parts)
+      {
+        surface.add(part.box);
+        nodes_motion = nodes_motion.cwiseMax(part.motion);
+      }
+    double squared = 0.;
+    for (const CandidateBlock &block : all_blocks)
+      squared = std::max(squared, block.motion_squared);
+    last_motion = is_tracking ? std::sqrt(squared) + nodes_motion.norm() : 0.;
+  }
+
+  void CandidateSearch::watch_points(const PointsView &points, const Point3 &shift, CandidateBlock &block)
+  {
+    PointsSeen<Lanes>  wide;
+    PointsSeen<double> tail;
+    const auto         look = [&]<bool is_tracked>(std::integral_constant<bool, is_tracked>) {
+      std::size_t i = block.begin;
+      for (; i + n_lanes <= block.end; i += n_lanes)
+        wide.add<is_tracked>(points, old_points, shift, i);
+      for (; i < block.end; ++i)
+        tail.add<is_tracked>(points, old_points, shift, i);
+    };
+    if (block.is_tracked)
+      look(std::true_type());
+    else
+      look(std::false_type());
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        block.box.low[d]  = std::min(stdx::hmin(wide.low[d]), tail.low[d]);
+        block.box.high[d] = std::max(stdx::hmax(wide.high[d]), tail.high[d]);
+      }
+    block.motion_squared = std::max(stdx::hmax(wide.motion_squared), tail.motion_squared);
+  }
+
+  void CandidateSearch::watch_nodes(const FacetsView &facets, const Point3 &shift, const std::size_t part)
+  {
+    // x y z x y z ...: three registers hold whole nodes, and their lanes repeat the components
+    const std::size_t begin = 3 * part * nodes_per_part, end = std::min(old_nodes.size(), begin + 3 * nodes_per_part);
+    std::array<Lanes, 3> low, high, motion, shifts;
+    for (std::size_t r = 0; r < 3; ++r)
+      {
+        low[r]    = Lanes(1e300);
+        high[r]   = Lanes(-1e300);
+        motion[r] = Lanes(0.);
+        shifts[r] = Lanes([&](const auto j) { return shift[(r * n_lanes + j) % 3]; });
+      }
+    std::size_t e = begin;
+    for (; e + 3 * n_lanes <= end; e += 3 * n_lanes)
+      for (std::size_t r = 0; r < 3; ++r)
+        {
+          double     *old = &old_nodes[e + r * n_lanes];
+          const Lanes x   = load<Lanes>(facets.position + e + r * n_lanes);
+          low[r]          = min(low[r], x);
+          high[r]         = max(high[r], x);
+          if (is_tracking)
+            {
+              const Lanes dx = x - load<Lanes>(old) - shifts[r];
+              motion[r]      = max(motion[r], max(dx, -dx));
+              store(x, old);
+            }
+        }
+
+    NodePart &seen = node_parts[part];
+    seen           = {Box(), Point3::Zero()};
+    const auto add = [&](const std::size_t d, const double x_low, const double x_high, const double dx) {
+      seen.box.low[d]                           = std::min(seen.box.low[d], x_low);
+      seen.box.high[d]                          = std::max(seen.box.high[d], x_high);
+      seen.motion[static_cast<Eigen::Index>(d)] = std::max(seen.motion[static_cast<Eigen::Index>(d)], dx);
+    };
+    for (std::size_t k = 0; k < 3 * n_lanes; ++k)
+      add(k % 3, low[k / n_lanes][k % n_lanes], high[k / n_lanes][k % n_lanes], motion[k / n_lanes][k % n_lanes]);
+    for (; e < end; ++e)
+      {
+        const std::size_t d = (e - begin) % 3;
+        const double      x = facets.position[e];
+        add(d, x, x, is_tracking ? std::abs(x - old_nodes[e] - shift[static_cast<Eigen::Index>(d)]) : 0.);
+        old_nodes[e] = x;
+      }
+  }
+} // namespace birdstrike
