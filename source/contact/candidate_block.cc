@@ -9,6 +9,7 @@ namespace birdstrike
   void CandidateBlock::clear()
   {
     points.clear();
+    has_passed.clear();
     pair_near.clear();
     pair_facet.clear();
     pair_bound.clear();

@@ -103,14 +103,10 @@ namespace birdstrike
     return cell;
   }
 
-  template <class Visit>
-  void FacetGrid::visit_cells(const Box &box, const Visit &visit) const
+  std::size_t FacetGrid::count_cells(const Box &box) const
   {
     const auto low = cell_of(box.low.data()), high = cell_of(box.high.data());
-    for (std::size_t k = low[2]; k <= high[2]; ++k)
-      for (std::size_t j = low[1]; j <= high[1]; ++j)
-        for (std::size_t i = low[0]; i <= high[0]; ++i)
-          visit((k * n_cells[1] + j) * n_cells[0] + i);
+    return (high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1);
   }
 
   std::span<const std::uint32_t> FacetGrid::near(const Point3 &p) const

@@ -147,10 +147,10 @@ namespace birdstrike
 
   void NarrowPhase::decide(const ContactScene &scene, const Group &group, const double reach, PointMemory &memory)
   {
-    PointRecord        &record  = memory[scene.points.id[block->points[group.near]]];
     const std::uint32_t closest = nearest(group);
-    if (pairs.distance[closest] >= reach && !has_passed(record, scene.call))
+    if (pairs.distance[closest] >= reach && !block->has_passed[group.near])
       return;
+    PointRecord &record = memory[scene.points.id[block->points[group.near]]];
 
     const PointRecord before = record;
     TouchingPair      first, second;
@@ -174,15 +174,20 @@ namespace birdstrike
     for (const TouchingPair &touched : {first, second})
       if (touched.share > 0.)
         touching.push_back(touched);
-    if (has_passed(record, scene.call + 1))
+    block->has_passed[group.near] = has_passed(record, scene.call + 1);
+    if (block->has_passed[group.near])
       keep_awake(group.near);
   }
 
   void NarrowPhase::keep_passed_awake(const ContactScene &scene, PointMemory &memory)
   {
+    block->has_passed.resize(block->points.size());
     for (std::uint32_t near = 0; near < block->points.size(); ++near)
-      if (has_passed(memory[scene.points.id[block->points[near]]], scene.call))
-        keep_awake(near);
+      {
+        block->has_passed[near] = has_passed(memory[scene.points.id[block->points[near]]], scene.call);
+        if (block->has_passed[near])
+          keep_awake(near);
+      }
     block->is_new = false;
   }
 

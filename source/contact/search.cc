@@ -1,3 +1,4 @@
+#include <birdstrike/contact/pair_collector.h>
 #include <birdstrike/contact/search.h>
 
 #include <algorithm>
@@ -92,6 +93,7 @@ namespace birdstrike
     grid.update(facets, reach, region);
     std::copy(facets.position, facets.position + old_nodes.size(), old_nodes.begin());
     const auto collect_blocks = [&](const std::size_t begin, const std::size_t end) {
+      static thread_local PairCollector collector;
       for (std::size_t b = begin; b < end; ++b)
         {
           CandidateBlock &block = all_blocks[b];
@@ -101,7 +103,7 @@ namespace birdstrike
           for (unsigned int d = 0; d < 3; ++d)
             std::copy(points.position[d] + block.begin, points.position[d] + block.end,
                       old_points[d].begin() + static_cast<std::ptrdiff_t>(block.begin));
-          collect(points, reach, block);
+          collector.collect(points, grid, reach, block);
           block.number_surface(facets);
           block.find_speed(points, facets);
         }
@@ -113,34 +115,6 @@ namespace birdstrike
         block.first_node = n_nodes;
         n_nodes += block.nodes.keys().size();
         n_near_points += block.points.size();
-      }
-  }
-
-  void CandidateSearch::collect(const PointsView &points, const double reach, CandidateBlock &block) const
-  {
-    for (std::size_t i = block.begin; i < block.end; ++i)
-      {
-        const Point3 p(points.position[0][i], points.position[1][i], points.position[2][i]);
-        if (!grid.box().contains(p))
-          continue;
-        const std::size_t before = block.n_pairs();
-        for (const std::uint32_t f : grid.near(p))
-          {
-            double distance_squared = 0.; // to the facet's own box
-            for (unsigned int d = 0; d < 3; ++d)
-              {
-                const double outside =
-                  std::max(0., std::max(grid.box(f).low[d] - p[d], p[d] - grid.box(f).high[d]) + reach);
-                distance_squared += outside * outside;
-              }
-            if (distance_squared > reach * reach)
-              continue;
-            block.pair_near.push_back(static_cast<std::uint32_t>(block.points.size()));
-            block.pair_facet.push_back(f);
-            block.pair_bound.push_back(std::sqrt(distance_squared));
-          }
-        if (block.n_pairs() > before)
-          block.points.push_back(static_cast<std::uint32_t>(i));
       }
   }
 } // namespace birdstrike

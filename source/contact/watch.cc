@@ -21,8 +21,8 @@ namespace birdstrike
       Number motion_squared = Number(0.);
 
       template <bool is_tracked>
-      void add(const PointsView &points, std::array<AlignedVector<double>, 3> &old, const Point3 &shift,
-               const std::size_t i)
+      [[gnu::always_inline]] void add(const PointsView &points, std::array<AlignedVector<double>, 3> &old,
+                                      const Point3 &shift, const std::size_t i)
       {
         Number sum(0.);
         for (unsigned int d = 0; d < 3; ++d)

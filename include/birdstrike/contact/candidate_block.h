@@ -22,6 +22,7 @@ namespace birdstrike
     bool   is_new         = false; ///< its list has not been used yet
 
     std::vector<std::uint32_t> points;     ///< near ones, ascending
+    std::vector<unsigned char> has_passed; ///< [points], whether the point is beyond the surface that it touches
     std::vector<std::uint32_t> pair_near;  ///< [pair], place in `points`, ascending
     std::vector<std::uint32_t> pair_facet; ///< [pair], number in `facets`, by ascending facet for each point
 

@@ -55,6 +55,21 @@ namespace birdstrike
     {
       return boxes[facet];
     }
+    std::size_t n_facets() const
+    {
+      return boxes.size();
+    }
+
+    /// Facets by the cells that a box meets (which must meet box()): a facet may come several times.
+    std::size_t count_cells(const Box &box) const;
+    template <class Visit>
+    void visit_near(const Box &box, const Visit &visit) const
+    {
+      visit_cells(box, [&](const std::size_t cell) {
+        for (std::uint32_t e = first[cell]; e < first[cell + 1]; ++e)
+          visit(entries[e]);
+      });
+    }
 
     /// Facets whose widened box meets the cell of p (which must lie in box()), in ascending order.
     std::span<const std::uint32_t> near(const Point3 &p) const;
@@ -63,7 +78,14 @@ namespace birdstrike
     std::array<std::size_t, 3> cell_of(const double *p) const;
     void                       set_cells();
     template <class Visit>
-    void visit_cells(const Box &box, const Visit &visit) const;
+    void visit_cells(const Box &box, const Visit &visit) const
+    {
+      const auto low = cell_of(box.low.data()), high = cell_of(box.high.data());
+      for (std::size_t k = low[2]; k <= high[2]; ++k)
+        for (std::size_t j = low[1]; j <= high[1]; ++j)
+          for (std::size_t i = low[0]; i <= high[0]; ++i)
+            visit((k * n_cells[1] + j) * n_cells[0] + i);
+    }
 
     Box                        all;
     std::vector<Box>           boxes;

@@ -77,7 +77,6 @@ namespace birdstrike
     void   watch_nodes(const FacetsView &facets, const Point3 &shift, std::size_t part);
     double closest_away() const;
     void   find_pairs(const PointsView &points, const FacetsView &facets, double reach, ThreadPool &pool);
-    void   collect(const PointsView &points, double reach, CandidateBlock &block) const;
 
     struct NodePart
     {
