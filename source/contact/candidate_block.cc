@@ -16,6 +16,7 @@ namespace birdstrike
     facets.restart(0);
     nodes.restart(0);
     facet_nodes.clear();
+    path    = 0.;
     speed   = 0.;
     n_awake = 0;
     is_new  = true;

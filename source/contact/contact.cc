@@ -42,8 +42,7 @@ namespace birdstrike
     if (search.n_near() > 0)
       {
         const double range = topology.max_half_thickness() + 0.5 * memory.max_size();
-        const double reach = std::max(range, 4. * search.step_motion());
-        add_block_forces({points, facets, topology, step, reach, last.calls, last.calls == 1}, pool);
+        add_block_forces({points, facets, topology, step, range, last.calls, last.calls == 1}, pool);
         node_sums.add_to(facets, pool);
       }
     sum_report();
@@ -91,7 +90,7 @@ namespace birdstrike
             continue;
           NodeSums::Force *sums = node_sums.of(block);
           std::fill(sums, sums + block.nodes.keys().size(), NodeSums::Force{});
-          workspace.narrow_phase.update(scene, block, search.travelled(), memory);
+          workspace.narrow_phase.update(scene, block, memory);
           block_reports[b].n_tested = block.n_awake;
           block_reports[b].n_active = workspace.narrow_phase.n_active();
           if (!workspace.narrow_phase.touches().empty())

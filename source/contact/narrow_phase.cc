@@ -31,20 +31,19 @@ namespace birdstrike
     std::uint32_t begin, end, near;
   };
 
-  void NarrowPhase::update(const ContactScene &scene, CandidateBlock &present, const double travelled,
-                           PointMemory &memory)
+  void NarrowPhase::update(const ContactScene &scene, CandidateBlock &present, PointMemory &memory)
   {
     touching.clear();
     n_active_points = 0;
     block           = &present;
     if (present.is_new)
       keep_passed_awake(scene, memory);
-    const double reach = std::max(scene.reach, 4. * scene.step * present.speed);
-    pairs.find_awake(present, reach, travelled);
+    const double reach = std::max(scene.range, 4. * std::max(present.step_motion, scene.step * present.speed));
+    pairs.find_awake(present, reach);
     present.n_awake = pairs.n();
     if (pairs.n() == 0)
       return;
-    pairs.compute(scene.points, scene.facets, scene.topology, present, travelled);
+    pairs.compute(scene.points, scene.facets, scene.topology, present);
     const auto near_of = [&](const std::uint32_t place) { return present.pair_near[pairs.pair[place]]; };
     for (std::uint32_t begin = 0, end = 0; begin < pairs.n(); begin = end)
       {

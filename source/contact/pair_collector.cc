@@ -14,9 +14,14 @@ namespace birdstrike
   void PairCollector::collect(const PointsView &points, const FacetGrid &grid, const double reach,
                               CandidateBlock &block)
   {
+    n_pairs = 0;
     seen.resize(std::max(seen.size(), grid.n_facets()), 0);
     for (std::size_t i = block.begin; i < block.end; i += points_together)
       collect_range(points, grid, reach, block, {i, std::min(block.end, i + points_together)});
+    const auto end = static_cast<std::ptrdiff_t>(n_pairs);
+    block.pair_near.assign(near.begin(), near.begin() + end);
+    block.pair_facet.assign(facet.begin(), facet.begin() + end);
+    block.pair_bound.assign(bound.begin(), bound.begin() + end);
   }
 
   void PairCollector::collect_range(const PointsView &points, const FacetGrid &grid, const double reach,
@@ -68,10 +73,17 @@ namespace birdstrike
   }
 
   void PairCollector::test_point(const PointsView &points, const std::size_t i, const double reach,
-                                 CandidateBlock &block) const
+                                 CandidateBlock &block)
   {
-    const std::size_t before = block.n_pairs();
-    const auto        near   = static_cast<std::uint32_t>(block.points.size());
+    const std::size_t before = n_pairs;
+    const auto        number = static_cast<std::uint32_t>(block.points.size());
+    if (near.size() < n_pairs + chosen.size())
+      {
+        const std::size_t n = 2 * (n_pairs + chosen.size());
+        near.resize(n);
+        facet.resize(n);
+        bound.resize(n);
+      }
     for (std::size_t b = 0; b < n_chosen; b += n_lanes)
       {
         Lanes squared(0.); // distance to the facet's own box
@@ -86,15 +98,16 @@ namespace birdstrike
           continue;
         alignas(64) std::array<double, n_lanes> distance;
         store(sqrt(squared), distance.data());
-        for (std::size_t k = 0; k < n_lanes && b + k < n_chosen; ++k)
-          if (distance[k] <= reach)
-            {
-              block.pair_near.push_back(near);
-              block.pair_facet.push_back(chosen[b + k]);
-              block.pair_bound.push_back(distance[k]);
-            }
+        const std::size_t n = std::min(n_lanes, n_chosen - b);
+        for (std::size_t k = 0; k < n; ++k)
+          {
+            near[n_pairs]  = number;
+            facet[n_pairs] = chosen[b + k];
+            bound[n_pairs] = distance[k];
+            n_pairs += distance[k] <= reach ? 1 : 0;
+          }
       }
-    if (block.n_pairs() > before)
+    if (n_pairs > before)
       block.points.push_back(static_cast<std::uint32_t>(i));
   }
 } // namespace birdstrike

@@ -6,9 +6,9 @@
 
 namespace birdstrike
 {
-  void PairGeometry::find_awake(const CandidateBlock &block, const double reach, const double travelled)
+  void PairGeometry::find_awake(const CandidateBlock &block, const double reach)
   {
-    const double limit = reach + travelled;
+    const double limit = reach + block.path;
     n_awake            = 0;
     pair.resize(std::max(pair.size(), block.pair_bound.size() + n_lanes));
     for (std::size_t b = 0; b < block.pair_bound.size(); b += n_lanes)
@@ -36,7 +36,7 @@ namespace birdstrike
   }
 
   void PairGeometry::compute(const PointsView &points, const FacetsView &facets, const SurfaceTopology &topology,
-                             CandidateBlock &block, const double travelled)
+                             CandidateBlock &block)
   {
     const std::size_t n_padded = (n_awake + n_lanes - 1) / n_lanes * n_lanes;
     const auto        grow     = [&](AlignedVector<double> &array) { array.resize(std::max(array.size(), n_padded)); };
@@ -52,7 +52,7 @@ namespace birdstrike
     for (std::size_t a = 0; a < n_padded; a += n_lanes)
       compute_batch(points, block, a);
     for (std::size_t a = 0; a < n_awake; ++a)
-      block.pair_bound[pair[a]] = distance[a] + travelled;
+      block.pair_bound[pair[a]] = distance[a] + block.path;
   }
 
   void PairGeometry::compute_batch(const PointsView &points, const CandidateBlock &block, const std::size_t begin)

@@ -70,10 +70,13 @@ namespace birdstrike
         surface.add(part.box);
         nodes_motion = nodes_motion.cwiseMax(part.motion);
       }
-    double squared = 0.;
-    for (const CandidateBlock &block : all_blocks)
-      squared = std::max(squared, block.motion_squared);
-    last_motion = is_tracking ? std::sqrt(squared) + nodes_motion.norm() : 0.;
+    last_motion = 0.;
+    for (CandidateBlock &block : all_blocks)
+      {
+        block.step_motion = block.is_tracked ? std::sqrt(block.motion_squared) + nodes_motion.norm() : 0.;
+        block.path += block.step_motion;
+        last_motion = std::max(last_motion, block.step_motion);
+      }
   }
 
   void CandidateSearch::watch_points(const PointsView &points, const Point3 &shift, CandidateBlock &block)

@@ -18,6 +18,9 @@ namespace birdstrike
 
     Box    box;                    ///< of its points, now
     double motion_squared = 0.;    ///< m^2, largest of its points since the last call, relative to the first node
+    /// m, bounds of how far its points and any node have moved relative to each other, since the last search and since
+    /// the last call.
+    double path = 0., step_motion = 0.;
     bool   is_tracked     = false; ///< it may have pairs
     bool   is_new         = false; ///< its list has not been used yet
 
@@ -26,9 +29,8 @@ namespace birdstrike
     std::vector<std::uint32_t> pair_near;  ///< [pair], place in `points`, ascending
     std::vector<std::uint32_t> pair_facet; ///< [pair], number in `facets`, by ascending facet for each point
 
-    /// [pair], m, from number_surface() on padded to whole registers: a lower bound of the distance plus what points
-    /// and facets had travelled when it was found. While this less the present travel exceeds the reach, the pair
-    /// sleeps.
+    /// [pair], m, from number_surface() on padded to whole registers: a lower bound of the distance plus `path` when it
+    /// was found. While this less the present path exceeds the reach, the pair sleeps.
     AlignedVector<double> pair_bound;
 
     LocalNumbers                              facets, nodes;

@@ -25,7 +25,7 @@ namespace birdstrike
     const FacetsView      &facets;
     const SurfaceTopology &topology;
     double                 step;     ///< s
-    double                 reach;    ///< m, from where on a point needs no look, see NarrowPhase
+    double                 range;    ///< m, the largest offset g
     std::uint64_t          call;     ///< number of this call, one more than that of the last
     bool                   is_first; ///< penetrations found now become references
   };
@@ -51,7 +51,7 @@ namespace birdstrike
   {
   public:
     /// Fills touches() for one block, in the order of its points.
-    void update(const ContactScene &scene, CandidateBlock &block, double travelled, PointMemory &memory);
+    void update(const ContactScene &scene, CandidateBlock &block, PointMemory &memory);
 
     const std::vector<TouchingPair> &touches() const
     {

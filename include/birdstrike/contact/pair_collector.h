@@ -24,12 +24,17 @@ namespace birdstrike
     void collect_range(const PointsView &points, const FacetGrid &grid, double reach, CandidateBlock &block,
                        std::array<std::size_t, 2> range);
     void choose_facets(const FacetGrid &grid, const Box &box);
-    void test_point(const PointsView &points, std::size_t i, double reach, CandidateBlock &block) const;
+    void test_point(const PointsView &points, std::size_t i, double reach, CandidateBlock &block);
 
     std::vector<std::uint64_t>           seen; // [facets], number of the choice that last saw one
     std::uint64_t                        n_choices = 0;
     std::vector<std::uint32_t>           chosen;    // padded
     std::array<AlignedVector<double>, 3> low, high; // of the chosen facets' widened boxes
     std::size_t                          n_chosen = 0;
+
+    // pairs of the block so far, in arrays that are large enough: push_back would take most of the time
+    std::vector<std::uint32_t> near, facet;
+    AlignedVector<double>      bound;
+    std::size_t                n_pairs = 0;
   };
 } // namespace birdstrike

@@ -15,12 +15,12 @@ namespace birdstrike
   class PairGeometry
   {
   public:
-    /// Finds the pairs that are awake: those that may be closer than `reach` after `travelled`.
-    void find_awake(const CandidateBlock &block, double reach, double travelled);
+    /// Finds the pairs that are awake: those that may be closer than `reach`.
+    void find_awake(const CandidateBlock &block, double reach);
 
     /// Computes them, and when they next have to be looked at.
     void compute(const PointsView &points, const FacetsView &facets, const SurfaceTopology &topology,
-                 CandidateBlock &block, double travelled);
+                 CandidateBlock &block);
 
     std::size_t n() const
     {

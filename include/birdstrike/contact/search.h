@@ -55,15 +55,6 @@ namespace birdstrike
     }
     std::size_t n_pairs() const;
 
-    /// Since the last search, and within the last step, by any point relative to any facet, m.
-    double travelled() const
-    {
-      return path;
-    }
-    double step_motion() const
-    {
-      return last_motion;
-    }
     const Counts &counts() const
     {
       return n_calls;
@@ -94,7 +85,7 @@ namespace birdstrike
     std::uint64_t                        points_revision = 0, facets_revision = 0;
     std::size_t                          n_facets = 0;
     Box                                  surface;                     // of all nodes, now
-    double                               path = 0., last_motion = 0.; // m
+    double path = 0., last_motion = 0.; // m, of all blocks
     bool                                 is_known = false, is_tracking = false;
     Counts                               n_calls;
   };
