@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 /// What the bird says about itself: views, votes, balances, fields.
 namespace birdstrike
 {
@@ -52,8 +50,7 @@ namespace birdstrike
     const std::size_t p = fastest - speed.begin();
     limit.value         = parameters.courant_number * parameters.smoothing_ratio * packed.spacing / *fastest;
     limit.reason        = "bird particle, sound and approach speed";
-    limit.where         = fmt::format("particle {} at ({:.4g}, {:.4g}, {:.4g})", particles.id[p], particles.x[0][p],
-                                      particles.x[1][p], particles.x[2][p]);
+    limit.where         = {"particle", particles.id[p], {{particles.x[0][p], particles.x[1][p], particles.x[2][p]}}};
     return limit;
   }
 

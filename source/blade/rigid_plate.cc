@@ -64,7 +64,7 @@ namespace birdstrike
 
   StepLimit RigidPlate::step_limit() const
   {
-    return {std::numeric_limits<double>::infinity(), "rigid surface", ""};
+    return {std::numeric_limits<double>::infinity(), "rigid surface", {}};
   }
 
   void RigidPlate::kick_internal(double, HalfKick)

@@ -185,7 +185,10 @@ namespace birdstrike
             worst   = e;
           }
       }
-    return {2. / std::sqrt(largest), "shell element, largest eigenvalue", place(worst, my.geometry(worst).x.m0)};
+    const Point3 centre = my.geometry(worst).x.m0;
+    return {2. / std::sqrt(largest),
+            "shell element, largest eigenvalue",
+            {"element", worst, {{centre[0], centre[1], centre[2]}}}};
   }
 
   void ShellElements::use_nodal_masses(const std::span<const double> mass)

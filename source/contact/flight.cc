@@ -118,11 +118,14 @@ namespace birdstrike
 
       Overlap deepest(const Ray &ray, const std::uint32_t id) const
       {
-        Overlap result;
+        Overlap      result;
+        const Ray    resting{ray.origin, Point3::Zero(), 0.};
+        const double margin = ray.half_size + topology.max_half_thickness();
+        if (crossing(all, margin, resting).last < 0.)
+          return result;
         for (std::size_t f = 0; f < facets.n_facets; ++f)
           {
-            const Ray resting{ray.origin, Point3::Zero(), 0.};
-            if (crossing(boxes[f], ray.half_size + topology.max_half_thickness(), resting).last < 0.)
+            if (crossing(boxes[f], margin, resting).last < 0.)
               continue;
             Point3       normal;
             const double depth = overlap(ray.origin, f, ray.half_size, normal);

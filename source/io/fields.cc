@@ -138,6 +138,8 @@ namespace birdstrike
     std::snprintf(number, sizeof(number), "%04zu", times_and_names.size());
     const std::string file = "fields/" + name + "_" + number + ".vtu";
     std::ofstream     out(folder / file, std::ios::binary);
+    if (!out)
+      throw std::runtime_error("Cannot write " + (folder / file).string());
     if (snapshot.dim == 0)
       write_vtu<0>(snapshot, time, out);
     else if (snapshot.dim == 2)

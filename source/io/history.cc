@@ -136,6 +136,11 @@ namespace birdstrike
       throw std::runtime_error("Cannot write " + (folder / "history.csv").string() + ": is the disk full?");
   }
 
+  void History::flush_table()
+  {
+    write_csv_rows();
+  }
+
   void History::flush()
   {
     const bool has_new_rows = rows_in_file < rows;

@@ -17,8 +17,10 @@ namespace birdstrike
                       Double(0.));
     prm.add_parameter("Console interval", console_interval, "Time on the clock between two progress lines. [s]",
                       Double(0.));
-    prm.add_parameter("Flush interval", flush_interval,
-                      "Time on the clock after which the histories on disk are brought up to date. [s]", Double(0.));
+    prm.add_parameter(
+      "Flush interval", flush_interval,
+      "Time on the clock after which history.csv is brought up to date; results.h5 is written at the end. [s]",
+      Double(0.));
     prm.add_parameter("Blade fields", blade_fields, "Whether fields of the blade are written for ParaView. [-]",
                       Bool());
     prm.add_parameter("Bird fields", bird_fields, "Whether fields of the bird are written for ParaView. [-]", Bool());

@@ -41,6 +41,7 @@ namespace birdstrike
     : parameters(parameters)
     , scene(scene)
     , stepper(parts_of(scene), timings)
+    , sections{timings.section("retirement"), timings.section("step votes"), timings.section("balance and output")}
     , balance(parameters.time.energy_error_limit)
     , progress(parameters.time.end_time, parameters.output.console_interval)
   {
@@ -76,14 +77,20 @@ namespace birdstrike
 
   void BirdStrike::start()
   {
-    schedule = scene.plan(parameters.time.end_time);
+    plan();
     stepper.compute_initial_forces(schedule.bird_step());
     observe();
   }
 
+  void BirdStrike::plan()
+  {
+    const Timings::Scope scope(timings, sections.votes);
+    schedule = scene.plan(parameters.time.end_time - now);
+  }
+
   void BirdStrike::advance()
   {
-    schedule = scene.plan(parameters.time.end_time - now);
+    plan();
     stepper.advance(schedule);
     now += schedule.step;
     ++n_steps;
@@ -95,12 +102,13 @@ namespace birdstrike
 
   void BirdStrike::observe()
   {
-    const Timings::Scope scope(timings, timings.section("balance and output"));
+    const Timings::Scope scope(timings, sections.output);
     balance.update(scene.state(), now, n_steps);
     observed.update(scene, balance, now);
     if (recorder)
       {
         recorder->record(now, n_steps);
+        recorder->flush_when_due(timings.wall());
         if (progress.is_due())
           progress.print({now, schedule.step, n_steps, balance.energy_error()});
       }
@@ -108,6 +116,7 @@ namespace birdstrike
 
   void BirdStrike::retire_particles()
   {
+    const Timings::Scope scope(timings, sections.retirement);
     n_retired += scene.retire_particles(std::min(retirement_horizon, parameters.time.end_time - now));
     if (scene.bird->state().size() > 0)
       return;
@@ -133,6 +142,7 @@ namespace birdstrike
 
   void BirdStrike::finish()
   {
+    const Timings::Scope scope(timings, sections.output);
     balance.update(scene.state(), now, n_steps);
     observed.update(scene, balance, now);
     if (recorder)

@@ -63,7 +63,7 @@ namespace birdstrike
       table.add("flight skipped before first touch", scene.flight_time, "s");
       table.add("first macro step", format_quantity(schedule.step, "s"));
       table.add("limited by",
-                schedule.limiter.reason + (schedule.limiter.where.empty() ? "" : ", ") + schedule.limiter.where);
+                schedule.limiter.reason + (schedule.limiter.where.kind ? ", " + schedule.limiter.where.text() : ""));
       table.add("sub-steps in it", fmt::format("bird {}, blade {}", schedule.n_bird, schedule.n_blade));
       table.add("macro steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
       double ns = 0.;

@@ -26,7 +26,7 @@ namespace birdstrike
     root_moment.update(time, std::abs(root.bending_moment));
     root_force.update(time, std::hypot(root.normal_force, root.transverse_force));
 
-    const auto force = scene.blade->contact_force();
+    force = scene.blade->contact_force();
     contact_force.update(time, std::hypot(force[0], force[1], force[2]));
     if (scene.contact)
       max_penetration = std::max(max_penetration, scene.contact->report().max_penetration);

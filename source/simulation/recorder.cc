@@ -37,6 +37,7 @@ namespace birdstrike
     , history(folder, parameters.output.hdf5)
     , history_ticks(parameters.output.history_interval)
     , field_ticks(field_ticks_of(parameters.output.field_interval))
+    , flush_interval(parameters.output.flush_interval)
   {
     add_clock_and_balance_columns();
     if (scene.bird)
@@ -79,8 +80,7 @@ namespace birdstrike
   void Recorder::add_contact_columns(const ContactParameters &parameters)
   {
     for (unsigned int c = 0; c < 3; ++c)
-      history.add_column(std::string("contact_force_") + axis_names[c], "N",
-                         [this, c] { return scene.blade->contact_force()[c]; });
+      history.add_column(std::string("contact_force_") + axis_names[c], "N", [this, c] { return observed.force[c]; });
     for (unsigned int c = 0; c < 3; ++c)
       history.add_column(std::string("contact_impulse_") + axis_names[c], "N s",
                          [this, c] { return balance.state().blade_momentum.contact_impulse[c]; });
@@ -143,9 +143,9 @@ namespace birdstrike
   void Recorder::write_fields(const double time)
   {
     if (blade_fields)
-      blade_fields->write(scene.blade->snapshot(), time);
+      writer.write(*blade_fields, scene.blade->snapshot(), time);
     if (bird_fields && scene.bird)
-      bird_fields->write(scene.bird->snapshot(), time);
+      writer.write(*bird_fields, scene.bird->snapshot(), time);
     last_field = time;
   }
 
@@ -184,6 +184,15 @@ namespace birdstrike
                              {{"face", "-", {-1., 1.}}, {"chord", "m", root.chord_position}}, std::move(values));
       }
     history.flush();
+    writer.flush();
+  }
+
+  void Recorder::flush_when_due(const double wall)
+  {
+    if (wall - last_flush < flush_interval)
+      return;
+    history.flush_table();
+    last_flush = wall;
   }
 
   void Recorder::flush()

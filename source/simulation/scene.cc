@@ -75,7 +75,7 @@ namespace birdstrike
         bird_vote = StepVote{bird->step_limit(), particle_cost * static_cast<double>(bird->state().size())};
         bird_vote->limit.value *= parameters.time.bird_step_scale;
         if (largest_bird_step < bird_vote->limit.value)
-          bird_vote->limit = {largest_bird_step, "bird, smooth growth of the step", ""};
+          bird_vote->limit = {largest_bird_step, "bird, smooth growth of the step", {}};
       }
     if (blade && blade->is_deformable())
       {

@@ -114,10 +114,10 @@ namespace birdstrike
   {
     if (!parts.bird)
       return;
-    parts.bird->clear_contact_forces();
     if (parts.contact)
       {
         const Timings::Scope scope(timings, sections.contact);
+        parts.bird->clear_contact_forces();
         parts.blade->clear_contact_forces();
         parts.contact->add_forces(parts.bird->points(), parts.blade->facets(), step, *parts.pool);
       }

@@ -13,7 +13,7 @@ namespace birdstrike
       if (vote && !(vote->limit.value > 0.))
         throw NumericalFailure(std::string("The stable step of the ") + part + " is " +
                                std::to_string(vote->limit.value) + " s.\nLimited by: " + vote->limit.reason + ", " +
-                               vote->limit.where);
+                               vote->limit.where.text());
     }
 
     Schedule cheapest(const StepVote &bird, const StepVote &blade, const unsigned int max_ratio)
@@ -59,7 +59,7 @@ namespace birdstrike
     if (schedule.step >= remaining)
       {
         schedule.step    = remaining;
-        schedule.limiter = {remaining, "end of the run", ""};
+        schedule.limiter = {remaining, "end of the run", {}};
       }
     else if (schedule.step > 0.5 * remaining) // two equal steps rather than a full one and a sliver
       schedule.step = 0.5 * remaining;

@@ -42,7 +42,10 @@ namespace birdstrike
     /// Asks every column and profile for its present value.
     void append_row();
 
-    /// Brings history.csv and results.h5 up to date on disk.
+    /// Brings history.csv up to date: writes the new rows only, so that its cost does not grow with the run.
+    void flush_table();
+
+    /// Brings history.csv and results.h5 up to date on disk; results.h5 is written anew as a whole.
     void flush();
 
     std::size_t                n_rows() const;

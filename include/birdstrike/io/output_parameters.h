@@ -17,7 +17,7 @@ namespace birdstrike
     double      history_interval = 10e-6;  ///< s, between rows of history.csv
     double      field_interval   = 0.5e-3; ///< s, between field files; 0: only the first and the last state
     double      console_interval = 2.;     ///< s of wall time between progress lines
-    double      flush_interval   = 30.;    ///< s of wall time between flushes of the histories to disk
+    double      flush_interval   = 30.;    ///< s of wall time between flushes of history.csv
     bool        blade_fields     = true;   ///< blade.pvd
     bool        bird_fields      = true;   ///< bird.pvd
     bool        hdf5             = true;   ///< results.h5 beside history.csv

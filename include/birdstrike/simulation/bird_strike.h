@@ -42,16 +42,21 @@ namespace birdstrike
 
   private:
     void        start();
+    void        plan();
     void        advance();
     void        observe();
     void        retire_particles();
     void        finish();
     std::string reason_to_stop() const;
 
-    const CaseParameters   &parameters;
-    Timings                 timings;
-    Scene                  &scene;
-    Stepper                 stepper;
+    const CaseParameters &parameters;
+    Timings               timings;
+    Scene                &scene;
+    Stepper               stepper;
+    struct Sections
+    {
+      std::size_t retirement, votes, output;
+    } sections;
     Balance                 balance;
     Observed                observed;
     std::optional<Recorder> recorder;

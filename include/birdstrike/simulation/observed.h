@@ -19,6 +19,7 @@ namespace birdstrike
     TipDeflection            tip;
     PeakPlasticStrain        plastic;
     std::vector<ProbeValues> probes;
+    std::array<double, 3>    force{}; ///< N, of contact on the blade
 
     Peak tip_peak;                 ///< m, mid-chord
     Peak root_stress, root_moment; ///< Pa, N m, absolute values

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/blade/reports.h>
+#include <birdstrike/io/field_writer.h>
 #include <birdstrike/io/fields.h>
 #include <birdstrike/io/history.h>
 #include <birdstrike/simulation/balance.h>
@@ -30,9 +31,13 @@ namespace birdstrike
     /// Writes what is due at this time.
     void record(double time, unsigned long n_steps);
 
-    /// Writes the last state whatever the intervals say.
+    /// Writes the last state whatever the intervals say, and waits until all is on disk.
     void finish(double time, unsigned long n_steps);
 
+    /// Brings history.csv up to date where the flush interval has passed on the clock.
+    void flush_when_due(double wall);
+
+    /// For a run that ends badly: what is known so far. Fields that are queued are written by the destructor.
     void flush();
 
   private:
@@ -48,9 +53,11 @@ namespace birdstrike
     const Balance             &balance;
     History                    history;
     std::optional<FieldSeries> blade_fields, bird_fields;
+    FieldWriter                writer; // after what it writes to: it ends first
     Ticks                      history_ticks, field_ticks;
     double                     now      = 0.;
     unsigned long              steps    = 0;
     double                     last_row = -1., last_field = -1.;
+    double                     flush_interval, last_flush = 0.; // s, on the clock
   };
 } // namespace birdstrike

@@ -9,7 +9,7 @@ namespace
 {
   StepVote vote(const double limit, const double cost)
   {
-    return {{limit, "test", "here"}, cost};
+    return {{limit, "test", {"particle", 7, {}}}, cost};
   }
 } // namespace
 
@@ -72,6 +72,6 @@ TEST(Schedule, ACollapsedStepNamesWhoCollapsed)
   catch (const NumericalFailure &error)
     {
       EXPECT_NE(std::string(error.what()).find("bird"), std::string::npos);
-      EXPECT_NE(std::string(error.what()).find("here"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("particle 7"), std::string::npos);
     }
 }
