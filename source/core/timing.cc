@@ -41,6 +41,14 @@ namespace birdstrike
     return seconds_since(start);
   }
 
+  double Timings::seconds(const std::string &name) const
+  {
+    for (const Section &section : all)
+      if (section.name == name)
+        return section.seconds;
+    return 0.;
+  }
+
   const std::vector<Timings::Section> &Timings::sections() const
   {
     return all;

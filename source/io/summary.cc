@@ -39,12 +39,14 @@ namespace birdstrike
                           {"parts", nlohmann::ordered_json(s.energy.parts)}};
       json["momentum"] = {{"max_relative_error", s.momentum.max_relative_error}};
       json["retired"]  = {{"particles", s.retired.particles}, {"mass", s.retired.mass}, {"energy", s.retired.energy}};
-      json["skipped"]  = nlohmann::ordered_json(s.skipped);
-      json["cost"]     = {{"wall", s.cost.wall},
-                          {"threads", s.cost.threads},
-                          {"ns_per_particle_step", s.cost.ns_per_particle_step},
-                          {"ns_per_element_step", s.cost.ns_per_element_step},
-                          {"peak_memory", s.cost.peak_memory}};
+      json["skipped"]  = nlohmann::ordered_json::object();
+      for (const SkippedWork &work : s.skipped)
+        json["skipped"][work.what] = {{"count", work.count}, {"unit", work.unit}, {"saved", work.saved}};
+      json["cost"] = {{"wall", s.cost.wall},
+                      {"threads", s.cost.threads},
+                      {"ns_per_particle_step", s.cost.ns_per_particle_step},
+                      {"ns_per_element_step", s.cost.ns_per_element_step},
+                      {"peak_memory", s.cost.peak_memory}};
       return json;
     }
   } // namespace

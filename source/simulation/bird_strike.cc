@@ -25,9 +25,8 @@ namespace birdstrike
     /// How far ahead (s) the blade is carried on when its box is compared with the paths of particles.
     constexpr double retirement_horizon = 2e-3;
 
-    /// A peak of the tip has passed when the tip has come back by this share of it, this long after (ripple is
-    /// shorter).
-    constexpr double peak_share = 0.02, peak_hold = 1e-3;
+    /// The bird's phase may end once nothing has touched for this long (s).
+    constexpr double quiet_time = 0.1e-3;
 
     std::atomic<bool> stop_requested{false};
 
@@ -48,6 +47,7 @@ namespace birdstrike
     stop_requested = false;
     if (!folder.empty())
       recorder.emplace(scene, parameters, folder, observed, balance);
+    has_contact = scene.contact != nullptr;
     if (scene.bird)
       {
         n_particles_at_start = scene.bird->state().size();
@@ -94,7 +94,9 @@ namespace birdstrike
     stepper.advance(schedule);
     now += schedule.step;
     ++n_steps;
-    if (scene.bird && scene.contact && parameters.bird.retire && n_steps % retirement_stride == 0)
+    if (scene.contact && scene.contact->report().n_touching > 0)
+      last_touch = now;
+    if (scene.bird && scene.contact && n_steps % retirement_stride == 0)
       retire_particles();
     if (n_steps % observation_stride == 0 || (recorder && recorder->is_due(now)))
       observe();
@@ -117,13 +119,30 @@ namespace birdstrike
   void BirdStrike::retire_particles()
   {
     const Timings::Scope scope(timings, sections.retirement);
-    n_retired += scene.retire_particles(std::min(retirement_horizon, parameters.time.end_time - now));
-    if (scene.bird->state().size() > 0)
+    const double         horizon = std::min(retirement_horizon, parameters.time.end_time - now);
+    if (parameters.bird.retire)
+      n_retired += scene.retire_particles(horizon);
+    const std::size_t n_left = scene.bird->state().size();
+    if (n_left > 0 && !is_bird_phase_over(horizon))
       return;
-    log().info("The last particle has left at t = {}: from here the blade runs on alone.", format_quantity(now, "s"));
+    log().info("The bird's phase ends at t = {}: {} particles are left, {:.2g} N s is the most that they could still "
+               "give. From here the blade runs on alone.",
+               format_quantity(now, "s"), n_left, reachable_impulse);
+    n_dropped = n_left;
     stepper.drop_bird();
     scene.drop_bird();
-    time_bird_gone = now;
+    time_bird_gone    = now;
+    n_steps_with_bird = n_steps;
+  }
+
+  bool BirdStrike::is_bird_phase_over(const double horizon)
+  {
+    const auto  &given     = balance.state().blade_momentum.contact_impulse;
+    const double tolerated = parameters.time.bird_phase_tolerance * std::hypot(given[0], given[1], given[2]);
+    if (tolerated == 0. || now - last_touch < quiet_time)
+      return false;
+    reachable_impulse = scene.compute_reachable_impulse(horizon);
+    return reachable_impulse <= tolerated;
   }
 
   std::string BirdStrike::reason_to_stop() const
@@ -135,8 +154,8 @@ namespace birdstrike
       return "stopped by a signal";
     if (limits.maximum_wall_time > 0. && timings.wall() > limits.maximum_wall_time)
       return "maximum wall time reached";
-    if (limits.stop_at_tip_peak && observed.tip_peak.is_passed(now, observed.tip.mid_chord, peak_share, peak_hold))
-      return "tip peak passed";
+    if (limits.stop_at_tip_peak && observed.first_tip_peak.is_passed(now, limits.tip_peak_wait))
+      return tip_peak_passed;
     return "";
   }
 

@@ -14,19 +14,11 @@ namespace birdstrike
 {
   namespace
   {
-    double seconds_in(const Timings &timings, const std::initializer_list<const char *> names)
+    std::string describe(const SkippedWork &work)
     {
-      double sum = 0.;
-      for (const Timings::Section &section : timings.sections())
-        for (const char *name : names)
-          if (section.name == name)
-            sum += section.seconds;
-      return sum;
-    }
-
-    double nanoseconds_per(const double seconds, const std::uint64_t n)
-    {
-      return n > 0 ? 1e9 * seconds / static_cast<double>(n) : 0.;
+      const std::string count =
+        work.unit == "s" ? format_quantity(work.count, "s") : format_count(std::llround(work.count)) + " " + work.unit;
+      return count + (std::isnan(work.saved) ? "" : ", saved about " + format_share(work.saved));
     }
 
     std::map<std::string, double> energy_parts(const Balance &balance)
@@ -91,25 +83,18 @@ namespace birdstrike
     summary.energy.parts                       = energy_parts(balance);
     summary.momentum.max_relative_error        = balance.max_momentum_error();
 
-    summary.retired.particles = n_retired;
-    summary.retired.mass      = n_particles_at_start > 0 ? bird_mass * n_retired / n_particles_at_start : 0.;
-    summary.retired.energy    = balance.state().bird.retired;
+    summary.retired.particles = n_retired + n_dropped;
+    summary.retired.mass = n_particles_at_start > 0 ? bird_mass * summary.retired.particles / n_particles_at_start : 0.;
+    summary.retired.energy = balance.state().bird.retired;
 
-    summary.skipped["flight_time"] = scene.flight_time;
-    if (time_bird_gone >= 0.)
-      summary.skipped["time_without_bird"] = now - time_bird_gone;
-    const std::uint64_t full = n_particles_at_start * n_steps;
-    if (full > 0)
-      summary.skipped["particle_step_share"] =
-        1. - std::min(1., static_cast<double>(stepper.counts().particle_steps) / static_cast<double>(full));
+    summary.skipped = compute_skipped();
 
-    summary.cost.wall    = timings.wall();
-    summary.cost.threads = parameters.time.n_threads();
-    summary.cost.ns_per_particle_step =
-      nanoseconds_per(seconds_in(timings, {"bird: rates", "bird: kick and drift"}), stepper.counts().particle_steps);
-    summary.cost.ns_per_element_step = nanoseconds_per(
-      seconds_in(timings, {"blade: internal forces", "blade: kick and drift"}), stepper.counts().element_steps);
-    summary.cost.peak_memory = compute_peak_memory();
+    summary.cost.wall                 = timings.wall();
+    summary.cost.threads              = parameters.time.n_threads();
+    const UnitCosts costs             = compute_unit_costs();
+    summary.cost.ns_per_particle_step = 1e9 * costs.particle_step;
+    summary.cost.ns_per_element_step  = 1e9 * costs.element_step;
+    summary.cost.peak_memory          = compute_peak_memory();
     return summary;
   }
 
@@ -150,9 +135,10 @@ namespace birdstrike
     table.add("largest momentum error", fmt::format("{:.2e}", summary.momentum.max_relative_error));
     table.add("hourglass over internal, at most", format_share(summary.energy.max_hourglass_over_internal));
     table.add_heading("Skipped");
-    for (const auto &[what, value] : summary.skipped)
-      table.add(what, what.find("time") != std::string::npos ? format_quantity(value, "s") : format_share(value));
-    table.add("retired particles", format_count(n_retired) + " of " + format_count(n_particles_at_start));
+    for (const SkippedWork &work : summary.skipped)
+      table.add("skipped: " + work.what, describe(work));
+    table.add("retired particles",
+              format_count(summary.retired.particles) + " of " + format_count(n_particles_at_start));
     table.add_heading("Cost");
     table.add("steps", format_count(n_steps) + " macro, " + format_count(summary.steps.bird) + " bird, " +
                          format_count(summary.steps.blade) + " blade");

@@ -28,6 +28,7 @@ namespace birdstrike
 
     force = scene.blade->contact_force();
     contact_force.update(time, std::hypot(force[0], force[1], force[2]));
+    first_tip_peak.update(time, tip.mid_chord, std::hypot(force[0], force[1], force[2]));
     if (scene.contact)
       max_penetration = std::max(max_penetration, scene.contact->report().max_penetration);
 

@@ -4,6 +4,7 @@
 #include <birdstrike/contact/flight.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/simulation/bird_phase.h>
 #include <birdstrike/simulation/scene.h>
 
 #include <fmt/format.h>
@@ -123,10 +124,22 @@ namespace birdstrike
     return bird->retire(box);
   }
 
+  double Scene::compute_reachable_impulse(const double horizon)
+  {
+    return birdstrike::compute_reachable_impulse(bird->points(), blade->facets(), horizon);
+  }
+
   void Scene::drop_bird()
   {
+    if (contact)
+      gone_contact = contact->report();
     gone_energy   = bird->energies();
     gone_momentum = bird->momenta();
+    gone_energy.retired += gone_energy.kinetic + gone_energy.elastic;
+    gone_energy.kinetic = gone_energy.elastic = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      gone_momentum.retired[d] += gone_momentum.momentum[d];
+    gone_momentum.momentum = gone_momentum.angular_momentum = {};
     contact.reset();
     bird.reset();
   }

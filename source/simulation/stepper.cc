@@ -44,6 +44,8 @@ namespace birdstrike
 
   void Stepper::advance_with_sub_cycled_blade(const Schedule &schedule)
   {
+    if (parts.bird)
+      done.particle_steps_not_done += (schedule.n_blade - 1) * parts.bird->state().size();
     kick_bird_and_contact(0.5 * schedule.step, HalfKick::first);
     for (unsigned int k = 0; k < schedule.n_blade; ++k)
       step_blade(schedule.blade_step());
@@ -59,6 +61,7 @@ namespace birdstrike
   void Stepper::advance_with_sub_cycled_bird(const Schedule &schedule)
   {
     const double step = schedule.bird_step();
+    done.element_steps_not_done += (schedule.n_bird - 1) * parts.blade->n_elements();
     parts.blade->kick_internal(0.5 * schedule.step, HalfKick::first);
     for (unsigned int k = 0; k < schedule.n_bird; ++k)
       {

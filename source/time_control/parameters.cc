@@ -26,7 +26,14 @@ namespace birdstrike
     prm.add_parameter("Maximum ratio", maximum_ratio,
                       "Largest number of sub-steps of one part within one step of the other. [-]", Integer(1, 1000));
     prm.add_parameter("Stop at tip peak", stop_at_tip_peak,
-                      "Whether the run ends once the tip has passed its first peak. [-]", Bool());
+                      "Whether the run ends once the tip has passed its first peak after the bird's loading. [-]",
+                      Bool());
+    prm.add_parameter("Tip peak wait", tip_peak_wait,
+                      "The tip's peak has passed when no higher value came for this long. [s]", Double(0.));
+    prm.add_parameter("Bird phase tolerance", bird_phase_tolerance,
+                      "Bird and contact are dropped once nothing touches and the impulse that the particles left could "
+                      "still give is at most this share of the impulse given; 0 waits for the last particle. [-]",
+                      Double(0., 1.));
     prm.add_parameter("Energy error limit", energy_error_limit,
                       "The run ends as a numerical failure when the energy error exceeds this share of the initial "
                       "energy. [-]",

@@ -38,7 +38,8 @@ namespace birdstrike
     /// Index of a section, made at first use.
     std::size_t section(const std::string &name);
 
-    double                      wall() const; ///< s since construction
+    double                      wall() const;                           ///< s since construction
+    double                      seconds(const std::string &name) const; ///< 0 for a section that does not exist
     const std::vector<Section> &sections() const;
 
     /// A table: seconds, share of the wall time, calls; the last rows are "other" and "total".

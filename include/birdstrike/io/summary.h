@@ -4,11 +4,22 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace birdstrike
 {
+  /// Work that a run did not do: what, how much of it, and the share of the run time that it would have been (NaN: no
+  /// estimate).
+  struct SkippedWork
+  {
+    std::string what;
+    double      count = 0.;
+    std::string unit;
+    double      saved = 0.;
+  };
+
   /// The outcome of a run in stable keys for scripts (summary.json): SI units, absent parts are zero, a quantity that
   /// could not be computed (NaN) becomes null. The members are the keys.
   struct Summary
@@ -81,7 +92,7 @@ namespace birdstrike
       double      mass      = 0.; ///< kg
       double      energy    = 0.; ///< J
     } retired;
-    std::map<std::string, double> skipped; ///< what was not computed, e.g. "flight_time" (s), "contact_searches"
+    std::vector<SkippedWork> skipped; ///< by the key `what`
     struct
     {
       double      wall                 = 0.; ///< s

@@ -15,6 +15,7 @@
 namespace birdstrike
 {
   struct CaseParameters;
+  struct SkippedWork;
   struct Summary;
 
   /// One strike from first touch to its end, on a scene that it is given. The members are the architecture: the scene
@@ -46,8 +47,21 @@ namespace birdstrike
     void        advance();
     void        observe();
     void        retire_particles();
+    bool        is_bird_phase_over(double horizon);
     void        finish();
     std::string reason_to_stop() const;
+
+    static constexpr const char *tip_peak_passed = "tip peak passed";
+
+    /// Measured in this run, s.
+    struct UnitCosts
+    {
+      double particle_step = 0., element_step = 0., contact_step = 0.;
+    };
+    UnitCosts                compute_unit_costs() const;
+    double                   estimate_seconds_per_time() const; ///< run time per simulated second, as things stand
+    std::vector<SkippedWork> compute_skipped() const;
+    void                     add_parts_never_built(std::vector<SkippedWork> &skipped) const;
 
     const CaseParameters &parameters;
     Timings               timings;
@@ -68,9 +82,13 @@ namespace birdstrike
     std::string   why_ended;
 
     // What the bird was, kept when it has gone.
-    std::size_t           n_particles_at_start = 0, n_retired = 0;
+    std::size_t           n_particles_at_start = 0, n_retired = 0, n_dropped = 0;
     double                bird_mass = 0., bird_kinetic = 0.;
     std::array<double, 3> bird_momentum{};
-    double                time_bird_gone = -1.;
+    double                time_bird_gone    = -1.; ///< s
+    bool                  has_contact       = false;
+    unsigned long         n_steps_with_bird = 0;
+    double                last_touch        = 0.; ///< s
+    double                reachable_impulse = 0.; ///< N s, of the particles left when the bird's phase ended
   };
 } // namespace birdstrike

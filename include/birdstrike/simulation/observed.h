@@ -21,11 +21,12 @@ namespace birdstrike
     std::vector<ProbeValues> probes;
     std::array<double, 3>    force{}; ///< N, of contact on the blade
 
-    Peak tip_peak;                 ///< m, mid-chord
-    Peak root_stress, root_moment; ///< Pa, N m, absolute values
-    Peak root_force;               ///< N, norm of normal and transverse force
-    Peak contact_force;            ///< N, norm
-    Peak hourglass_share;          ///< hourglass over internal energy of the blade
+    Peak         tip_peak; ///< m, mid-chord
+    FirstMaximum first_tip_peak;
+    Peak         root_stress, root_moment; ///< Pa, N m, absolute values
+    Peak         root_force;               ///< N, norm of normal and transverse force
+    Peak         contact_force;            ///< N, norm
+    Peak         hourglass_share;          ///< hourglass over internal energy of the blade
 
     RootSectionReport root_at_peak_stress; ///< the distribution along the chord when the stress peaks
 

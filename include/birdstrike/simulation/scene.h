@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/contact/report.h>
 #include <birdstrike/core/thread_pool.h>
 #include <birdstrike/simulation/balance.h>
 #include <birdstrike/time_control/schedule.h>
@@ -27,6 +28,7 @@ namespace birdstrike
     std::unique_ptr<Bird>    bird;
     std::unique_ptr<Contact> contact;
     double                   flight_time = 0.; ///< s, skipped before first touch
+    ContactReport            gone_contact;     ///< the last report of a contact that has been dropped
 
     /// @throws InputError for a case without parts, a bird that misses the blade or starts inside it.
     explicit Scene(const CaseParameters &parameters);
@@ -49,7 +51,10 @@ namespace birdstrike
     /// velocities; returns their number.
     std::size_t retire_particles(double horizon);
 
-    /// Bird and contact are released; their last reports stay in the balance.
+    /// Largest impulse (N s) that the bird could still give within `horizon` (s); for a bird that touches nothing.
+    double compute_reachable_impulse(double horizon);
+
+    /// Bird and contact are released. What particles are left count as retired; the last reports stay in the balance.
     void drop_bird();
 
   private:

@@ -34,6 +34,8 @@ namespace birdstrike
       std::uint64_t blade          = 0; ///< blade steps
       std::uint64_t particle_steps = 0;
       std::uint64_t element_steps  = 0;
+      /// What a single rate would have done more.
+      std::uint64_t particle_steps_not_done = 0, element_steps_not_done = 0;
     };
 
     Stepper(const Parts &parts, Timings &timings);

@@ -11,15 +11,17 @@ namespace birdstrike
   /// Raises InputError from check(); computes no step itself.
   struct TimeParameters
   {
-    double       end_time           = 10e-3; ///< s, counted from first contact (or from the start where nothing flies)
-    double       step_scale         = 0.9;   ///< -, share of the blade's stable step
-    double       bird_step_scale    = 1.;    ///< -, share of the bird's and the contact's step
-    bool         multirate          = true;  ///< bird and blade each at their own limit
-    unsigned int maximum_ratio      = 50;    ///< -, largest number of sub-steps within one macro step
-    bool         stop_at_tip_peak   = false; ///< end once the tip has passed its first peak
-    double       energy_error_limit = 0.05;  ///< -, share of the initial energy
-    double       maximum_wall_time  = 0.;    ///< s, 0: no limit
-    unsigned int threads            = 0;     ///< -, 0: one for each core this process may use
+    double       end_time         = 10e-3;    ///< s, counted from first contact (or from the start where nothing flies)
+    double       step_scale       = 0.9;      ///< -, share of the blade's stable step
+    double       bird_step_scale  = 1.;       ///< -, share of the bird's and the contact's step
+    bool         multirate        = true;     ///< bird and blade each at their own limit
+    unsigned int maximum_ratio    = 50;       ///< -, largest number of sub-steps within one macro step
+    bool         stop_at_tip_peak = false;    ///< end once the tip has passed its first peak
+    double       tip_peak_wait    = 1e-3;     ///< s, without a higher value before the peak counts as passed
+    double       bird_phase_tolerance = 1e-3; ///< -, of the impulse: what the bird may still give when it is dropped
+    double       energy_error_limit   = 0.05; ///< -, share of the initial energy
+    double       maximum_wall_time    = 0.;   ///< s, 0: no limit
+    unsigned int threads              = 0;    ///< -, 0: one for each core this process may use
 
     void declare(dealii::ParameterHandler &prm);
     void check() const;

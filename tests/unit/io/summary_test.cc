@@ -39,6 +39,16 @@ TEST(Summary, HasTheStableKeys)
   EXPECT_EQ(json["bird"]["momentum"].size(), 3u);
 }
 
+TEST(Summary, NamesSkippedWork)
+{
+  Summary summary;
+  summary.skipped = {{"flight", 2e-3, "s", 0.25}, {"bird", 1., "part", std::numeric_limits<double>::quiet_NaN()}};
+  const auto json = nlohmann::json::parse(to_text(summary))["skipped"];
+  EXPECT_EQ(json["flight"]["count"], 2e-3);
+  EXPECT_EQ(json["flight"]["saved"], 0.25);
+  EXPECT_TRUE(json["bird"]["saved"].is_null());
+}
+
 TEST(Summary, KeepsEveryDigitAndTurnsNanIntoNull)
 {
   Summary summary;

@@ -30,15 +30,12 @@ TEST(Ticks, ZeroIsAlwaysNegativeIsNever)
   EXPECT_FALSE(never.is_due(0.));
 }
 
-TEST(Peak, RippleIsNotAPassedPeak)
+TEST(Peak, KeepsTheLargestValueAndItsTime)
 {
   Peak peak;
-  for (const auto &[time, value] : {std::pair{0., -1.}, {1., 1.}, {2., 0.97}, {3., 2.}})
-    {
-      peak.update(time, value);
-      EXPECT_FALSE(peak.is_passed(time, value, 0.05, 0.5));
-    }
-  EXPECT_TRUE(peak.is_passed(4., 1.5, 0.05, 0.5));
+  EXPECT_EQ(peak.value(), 0.);
+  for (const auto &[time, value] : {std::pair{0., -1.}, {1., 1.}, {2., 0.97}, {3., 2.}, {4., 1.5}})
+    peak.update(time, value);
   EXPECT_DOUBLE_EQ(peak.value(), 2.);
   EXPECT_DOUBLE_EQ(peak.time(), 3.);
 }

@@ -1,0 +1,97 @@
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/blade/blade.h>
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/summary.h>
+#include <birdstrike/io/text.h>
+#include <birdstrike/simulation/bird_strike.h>
+
+#include <cmath>
+
+/// What a run did not compute, and what that saved. Every saving is units skipped times the measured time of one such
+/// unit in this run, over the run time plus that saving:  p = s / (run time + s).
+namespace birdstrike
+{
+  namespace
+  {
+    double ratio(const double a, const double b)
+    {
+      return b > 0. ? a / b : 0.;
+    }
+  } // namespace
+
+  BirdStrike::UnitCosts BirdStrike::compute_unit_costs() const
+  {
+    const Stepper::Counts &counts = stepper.counts();
+    UnitCosts              costs;
+    costs.particle_step = ratio(timings.seconds("bird: rates") + timings.seconds("bird: kick and drift"),
+                                static_cast<double>(counts.particle_steps));
+    costs.element_step  = ratio(timings.seconds("blade: internal forces") + timings.seconds("blade: kick and drift"),
+                                static_cast<double>(counts.element_steps));
+    const ContactReport &report = scene.contact ? scene.contact->report() : scene.gone_contact;
+    costs.contact_step          = ratio(timings.seconds("contact"), static_cast<double>(report.calls - report.skipped));
+    return costs;
+  }
+
+  double BirdStrike::estimate_seconds_per_time() const
+  {
+    const UnitCosts costs   = compute_unit_costs();
+    double          seconds = 0.;
+    if (scene.bird)
+      seconds += (costs.particle_step * static_cast<double>(scene.bird->state().size()) +
+                  (scene.contact ? costs.contact_step : 0.)) *
+                 ratio(static_cast<double>(stepper.counts().bird), now);
+    if (scene.blade)
+      seconds += costs.element_step * ratio(static_cast<double>(stepper.counts().element_steps), now);
+    return seconds;
+  }
+
+  std::vector<SkippedWork> BirdStrike::compute_skipped() const
+  {
+    const Stepper::Counts   &counts = stepper.counts();
+    const UnitCosts          costs  = compute_unit_costs();
+    const double             n      = static_cast<double>(n_particles_at_start);
+    std::vector<SkippedWork> skipped;
+    const auto               add = [&](const char *what, const double count, const char *unit, const double seconds) {
+      if (count > 0.)
+        skipped.push_back({what, count, unit, ratio(seconds, timings.wall() + seconds)});
+    };
+    const double bird_time = time_bird_gone >= 0. ? time_bird_gone : now;
+    add("flight before first touch", scene.flight_time, "s",
+        scene.flight_time * (n * costs.particle_step * ratio(static_cast<double>(counts.bird), bird_time) +
+                             costs.element_step * ratio(static_cast<double>(counts.element_steps), now)));
+
+    const ContactReport &report  = scene.contact ? scene.contact->report() : scene.gone_contact;
+    const double         apart   = static_cast<double>(report.skipped);
+    const double         without = time_bird_gone >= 0. ? static_cast<double>(n_steps - n_steps_with_bird) : 0.;
+    const double         dropped = static_cast<double>(n_dropped);
+    const double         retired =
+      n * static_cast<double>(counts.bird) - static_cast<double>(counts.particle_steps) + (n - dropped) * without;
+    add("contact steps with boxes apart", apart, "steps", apart * costs.contact_step);
+    add("retired particles", retired, "particle-steps", retired * costs.particle_step);
+    add("bird and contact after the bird's phase", without, "steps",
+        without * (dropped * costs.particle_step + costs.contact_step));
+    add("blade steps by multirate", static_cast<double>(counts.element_steps_not_done), "element-steps",
+        static_cast<double>(counts.element_steps_not_done) * costs.element_step);
+    add("bird steps by multirate", static_cast<double>(counts.particle_steps_not_done), "particle-steps",
+        static_cast<double>(counts.particle_steps_not_done) * costs.particle_step);
+    if (why_ended == tip_peak_passed)
+      add("time after the tip's peak", parameters.time.end_time - now, "s",
+          (parameters.time.end_time - now) * estimate_seconds_per_time());
+    add_parts_never_built(skipped);
+    return skipped;
+  }
+
+  void BirdStrike::add_parts_never_built(std::vector<SkippedWork> &skipped) const
+  {
+    const auto add = [&](const char *what) { skipped.push_back({what, 1., "part never built", NAN}); };
+    if (!scene.blade)
+      add("blade");
+    else if (!scene.blade->is_deformable())
+      add("finite elements of the rigid target");
+    if (n_particles_at_start == 0)
+      add("bird");
+    if (!has_contact)
+      add("contact");
+  }
+} // namespace birdstrike

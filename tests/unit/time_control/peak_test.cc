@@ -1,0 +1,69 @@
+#include <birdstrike/time_control/peak.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace birdstrike;
+
+namespace
+{
+  /// Time at which a maximum counts as passed on a curve sampled every 10 us; -1 if it never does until 40 ms.
+  template <class Deflection, class Load>
+  double find_end(const Deflection &deflection, const Load &load, const double wait)
+  {
+    FirstMaximum maximum;
+    for (int k = 0; k < 4000; ++k)
+      {
+        const double t = 1e-5 * k;
+        maximum.update(t, deflection(t), load(t));
+        if (maximum.is_passed(t, wait))
+          return t;
+      }
+    return -1.;
+  }
+
+  double short_load(const double t)
+  {
+    return t < 0.5e-3 ? 1e5 : 0.;
+  }
+} // namespace
+
+TEST(FirstMaximum, WaitsForThePeakOfTheSwing)
+{
+  const auto swing = [](const double t) { return 0.3 * std::sin(std::numbers::pi * t / 20e-3); };
+  EXPECT_NEAR(find_end(swing, short_load, 1e-3), 11e-3, 2e-5);
+}
+
+TEST(FirstMaximum, IsNotFooledByTheBackwardMotion)
+{
+  // a trace forward, 4 mm backwards for 3 ms, then the swing
+  const auto tip = [](const double t) {
+    return t < 1e-4 ? 1e-6 : t < 3e-3 ? -4e-3 : 0.3 * std::sin(std::numbers::pi * (t - 3e-3) / 20e-3);
+  };
+  EXPECT_NEAR(find_end(tip, short_load, 1e-3), 14e-3, 2e-5);
+}
+
+TEST(FirstMaximum, IsNotFooledWhileTheLoadActs)
+{
+  // a peak under load, then rest: it counts only once the load has gone
+  const auto tip  = [](const double t) { return t < 1e-3 ? t : 1e-3 - 1e-2 * (t - 1e-3); };
+  const auto load = [](const double t) { return t < 4e-3 ? 1e5 : 0.; };
+  EXPECT_NEAR(find_end(tip, load, 1e-3), 5e-3, 2e-5);
+}
+
+TEST(FirstMaximum, IsNotFooledByARippleShorterThanTheWait)
+{
+  const auto tip = [](const double t) {
+    return 0.3 * std::sin(std::numbers::pi * t / 20e-3) + 3e-3 * std::sin(2. * std::numbers::pi * t / 1.5e-3);
+  };
+  const double end = find_end(tip, short_load, 1e-3);
+  EXPECT_GT(end, 10e-3);
+  EXPECT_LT(end, 12.5e-3);
+}
+
+TEST(FirstMaximum, NeverEndsACurveThatRises)
+{
+  EXPECT_EQ(find_end([](const double t) { return t; }, short_load, 1e-3), -1.);
+}
