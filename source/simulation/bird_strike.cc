@@ -51,9 +51,9 @@ namespace birdstrike
     if (scene.bird)
       {
         n_particles_at_start = scene.bird->state().size();
-        bird_mass            = scene.bird->packing().mass();
-        bird_kinetic         = scene.bird->energies().kinetic;
-        bird_momentum        = scene.bird->momenta().momentum;
+        bird_mass            = scene.symmetry.factor() * scene.bird->packing().mass();
+        bird_kinetic         = scene.state().bird.kinetic;
+        bird_momentum        = scene.state().bird_momentum.momentum;
       }
   }
 

@@ -47,11 +47,11 @@ namespace birdstrike
     if (scene.blade)
       {
         summary.blade.kind     = scene.blade->kind();
-        summary.blade.elements = scene.blade->n_elements();
+        summary.blade.elements = scene.symmetry.factor() * scene.blade->n_elements();
         summary.blade.nodes    = scene.blade->n_nodes();
-        summary.blade.mass     = scene.blade->mass();
+        summary.blade.mass     = scene.symmetry.factor() * scene.blade->mass();
       }
-    summary.bird.particles      = n_particles_at_start;
+    summary.bird.particles      = scene.symmetry.factor() * n_particles_at_start;
     summary.bird.mass           = bird_mass;
     summary.bird.kinetic_energy = bird_kinetic;
     summary.bird.momentum       = bird_momentum;
@@ -83,8 +83,8 @@ namespace birdstrike
     summary.energy.parts                       = energy_parts(balance);
     summary.momentum.max_relative_error        = balance.max_momentum_error();
 
-    summary.retired.particles = n_retired + n_dropped;
-    summary.retired.mass = n_particles_at_start > 0 ? bird_mass * summary.retired.particles / n_particles_at_start : 0.;
+    summary.retired.particles = scene.symmetry.factor() * (n_retired + n_dropped);
+    summary.retired.mass   = n_particles_at_start > 0 ? bird_mass * (n_retired + n_dropped) / n_particles_at_start : 0.;
     summary.retired.energy = balance.state().bird.retired;
 
     summary.skipped = compute_skipped();
@@ -102,6 +102,8 @@ namespace birdstrike
   {
     const Summary summary = compute_summary();
     TextTable     table("Ended at t = " + format_quantity(now, "s") + ": " + why_ended);
+    if (scene.symmetry.is_mirrored())
+      table.add_heading(symmetry_sentence);
     if (scene.blade && scene.blade->is_deformable())
       {
         table.add_heading("Blade");
@@ -138,7 +140,7 @@ namespace birdstrike
     for (const SkippedWork &work : summary.skipped)
       table.add("skipped: " + work.what, describe(work));
     table.add("retired particles",
-              format_count(summary.retired.particles) + " of " + format_count(n_particles_at_start));
+              format_count(summary.retired.particles) + " of " + format_count(summary.bird.particles));
     table.add_heading("Cost");
     table.add("steps", format_count(n_steps) + " macro, " + format_count(summary.steps.bird) + " bird, " +
                          format_count(summary.steps.blade) + " blade");

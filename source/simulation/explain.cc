@@ -96,6 +96,8 @@ namespace birdstrike
   std::string explain(const CaseParameters &parameters, Scene &scene)
   {
     TextTable table(parameters.name + (parameters.description.empty() ? "" : ": " + parameters.description));
+    if (scene.symmetry.is_mirrored())
+      table.add_heading("Symmetry plane y = 0: this is the half that is computed.");
     if (scene.blade)
       add_blade(table, *scene.blade);
     if (scene.bird)

@@ -13,7 +13,7 @@ namespace birdstrike
   {
     if (!scene.blade)
       return;
-    root    = scene.blade->root_section();
+    root    = scene.symmetry.whole(scene.blade->root_section());
     tip     = scene.blade->tip_deflection();
     plastic = scene.blade->peak_plastic_strain();
     probes  = scene.blade->probes();
@@ -26,7 +26,7 @@ namespace birdstrike
     root_moment.update(time, std::abs(root.bending_moment));
     root_force.update(time, std::hypot(root.normal_force, root.transverse_force));
 
-    force = scene.blade->contact_force();
+    force = scene.symmetry.whole(scene.blade->contact_force());
     contact_force.update(time, std::hypot(force[0], force[1], force[2]));
     first_tip_peak.update(time, tip.mid_chord, std::hypot(force[0], force[1], force[2]));
     if (scene.contact)

@@ -68,7 +68,8 @@ namespace birdstrike
 
   void Recorder::add_bird_columns()
   {
-    history.add_column("particles", "-", [this] { return scene.bird ? scene.bird->state().size() : 0.; });
+    history.add_column("particles", "-",
+                       [this] { return scene.bird ? scene.symmetry.factor() * scene.bird->state().size() : 0.; });
     history.add_column("bird_kinetic", "J", [this] { return balance.state().bird.kinetic; });
     history.add_column("bird_internal", "J", [this] { return balance.state().bird.elastic; });
     history.add_column("bird_retired", "J", [this] { return balance.state().bird.retired; });
@@ -86,16 +87,21 @@ namespace birdstrike
                          [this, c] { return balance.state().blade_momentum.contact_impulse[c]; });
     history.add_column("contact_stored", "J", [this] { return balance.state().contact_stored; });
     history.add_column("contact_dissipated", "J", [this] { return balance.contact_dissipated(); });
-    history.add_column("points_in_contact", "-",
-                       [this] { return scene.contact ? scene.contact->report().n_touching : 0.; });
+    history.add_column("points_in_contact", "-", [this] {
+      return scene.contact ? scene.symmetry.factor() * scene.contact->report().n_touching : 0.;
+    });
     history.add_column("penetration", "m", [this] { return scene.contact ? scene.contact->report().penetration : 0.; });
     const auto patches = parameters.pressure_patches();
     for (std::size_t p = 0; p < patches.size(); ++p)
-      history.add_column("pressure_" + column_name(patches[p].name), "Pa", [this, p] {
-        return scene.contact && !scene.contact->report().patch_pressures.empty()
-                 ? scene.contact->report().patch_pressures[p]
-                 : 0.;
-      });
+      {
+        // half of a disc about a point of the symmetry plane carries half of its force
+        const double share = patches[p].centre[1] == 0. ? scene.symmetry.factor() : 1.;
+        history.add_column("pressure_" + column_name(patches[p].name), "Pa", [this, p, share] {
+          return scene.contact && !scene.contact->report().patch_pressures.empty()
+                   ? share * scene.contact->report().patch_pressures[p]
+                   : 0.;
+        });
+      }
   }
 
   void Recorder::add_blade_columns()

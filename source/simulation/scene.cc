@@ -36,7 +36,10 @@ namespace birdstrike
   } // namespace
 
   Scene::Scene(const CaseParameters &parameters)
-    : pool(parameters.time.n_threads()), parameters(parameters), largest_bird_step(INFINITY)
+    : pool(parameters.time.n_threads())
+    , symmetry(parameters.has_symmetry_plane())
+    , parameters(parameters)
+    , largest_bird_step(INFINITY)
   {
     blade = make_blade(parameters.blade, pool);
     if (parameters.bird.enabled)
@@ -107,7 +110,7 @@ namespace birdstrike
       }
     if (contact)
       state.contact_stored = contact->report().stored_energy;
-    return state;
+    return symmetry.whole(state);
   }
 
   std::size_t Scene::retire_particles(const double horizon)
@@ -126,7 +129,7 @@ namespace birdstrike
 
   double Scene::compute_reachable_impulse(const double horizon)
   {
-    return birdstrike::compute_reachable_impulse(bird->points(), blade->facets(), horizon);
+    return symmetry.factor() * birdstrike::compute_reachable_impulse(bird->points(), blade->facets(), horizon);
   }
 
   void Scene::drop_bird()

@@ -78,6 +78,10 @@ namespace birdstrike
     if (why_ended == tip_peak_passed)
       add("time after the tip's peak", parameters.time.end_time - now, "s",
           (parameters.time.end_time - now) * estimate_seconds_per_time());
+    if (scene.symmetry.is_mirrored()) // the other half: as much again
+      add("the mirrored half", 2., "times less work",
+          costs.particle_step * static_cast<double>(counts.particle_steps) +
+            costs.element_step * static_cast<double>(counts.element_steps) + timings.seconds("contact"));
     add_parts_never_built(skipped);
     return skipped;
   }

@@ -87,7 +87,8 @@ namespace birdstrike
     Supports        supports;
     Loads           loads;
     Rigid           rigid;
-    std::string     probes; ///< "name: x y z; ..."
+    std::string     probes;            ///< "name: x y z; ..."
+    bool            is_halved = false; ///< only y >= 0 is computed; set by the case
 
     /// Declares every entry in the handler's present section; the members' values are the defaults.
     void declare(dealii::ParameterHandler &prm);

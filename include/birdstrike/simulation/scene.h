@@ -3,6 +3,7 @@
 #include <birdstrike/contact/report.h>
 #include <birdstrike/core/thread_pool.h>
 #include <birdstrike/simulation/balance.h>
+#include <birdstrike/simulation/symmetry.h>
 #include <birdstrike/time_control/schedule.h>
 
 #include <memory>
@@ -27,6 +28,7 @@ namespace birdstrike
     std::unique_ptr<Blade>   blade;
     std::unique_ptr<Bird>    bird;
     std::unique_ptr<Contact> contact;
+    Symmetry                 symmetry;
     double                   flight_time = 0.; ///< s, skipped before first touch
     ContactReport            gone_contact;     ///< the last report of a contact that has been dropped
 
@@ -44,7 +46,7 @@ namespace birdstrike
     /// The latest plan; zero before the first.
     const Schedule &last_plan() const;
 
-    /// Energies and momenta of what is there; a bird that has gone keeps its books in `gone`.
+    /// Energies and momenta of the whole scene; a bird that has gone keeps its books in `gone`.
     SystemState state() const;
 
     /// Retires particles that can no longer meet the blade wherever it moves within `horizon` (s) at its present nodal

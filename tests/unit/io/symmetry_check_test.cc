@@ -1,0 +1,56 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/case_parameters.h>
+
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+
+using namespace birdstrike;
+
+namespace
+{
+  std::string refusal(const std::string &override_text)
+  {
+    const ScratchFolder scratch;
+    CaseParameters      parameters;
+    try
+      {
+        parameters.read(scratch.write("case.prm", ""), {"Case/Symmetry plane=y", override_text});
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+} // namespace
+
+TEST(SymmetryPlane, HalvesBothPartsOfASymmetricCase)
+{
+  const ScratchFolder scratch;
+  CaseParameters      parameters;
+  parameters.read(scratch.write("case.prm", ""), {"Bird/Pitch=30", "Blade/Loads/Pressure=1e5*y^2"});
+  EXPECT_FALSE(parameters.bird.is_halved || parameters.blade.is_halved);
+  parameters.read(scratch.write("case.prm", ""), {"Case/Symmetry plane=y", "Bird/Pitch=30", "Blade/Probes=a: 0.2 0 0"});
+  EXPECT_TRUE(parameters.bird.is_halved && parameters.blade.is_halved);
+}
+
+TEST(SymmetryPlane, RefusesWhatIsNotItsOwnMirrorImage)
+{
+  for (const auto &[text, entry] : {std::pair{"Bird/Velocity=0, 10, 177", "Bird/Velocity"},
+                                    {"Bird/Aim point=0.2, 0.01, 0", "Bird/Aim point"},
+                                    {"Bird/Chordwise offset=0.01", "Bird/Chordwise offset"},
+                                    {"Bird/Yaw=10", "Bird/Yaw"},
+                                    {"Blade/Thickness/Value=0.004 + 0.01*y", "Thickness/Value"},
+                                    {"Blade/Loads/Pressure=1e5*y", "Loads/Pressure"},
+                                    {"Blade/Loads/Initial velocity=0; 1; 0", "Loads/Initial velocity"},
+                                    {"Blade/Loads/Initial spin=1; 0; 0", "Loads/Initial spin"},
+                                    {"Blade/Supports/Clamped=0, 2", "Supports/Clamped"},
+                                    {"Blade/Mesh/Elements along chord=7", "Blade/Mesh"},
+                                    {"Blade/Probes=a: 0.2 -0.01 0", "Probes"}})
+    {
+      const std::string message = refusal(text);
+      EXPECT_NE(message.find(entry), std::string::npos) << text << ": " << message;
+      EXPECT_NE(message.find("symmetric"), std::string::npos) << text << ": " << message;
+    }
+}
