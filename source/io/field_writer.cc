@@ -1,3 +1,4 @@
+#include <birdstrike/core/allocation_guard.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/field_writer.h>
 #include <birdstrike/io/fields.h>
@@ -62,6 +63,7 @@ namespace birdstrike
 
   void FieldWriter::work()
   {
+    AllocationGuard::exempt_this_thread();
     std::unique_lock<std::mutex> lock(mutex);
     while (true)
       {

@@ -1,0 +1,131 @@
+#include <birdstrike/core/allocation_guard.h>
+
+#if !defined(NDEBUG) || defined(BIRDSTRIKE_COUNT_ALLOCATIONS)
+
+#  include <execinfo.h>
+
+#  include <algorithm>
+#  include <array>
+#  include <atomic>
+#  include <cstdlib>
+#  include <new>
+
+namespace
+{
+  constexpr std::size_t n_stacks = 64, n_frames = 10;
+
+  std::atomic<bool>                                  armed{false};
+  std::atomic<std::uint64_t>                         n_counted{0};
+  thread_local bool                                  is_exempt = false;
+  std::array<std::array<void *, n_frames>, n_stacks> stacks{};
+  std::array<int, n_stacks>                          depths{};
+  std::atomic<std::size_t>                           n_kept{0};
+
+  void count_one()
+  {
+    if (!armed.load(std::memory_order_relaxed) || is_exempt)
+      return;
+    n_counted.fetch_add(1, std::memory_order_relaxed);
+    if (const std::size_t k = n_kept.fetch_add(1); k < n_stacks)
+      depths[k] = ::backtrace(stacks[k].data(), n_frames);
+  }
+
+  void *require(void *const memory)
+  {
+    if (!memory)
+      throw std::bad_alloc();
+    return memory;
+  }
+} // namespace
+
+// The other forms of new call these two; all forms of delete call free.
+void *operator new(const std::size_t size)
+{
+  count_one();
+  return require(std::malloc(std::max<std::size_t>(size, 1)));
+}
+
+void *operator new(const std::size_t size, const std::align_val_t alignment)
+{
+  count_one();
+  const auto unit = static_cast<std::size_t>(alignment);
+  return require(std::aligned_alloc(unit, (std::max<std::size_t>(size, 1) + unit - 1) / unit * unit));
+}
+
+namespace birdstrike
+{
+  AllocationGuard::AllocationGuard(const bool is_armed)
+  {
+    // the first call of backtrace loads a library, which allocates
+    static std::array<void *, 2>      frame;
+    [[maybe_unused]] static const int depth = ::backtrace(frame.data(), frame.size());
+    n_counted                               = 0;
+    armed                                   = is_armed;
+  }
+
+  AllocationGuard::~AllocationGuard()
+  {
+    armed = false;
+  }
+
+  std::uint64_t AllocationGuard::count() const
+  {
+    return n_counted;
+  }
+
+  bool AllocationGuard::is_counting()
+  {
+    return true;
+  }
+
+  void AllocationGuard::exempt_this_thread()
+  {
+    is_exempt = true;
+  }
+
+  std::string AllocationGuard::first_call_sites()
+  {
+    std::string text;
+    for (std::size_t k = 0; k < std::min<std::size_t>(n_kept, n_stacks); ++k)
+      {
+        char **const names = ::backtrace_symbols(stacks[k].data(), depths[k]);
+        text += "allocation " + std::to_string(k + 1) + "\n";
+        for (int frame = 2; names && frame < depths[k]; ++frame)
+          text += std::string("  ") + names[frame] + "\n";
+        std::free(names);
+      }
+    return text;
+  }
+} // namespace birdstrike
+
+#else
+
+namespace birdstrike
+{
+  AllocationGuard::AllocationGuard(bool)
+  {
+  }
+
+  AllocationGuard::~AllocationGuard() = default;
+
+  std::uint64_t AllocationGuard::count() const
+  {
+    return 0;
+  }
+
+  bool AllocationGuard::is_counting()
+  {
+    return false;
+  }
+
+  void AllocationGuard::exempt_this_thread()
+  {
+  }
+
+  std::string AllocationGuard::first_call_sites()
+  {
+    return "";
+  }
+} // namespace birdstrike
+
+#endif
