@@ -1,6 +1,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/core/allocation_guard.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/text.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace birdstrike
 {
@@ -24,6 +26,12 @@ namespace birdstrike
 
     /// How far ahead (s) the blade is carried on when its box is compared with the paths of particles.
     constexpr double retirement_horizon = 2e-3;
+
+#ifndef NDEBUG
+    /// Steps until every buffer has its size. After them a list may outgrow its memory in one step; a loop that
+    /// allocates does so in every step.
+    constexpr unsigned long warm_up = 300;
+#endif
 
     /// The bird's phase may end once nothing has touched for this long (s).
     constexpr double quiet_time = 0.1e-3;
@@ -88,10 +96,24 @@ namespace birdstrike
     schedule = scene.plan(parameters.time.end_time - now);
   }
 
+  void BirdStrike::step()
+  {
+#ifdef NDEBUG
+    stepper.advance(schedule);
+#else
+    const AllocationGuard guard(n_steps >= warm_up);
+    stepper.advance(schedule);
+    const bool allocates = n_steps >= warm_up && guard.count() > 0;
+    if (allocates && has_allocated)
+      throw std::logic_error("Two steps in a row have allocated memory:\n" + AllocationGuard::first_call_sites());
+    has_allocated = allocates;
+#endif
+  }
+
   void BirdStrike::advance()
   {
     plan();
-    stepper.advance(schedule);
+    step();
     now += schedule.step;
     ++n_steps;
     if (scene.contact && scene.contact->report().n_touching > 0)

@@ -45,6 +45,7 @@ namespace birdstrike
     void        start();
     void        plan();
     void        advance();
+    void        step(); ///< one macro step of the parts; a debug build asserts that it allocates nothing
     void        observe();
     void        retire_particles();
     bool        is_bird_phase_over(double horizon);
@@ -76,8 +77,9 @@ namespace birdstrike
     std::optional<Recorder> recorder;
     Progress                progress;
 
-    double        now     = 0.; ///< s since first touch
-    unsigned long n_steps = 0;
+    double        now           = 0.; ///< s since first touch
+    unsigned long n_steps       = 0;
+    bool          has_allocated = false; ///< the last step did (debug builds)
     Schedule      schedule;
     std::string   why_ended;
 
