@@ -16,13 +16,13 @@ namespace birdstrike
   {
     std::size_t begin = 0, end = 0; ///< range of points
 
-    Box    box;                    ///< of its points, now
-    double motion_squared = 0.;    ///< m^2, largest of its points since the last call, relative to the first node
+    Box    box;                 ///< of its points, now
+    double motion_squared = 0.; ///< m^2, largest of its points since the last call, relative to the first node
     /// m, bounds of how far its points and any node have moved relative to each other, since the last search and since
     /// the last call.
     double path = 0., step_motion = 0.;
-    bool   is_tracked     = false; ///< it may have pairs
-    bool   is_new         = false; ///< its list has not been used yet
+    bool   is_tracked = false; ///< it may have pairs
+    bool   is_new     = false; ///< its list has not been used yet
 
     std::vector<std::uint32_t> points;     ///< near ones, ascending
     std::vector<unsigned char> has_passed; ///< [points], whether the point is beyond the surface that it touches

@@ -85,7 +85,7 @@ namespace birdstrike
     std::uint64_t                        points_revision = 0, facets_revision = 0;
     std::size_t                          n_facets = 0;
     Box                                  surface;                     // of all nodes, now
-    double path = 0., last_motion = 0.; // m, of all blocks
+    double                               path = 0., last_motion = 0.; // m, of all blocks
     bool                                 is_known = false, is_tracking = false;
     Counts                               n_calls;
   };

@@ -31,6 +31,7 @@ namespace birdstrike
 
     std::array<Vector3<Number>, 4> a;
     std::array<Number, 4>          aa, wa;
+#pragma GCC unroll 4
     for (unsigned int k = 0; k < 4; ++k)
       {
         a[k]  = x[k] - c;
@@ -58,6 +59,7 @@ namespace birdstrike
         best.offset[d] = select(is_closer, r[d], best.offset[d]);
     };
 
+#pragma GCC unroll 4
     for (unsigned int k = 0; k < 4; ++k)
       {
         const unsigned int l = (k + 1) % 4;
@@ -78,6 +80,7 @@ namespace birdstrike
         consider(k, f, g, det > Number(1e-14) * aa[k] * aa[l] && f >= zero && g >= zero && f + g <= one);
       }
 
+#pragma GCC unroll 4
     for (unsigned int k = 0; k < 4; ++k)
       best.weights[k] = max(zero, one - best_s - best_t) * Number(0.25) + select(best_k == Number(k), best_s, zero) +
                         select(best_k == Number((k + 3) % 4), best_t, zero);

@@ -77,6 +77,49 @@ TEST(Search, NothingIsDoneWhilePointsAndFacetsAreApart)
   EXPECT_EQ(contact.report().skipped + contact.report().searches + contact.report().reused, 551u);
 }
 
+TEST(Search, BoxesApartCostNoSearchAndNoPairAndNearnessIsCounted)
+{
+  FreeMasses scene;
+  scene.add_plate(3, 3, 0.01, 2e-3);
+  for (unsigned int i = 0; i < 300; ++i) // two blocks: one over the plate, one 0.2 m away, all of them in flight
+    scene.add_point({Point3(1e-4 * i, 0.01, i < 256 ? 0.01 : 0.2), Point3(0., 0., -100.)});
+  Contact    contact{ContactParameters()};
+  ThreadPool pool;
+  const auto call = [&](const double z) {
+    for (std::size_t i = 0; i < 256; ++i)
+      scene.place(i, Point3(1e-4 * i, 0.01, z));
+    scene.compute_contact(contact, 1e-6, pool);
+    return contact.report();
+  };
+  ContactReport report;
+  for (unsigned int n = 0; n < 50; ++n)
+    report = call(0.01 - 1e-4 * n);
+  EXPECT_EQ(report.calls, 50u);
+  EXPECT_EQ(report.skipped, 50u);
+  EXPECT_EQ(report.searches + report.pairs_listed + report.pairs_tested + report.points_near + report.points_active,
+            0u);
+  EXPECT_EQ(report.mean_points_near(), 0.);
+
+  report = call(1.6e-3); // 0.1 mm above touch: the far block is not on the list
+  EXPECT_EQ(report.searches, 1u);
+  EXPECT_EQ(report.points_near, 256u);
+  EXPECT_EQ(report.mean_points_near(), 256.);
+  EXPECT_GE(report.pairs_listed, 256u);
+  EXPECT_EQ(report.pairs_tested, 0u); // out of reach they sleep
+
+  const std::uint64_t n_listed = report.pairs_listed;
+  report                       = call(1.4e-3); // 0.1 mm deep, on the same list
+  EXPECT_EQ(report.searches, 1u);
+  EXPECT_EQ(report.reused, 1u);
+  EXPECT_EQ(report.touches, 256u);
+  EXPECT_EQ(report.points_active, 256u);
+  EXPECT_GE(report.pairs_tested, 256u);
+  EXPECT_EQ(report.pairs_listed, 2 * n_listed);
+  for (unsigned int n = 0; n < 3; ++n)
+    report = call(0.01);
+  EXPECT_GT(report.skipped, 50u); // and away again
+}
+
 TEST(Search, OneHugeFacetAndNoPointsAreServed)
 {
   FreeMasses scene;
