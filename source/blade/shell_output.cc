@@ -6,15 +6,19 @@ namespace birdstrike
 {
   double ShellElements::elastic_energy() const
   {
-    return implementation->sum(&Implementation::Batch::work) - plastic_work() - hourglass_energy();
+    double work = 0.;
+    for (const Row &sum : implementation->work)
+      for (const double part : sum.value)
+        work += part;
+    return work - plastic_work() - hourglass_energy();
   }
   double ShellElements::plastic_work() const
   {
-    return implementation->sum(&Implementation::Batch::plastic);
+    return implementation->sum(&Implementation::Chunk::plastic);
   }
   double ShellElements::hourglass_energy() const
   {
-    return implementation->sum(&Implementation::Batch::hourglass);
+    return implementation->sum(&Implementation::Chunk::hourglass);
   }
 
   std::size_t ShellElements::n_elements() const
@@ -45,7 +49,7 @@ namespace birdstrike
     const ShellGeometry<double> g  = my.geometry(element);
     const double                t  = lane(s.thickness, k);
     ShellState                  state;
-    state.axes << g.e1, g.e2, g.e3;
+    state.axes << g.compute_e1(), g.compute_e2(), g.e3;
     for (int c = 0; c < 3; ++c)
       {
         state.membrane_force[c] = t * lane(s.mean[c], k);
@@ -77,10 +81,11 @@ namespace birdstrike
 
   std::array<double, 6> ShellElements::global_layer_stress(const std::size_t element, const ShellLayer layer) const
   {
-    const auto                  s = layer_stress(element, layer);
-    const ShellGeometry<double> g = implementation->geometry(element);
-    const Matrix3<double>       S = s[0] * g.e1 * g.e1.transpose() + s[1] * g.e2 * g.e2.transpose() +
-                              s[2] * (g.e1 * g.e2.transpose() + g.e2 * g.e1.transpose());
+    const auto                  s  = layer_stress(element, layer);
+    const ShellGeometry<double> g  = implementation->geometry(element);
+    const Point3                e1 = g.compute_e1(), e2 = g.compute_e2();
+    const Matrix3<double>       S =
+      s[0] * e1 * e1.transpose() + s[1] * e2 * e2.transpose() + s[2] * (e1 * e2.transpose() + e2 * e1.transpose());
     return {S(0, 0), S(1, 1), S(2, 2), S(0, 1), S(1, 2), S(2, 0)};
   }
 

@@ -16,17 +16,18 @@ namespace birdstrike
   struct BelytschkoTsay
   {
     const ShellGeometry<Number> &g;
+    Vector3<Number>              e1, e2; ///< in the plane
     Vector3<Number>              b1, b2; ///< contravariant base vectors, 1/m
     Number                       membrane, w, theta;
 
     BelytschkoTsay(const ShellGeometry<Number> &g, const Number &thickness, const double coefficient)
-      : g(g), b1(g.c1x * g.e1 + g.c1y * g.e2), b2(g.c2x * g.e1 + g.c2y * g.e2)
+      : g(g), e1(g.compute_e1()), e2(g.compute_e2()), b1(g.c1x * e1 + g.c1y * e2), b2(g.c2x * e1 + g.c2y * e2)
     {
       // B.B = sum_I (b_xI^2 + b_yI^2); 4: q = h_I v_I - ... = 4 u_gamma
-      const Number bb = 0.25 * (b1.dot(b1) + b2.dot(b2));
-      membrane        = 4. * sqrt(3. / 8. * coefficient * bb);
-      theta           = 4. * sqrt(3. / 16. * coefficient * bb);
-      w               = 4. * thickness * sqrt(0.25 * coefficient * bb / g.area);
+      const Number bb = 0.25 * (g.g11 + g.g22), scale = 4. * bb * inverse_root(bb); // 4 sqrt(bb)
+      membrane = std::sqrt(3. / 8. * coefficient) * scale;
+      theta    = std::sqrt(3. / 16. * coefficient) * scale;
+      w        = std::sqrt(0.25 * coefficient) * thickness * scale * inverse_root(g.area);
     }
 
     /// Spin of the element from the displacement modes.
@@ -56,15 +57,15 @@ namespace birdstrike
                                      s.membrane);
       physical_shell::compute_tensor(g, Number(a1.dot(dd.m1)), Number(a2.dot(dd.m2)),
                                      Number(a1.dot(dd.m2) + a2.dot(dd.m1)), s.curvature);
-      const Number g1 = a1.dot(dd.m0) + g.e3.dot(u.m1), g2 = a2.dot(dd.m0) + g.e3.dot(u.m2);
-      s.shear[0]                     = g1 * g.c1x + g2 * g.c2x;
-      s.shear[1]                     = g1 * g.c1y + g2 * g.c2y;
+      const Number shear_1 = a1.dot(dd.m0) + g.e3.dot(u.m1), shear_2 = a2.dot(dd.m0) + g.e3.dot(u.m2);
+      s.shear[0]                     = shear_1 * g.c1x + shear_2 * g.c2x;
+      s.shear[1]                     = shear_1 * g.c1y + shear_2 * g.c2y;
       const Vector3<Number> u_gamma  = u.m3 - g.alpha * u.m1 - g.beta * u.m2;
       const Vector3<Number> dd_gamma = dd.m3 - g.alpha * dd.m1 - g.beta * dd.m2;
-      s.linear_membrane[0]           = membrane * g.e1.dot(u_gamma);
-      s.linear_membrane[1]           = membrane * g.e2.dot(u_gamma);
-      s.linear_curvature[0]          = theta * g.e1.dot(dd_gamma);
-      s.linear_curvature[1]          = theta * g.e2.dot(dd_gamma);
+      s.linear_membrane[0]           = membrane * e1.dot(u_gamma);
+      s.linear_membrane[1]           = membrane * e2.dot(u_gamma);
+      s.linear_curvature[0]          = theta * e1.dot(dd_gamma);
+      s.linear_curvature[1]          = theta * e2.dot(dd_gamma);
       s.linear_shear[0]              = w * g.e3.dot(u_gamma);
       s.linear_shear[1]              = Number(0.);
       return s;
@@ -78,11 +79,11 @@ namespace birdstrike
       const Number                                q1      = g.area * (r.shear[0] * g.c1x + r.shear[1] * g.c1y);
       const Number                                q2      = g.area * (r.shear[0] * g.c2x + r.shear[1] * g.c2y);
       const Number                                third   = g.area / Number(3.);
-      const Vector3<Number>                       f_gamma = (third * membrane * r.linear_membrane[0]) * g.e1 +
-                                      (third * membrane * r.linear_membrane[1]) * g.e2 +
+      const Vector3<Number>                       f_gamma = (third * membrane * r.linear_membrane[0]) * e1 +
+                                      (third * membrane * r.linear_membrane[1]) * e2 +
                                       (third * w * r.linear_shear[0]) * n;
       const Vector3<Number> fd_gamma =
-        (third * theta * r.linear_curvature[0]) * g.e1 + (third * theta * r.linear_curvature[1]) * g.e2;
+        (third * theta * r.linear_curvature[0]) * e1 + (third * theta * r.linear_curvature[1]) * e2;
       ShellModes<Number> f, fd;
       fd.m0 = q1 * a1 + q2 * a2;
       fd.m1 = M.n11 * a1 + M.n12 * a2 - g.alpha * fd_gamma;

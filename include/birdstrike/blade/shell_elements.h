@@ -84,6 +84,7 @@ namespace birdstrike
     /// 2/omega_max by a bound on the largest eigenvalue of every element, for nodal masses and inertias that are not
     /// smaller than those of the two functions below. No safety factor.
     StepLimit step_limit() const;
+    double    largest_stable_step() const; ///< s, the value of the same without its words: nothing is searched
     /// Masses (kg) that the nodes really carry, [n_nodes]: the bound then allows for shares other than a quarter.
     void use_nodal_masses(std::span<const double> mass);
     /// A quarter of each element's mass to each of its nodes (kg), [n_nodes].

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <birdstrike/core/number.h>
+#include <birdstrike/core/lane_rows.h>
 
 namespace birdstrike
 {
@@ -13,7 +13,7 @@ namespace birdstrike
   {
     Vector3<Number> m0, m1, m2, m3;
 
-    static ShellModes of_corners(const Vector3<Number> (&f)[4])
+    [[gnu::always_inline]] static ShellModes of_corners(const Vector3<Number> (&f)[4])
     {
       const Number          quarter = 0.25;
       const Vector3<Number> a = f[0] + f[2], b = f[1] + f[3], c = f[2] - f[0], d = f[1] - f[3];
@@ -21,7 +21,7 @@ namespace birdstrike
     }
 
     /// 1/4 of the sum of the modes at every corner
-    void corner_shares(Vector3<Number> (&f)[4]) const
+    [[gnu::always_inline]] void corner_shares(Vector3<Number> (&f)[4]) const
     {
       const Number          quarter = 0.25;
       const Vector3<Number> a = quarter * (m0 + m3), b = quarter * (m0 - m3), c = quarter * (m1 + m2),
@@ -38,57 +38,94 @@ namespace birdstrike
   ///
   /// x.m1, x.m2 are the covariant base vectors a1, a2 at the centre; a3 = x.m3 = alpha a1 + beta a2 + warp e3. The
   /// frame has e3 normal to a1 and a2, and e1, e2 symmetric about them, so that it turns with the mean of the two
-  /// directions. (c1x, c1y), (c2x, c2y) are the contravariant base vectors in (e1, e2). Area = 4 |a1 x a2|, exact for a
-  /// plane element.
+  /// directions: a1 = |a1| (C, S), a2 = |a2| (S, C), 2 C S = c the cosine between them, C^2 - S^2 its sine. With the
+  /// contravariant base vectors (c1x, c1y), (c2x, c2y) in (e1, e2) four inverse roots and one division are all that
+  /// this takes; e1 = c1x a1 + c2x a2 and e2 = c1y a1 + c2y a2 are made only where they are needed.
+  /// Area = 4 |a1 x a2|, exact for a plane element.
   template <class Number>
   struct ShellGeometry
   {
     ShellModes<Number> x;           ///< m
     Vector3<Number>    director[4]; ///< -, n/(n.e3) of the averaged nodal normals n
     ShellModes<Number> d;           ///< of the directors
-    Vector3<Number>    e1, e2, e3;
-    Number             area; ///< m^2
+    Vector3<Number>    e3;
+    Number             area;          ///< m^2
+    Number             inverse_det;   ///< 1/|a1 x a2| = 4/area, 1/m^2
+    Number             a11, a22, a12; ///< covariant metric, m^2
+    Number             g11, g22;      ///< contravariant metric, 1/m^2
+    Number             g1, g2;        ///< lengths of the contravariant base vectors, 1/m
+    Number             l1, l2;        ///< 1/a11, 1/a22
     Number             c1x, c1y, c2x, c2y;
     Number             alpha, beta, warp;
     Vector3<Number>    d_gamma; ///< d3 - alpha d1 - beta d2
 
     static ShellGeometry of_corners(const Vector3<Number> (&corner)[4], const Vector3<Number> (&normal)[4])
     {
+      return of_modes(ShellModes<Number>::of_corners(corner), normal);
+    }
+
+    [[gnu::always_inline]] static ShellGeometry of_modes(const ShellModes<Number> &x,
+                                                         const Vector3<Number> (&normal)[4])
+    {
       ShellGeometry g;
-      g.x                      = ShellModes<Number>::of_corners(corner);
-      const Vector3<Number> a1 = g.x.m1, a2 = g.x.m2, a3 = g.x.m3;
-      const Vector3<Number> normal_vector = a1.cross(a2);
-      const Number          det           = sqrt(normal_vector.dot(normal_vector));
-      g.area                              = 4. * det;
-      g.e3                                = normal_vector * (Number(1.) / det);
+      g.x                       = x;
+      const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
+      const Vector3<Number>  normal_vector = a1.cross(a2);
+      const Number           square        = normal_vector.dot(normal_vector);
+      const Number           inverse       = inverse_root(square); // 1/|a1 x a2|
+      const Number           det           = square * inverse;
+      g.area                               = 4. * det;
+      g.inverse_det                        = inverse;
+      g.e3                                 = normal_vector * inverse;
+      g.a11                                = a1.dot(a1);
+      g.a22                                = a2.dot(a2);
+      g.a12                                = a1.dot(a2);
+      const Number r1 = inverse_root(g.a11), r2 = inverse_root(g.a22), r12 = r1 * r2;
+      const Number half = 0.5, one_c = Number(1.) + g.a12 * r12, root = inverse_root(one_c);
+      const Number p = half * one_c * root, q = half * (det * r12) * root; // half sqrt(1 + c), half sqrt(1 - c)
+      g.l1             = r1 * r1;
+      g.l2             = r2 * r2;
+      g.g1             = g.a22 * r2 * inverse;
+      g.g2             = g.a11 * r1 * inverse;
+      g.g11            = g.g1 * g.g1;
+      g.g22            = g.g2 * g.g2;
+      g.c1x            = g.g1 * (p + q);
+      g.c1y            = g.g1 * (q - p);
+      g.c2x            = g.g2 * (q - p);
+      g.c2y            = g.g2 * (p + q);
+      const Number g12 = -(inverse * inverse) * g.a12;
+      const Number a31 = a3.dot(a1), a32 = a3.dot(a2);
+      g.alpha = g.g11 * a31 + g12 * a32;
+      g.beta  = g12 * a31 + g.g22 * a32;
+      g.warp  = a3.dot(g.e3);
+      g.set_directors(normal);
+      return g;
+    }
+
+    Vector3<Number> compute_e1() const
+    {
+      return c1x * x.m1 + c2x * x.m2;
+    }
+    Vector3<Number> compute_e2() const
+    {
+      return c1y * x.m1 + c2y * x.m2;
+    }
+
+  private:
+    [[gnu::always_inline]] void set_directors(const Vector3<Number> (&normal)[4])
+    {
       // four reciprocals with one division
       const Number least = 0.1;
-      const Number h0 = max(Number(normal[0].dot(g.e3)), least), h1 = max(Number(normal[1].dot(g.e3)), least);
-      const Number h2 = max(Number(normal[2].dot(g.e3)), least), h3 = max(Number(normal[3].dot(g.e3)), least);
+      const Number h0 = max(Number(normal[0].dot(e3)), least), h1 = max(Number(normal[1].dot(e3)), least);
+      const Number h2 = max(Number(normal[2].dot(e3)), least), h3 = max(Number(normal[3].dot(e3)), least);
       const Number h01 = h0 * h1, h23 = h2 * h3, product = Number(1.) / (h01 * h23);
-      g.director[0]             = normal[0] * (product * h1 * h23);
-      g.director[1]             = normal[1] * (product * h0 * h23);
-      g.director[2]             = normal[2] * (product * h3 * h01);
-      g.director[3]             = normal[3] * (product * h2 * h01);
-      g.d                       = ShellModes<Number>::of_corners(g.director);
-      const Vector3<Number> s1  = a1 * (Number(1.) / sqrt(a1.dot(a1)));
-      const Vector3<Number> s2  = a2 * (Number(1.) / sqrt(a2.dot(a2)));
-      const Vector3<Number> sum = s1 + s2, difference = s1 - s2;
-      const Vector3<Number> s = sum * (Number(1.) / sqrt(2. * sum.dot(sum)));
-      const Vector3<Number> t = difference * (Number(1.) / sqrt(2. * difference.dot(difference)));
-      g.e1                    = s + t;
-      g.e2                    = s - t;
-      const Number inverse    = Number(1.) / det;
-      g.c1x                   = a2.dot(g.e2) * inverse;
-      g.c1y                   = -a2.dot(g.e1) * inverse;
-      g.c2x                   = -a1.dot(g.e2) * inverse;
-      g.c2y                   = a1.dot(g.e1) * inverse;
-      const Number a3x = a3.dot(g.e1), a3y = a3.dot(g.e2);
-      g.alpha   = g.c1x * a3x + g.c1y * a3y;
-      g.beta    = g.c2x * a3x + g.c2y * a3y;
-      g.warp    = a3.dot(g.e3);
-      g.d_gamma = g.d.m3 - g.alpha * g.d.m1 - g.beta * g.d.m2;
-      return g;
+      const Number p01 = product * h23, p23 = product * h01;
+      director[0] = normal[0] * (p01 * h1);
+      director[1] = normal[1] * (p01 * h0);
+      director[2] = normal[2] * (p23 * h3);
+      director[3] = normal[3] * (p23 * h2);
+      d           = ShellModes<Number>::of_corners(director);
+      d_gamma     = d.m3 - alpha * d.m1 - beta * d.m2;
     }
   };
 } // namespace birdstrike

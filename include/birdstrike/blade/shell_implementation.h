@@ -2,6 +2,7 @@
 
 #include <birdstrike/blade/shell_section.h>
 #include <birdstrike/core/aligned_vector.h>
+#include <birdstrike/core/lane_rows.h>
 
 namespace birdstrike
 {
@@ -9,50 +10,63 @@ namespace birdstrike
   /// up with copies of the last element, whose forces and energies are never read).
   ///
   /// A step is three loops, each writing only what it owns, so that nothing depends on the number of threads:
-  /// nodes (normals, director increments), batches (forces on corners), nodes (sums over the corners, fixed order).
+  /// nodes (records with normals), batches (a row of force for every corner), nodes (sums over the corners, which lie
+  /// side by side in a fixed order, and their work).
   class ShellElements::Implementation
   {
   public:
     Implementation(std::vector<Point3> nodes, std::vector<std::array<std::uint32_t, 4>> cells,
                    const std::vector<double> &thickness, const ShellSection &section, ThreadPool &pool);
 
-    /// What a batch needs of a node, contiguous.
+    /// What a batch needs of a node: two cache lines.
     struct alignas(64) NodeRecord
     {
       double position[3];        ///< at t^{n+1}, m
       double increment[3];       ///< displacement, m
-      double normal[3];          ///< averaged unit normal at t^{n+1}
-      double midpoint_normal[3]; ///< mean of the normals at t^n and t^{n+1}
       double rotation[3];        ///< increment, rad
+      double midpoint_normal[3]; ///< mean of the normals at t^n and t^{n+1}
+      double normal[3];          ///< averaged unit normal at t^{n+1}
       double unused = 0.;
     };
+
+    /// The normal of a node: (x_0 - x_1) x (x_2 - x_3), of four nodes, is the sum of the normals of its elements there
+    /// where up to four of them close a ring or up to two a fan; of other nodes it is summed over their corners.
+    using Diagonals = std::array<std::uint32_t, 4>;
 
     /// Two neighbours of a node within one element: (next - node) x (previous - node) is the normal there.
     struct Corner
     {
       std::uint32_t next, previous;
-      std::uint32_t element, corner;
     };
 
     struct Batch
     {
       ShellStress<Lanes> stress;
-      Lanes              mass;                     ///< kg
-      Lanes              area;                     ///< m^2, at t^{n+1}
-      Lanes              eigenvalue;               ///< bound of omega^2, 1/s^2
-      Lanes              work, plastic, hourglass; ///< J, cumulative
-      Lanes              force[4][6];              ///< on the corners, N and N m
+      Lanes              inverse_mass;       ///< 1/kg, of the least mass that the nodes carry for the element
+      Lanes              eigenvalue;         ///< bound of omega^2, 1/s^2
+      std::uint32_t      record[4][n_lanes]; ///< where the corners' records begin, in doubles
+      std::uint32_t      corner[4][n_lanes]; ///< where the corners' forces go, see `corner_force`
     };
 
-    void update_nodes(const double *position, const double *increment);
-    void update_normal(std::size_t node);
-    void promote(std::size_t batch);
-    void update_batch(std::size_t batch, double dt);
-    void gather_forces(double *force) const;
-    void check(std::size_t batch) const;
+    /// Batches of one chunk belong to one thread; sums over chunks do not depend on the number of threads.
+    struct Chunk
+    {
+      Lanes plastic = 0., hourglass = 0.; ///< J, cumulative
+      Lanes eigenvalue = 0.;              ///< largest of the chunk
+    };
+    static constexpr std::size_t batches_per_chunk = 16, nodes_per_chunk = 512;
 
+    void update_nodes(const double *position, const double *increment);
+    void update_normal(std::size_t node, const double *position);
+    void promote(std::size_t batch);
+    void update_chunk(std::size_t chunk, double dt);
+    void gather_forces(double *force);
+    void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: quarters
+
+    std::size_t           n_elements_of(std::size_t batch) const;
     ShellGeometry<double> geometry(std::size_t element) const;
-    double                sum(Lanes Batch::*energy) const;
+    double                sum(Lanes Chunk::*energy) const;
+    std::string           place(std::size_t element) const; ///< "element 17 at (0.01, 0.02, 0)"
 
     ShellSection                              section;
     ShellSectionLaw                           law;
@@ -60,20 +74,29 @@ namespace birdstrike
     ThreadPool                               &pool;
     std::size_t                               n_nodes;
     std::vector<std::array<std::uint32_t, 4>> cells;
-    std::vector<std::size_t>                  corner_begin; ///< [n_nodes + 1]
+    std::vector<double>                       mass;         ///< [n_elements], kg
+    std::vector<std::uint32_t>                corner_begin; ///< [n_nodes + 1]
     std::vector<Corner>                       corners;
-    std::vector<std::vector<Point3>>          symmetry; ///< [n_nodes], normals of symmetry planes; empty without any
+    std::vector<std::array<std::uint32_t, 4>> corner_of_element; ///< where the corners' forces go
+    std::vector<Diagonals>                    diagonals;
+    std::vector<std::uint32_t>                irregular; ///< nodes that have no diagonals, or symmetry planes
+    std::vector<std::vector<Point3>>          symmetry;  ///< [n_nodes], normals of symmetry planes; empty without any
     AlignedVector<NodeRecord>                 records;
+    AlignedVector<Row>                        corner_force; ///< [n_corners + 1]: force and moment, of a node together
+    AlignedVector<Row>                        node_force;   ///< [n_nodes], of the last step
+    AlignedVector<Row>                        work;         ///< [chunks of nodes], J by component, cumulative
     AlignedVector<Batch>                      batches;
+    AlignedVector<Chunk>                      chunks;
     std::vector<AlignedVector<ShellPoint<Lanes>>> points; ///< [n_batches], empty while elastic
-    std::vector<double> mass_ratio;                       ///< [n_elements], nodal mass over sum of quarters, worst node
 
   private:
-    using CornerVectors = Vector3<Lanes>[4];
-    void load_corners(std::size_t batch, double (NodeRecord::*member)[3], CornerVectors &result) const;
     void build_corners();
+    void build_diagonals();
+    void check_shape(std::size_t element, double thickness);
     void build_batches(const std::vector<double> &thickness);
+    void update_group(std::size_t begin, const double *position, const double *increment);
     template <bool physical>
-    void update_batch_as(std::size_t batch, double dt);
+    void              update_batch(std::size_t batch, double dt, Chunk &chunk);
+    [[noreturn]] void report_failure(std::size_t batch) const;
   };
 } // namespace birdstrike

@@ -36,8 +36,8 @@ namespace birdstrike
   namespace physical_shell
   {
     template <class Number>
-    inline void compute_tensor(const ShellGeometry<Number> &g, const Number &k11, const Number &k22,
-                               const Number &two_k12, Number (&k)[3])
+    [[gnu::always_inline]] inline void compute_tensor(const ShellGeometry<Number> &g, const Number &k11,
+                                                      const Number &k22, const Number &two_k12, Number (&k)[3])
     {
       k[0] = k11 * g.c1x * g.c1x + k22 * g.c2x * g.c2x + two_k12 * g.c1x * g.c2x;
       k[1] = k11 * g.c1y * g.c1y + k22 * g.c2y * g.c2y + two_k12 * g.c1y * g.c2y;
@@ -46,8 +46,8 @@ namespace birdstrike
 
     /// From displacement modes u and director increment modes dd.
     template <class Number>
-    inline ShellVector<Number> compute_strains(const ShellGeometry<Number> &g, const ShellModes<Number> &u,
-                                               const ShellModes<Number> &dd)
+    [[gnu::always_inline]] inline ShellVector<Number>
+    compute_strains(const ShellGeometry<Number> &g, const ShellModes<Number> &u, const ShellModes<Number> &dd)
     {
       const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
       const Vector3<Number> &d0 = g.d.m0, &d1 = g.d.m1, &d2 = g.d.m2;
@@ -55,14 +55,14 @@ namespace birdstrike
       compute_tensor(g, Number(a1.dot(u.m1)), Number(a2.dot(u.m2)), Number(a1.dot(u.m2) + a2.dot(u.m1)), s.membrane);
       compute_tensor(g, Number(a1.dot(dd.m1) + d1.dot(u.m1)), Number(a2.dot(dd.m2) + d2.dot(u.m2)),
                      Number(a1.dot(dd.m2) + a2.dot(dd.m1) + d1.dot(u.m2) + d2.dot(u.m1)), s.curvature);
-      const Number g1 = a1.dot(dd.m0) + a3.dot(dd.m2) + d0.dot(u.m1) + d2.dot(u.m3);
-      const Number g2 = a2.dot(dd.m0) + a3.dot(dd.m1) + d0.dot(u.m2) + d1.dot(u.m3);
-      s.shear[0]      = g1 * g.c1x + g2 * g.c2x;
-      s.shear[1]      = g1 * g.c1y + g2 * g.c2y;
+      const Number shear_1 = a1.dot(dd.m0) + a3.dot(dd.m2) + d0.dot(u.m1) + d2.dot(u.m3);
+      const Number shear_2 = a2.dot(dd.m0) + a3.dot(dd.m1) + d0.dot(u.m2) + d1.dot(u.m3);
+      s.shear[0]           = shear_1 * g.c1x + shear_2 * g.c2x;
+      s.shear[1]           = shear_1 * g.c1y + shear_2 * g.c2y;
 
       const Vector3<Number> u_gamma  = u.m3 - g.alpha * u.m1 - g.beta * u.m2;
       const Vector3<Number> dd_gamma = dd.m3 - g.alpha * dd.m1 - g.beta * dd.m2;
-      const Number          l1 = Number(1.) / a1.dot(a1), l2 = Number(1.) / a2.dot(a2);
+      const Number          l1 = g.l1, l2 = g.l2;
       s.linear_membrane[0] = l1 * (a1.dot(u_gamma) + g.warp * g.e3.dot(u.m1));
       s.linear_membrane[1] = l2 * (a2.dot(u_gamma) + g.warp * g.e3.dot(u.m2));
       s.linear_curvature[0] =
@@ -70,8 +70,8 @@ namespace birdstrike
       s.linear_curvature[1] =
         l2 * (a2.dot(dd_gamma) + g.warp * g.e3.dot(dd.m2) + d2.dot(u_gamma) + g.d_gamma.dot(u.m2));
       const Number common = a3.dot(dd.m0) + d0.dot(u.m3);
-      s.linear_shear[0]   = sqrt(g.c1x * g.c1x + g.c1y * g.c1y) * (a1.dot(dd.m2) + d2.dot(u.m1) + common);
-      s.linear_shear[1]   = sqrt(g.c2x * g.c2x + g.c2y * g.c2y) * (a2.dot(dd.m1) + d1.dot(u.m2) + common);
+      s.linear_shear[0]   = g.g1 * (a1.dot(dd.m2) + d2.dot(u.m1) + common);
+      s.linear_shear[1]   = g.g2 * (a2.dot(dd.m1) + d1.dot(u.m2) + common);
       return s;
     }
 
@@ -89,20 +89,20 @@ namespace birdstrike
 
     /// The transpose of compute_strains, times the area: forces f on the modes of u, and fd on the modes of dd.
     template <class Number>
-    inline void compute_mode_forces(const ShellGeometry<Number> &g, const ShellVector<Number> &r, ShellModes<Number> &f,
-                                    ShellModes<Number> &fd)
+    [[gnu::always_inline]] inline void compute_mode_forces(const ShellGeometry<Number> &g, const ShellVector<Number> &r,
+                                                           ShellModes<Number> &f, ShellModes<Number> &fd)
     {
       const Vector3<Number>      &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
       const Vector3<Number>      &d0 = g.d.m0, &d1 = g.d.m1, &d2 = g.d.m2;
       const Contravariant<Number> n(g, r.membrane), m(g, r.curvature);
       const Number                third = g.area / Number(3.);
-      const Number                l1 = third / a1.dot(a1), l2 = third / a2.dot(a2);
+      const Number                l1 = third * g.l1, l2 = third * g.l2;
       const Number                h1 = l1 * r.linear_membrane[0], h2 = l2 * r.linear_membrane[1];
       const Number                b1 = l1 * r.linear_curvature[0], b2 = l2 * r.linear_curvature[1];
       const Number                q1 = g.area * (r.shear[0] * g.c1x + r.shear[1] * g.c1y);
       const Number                q2 = g.area * (r.shear[0] * g.c2x + r.shear[1] * g.c2y);
-      const Number                r1 = third * sqrt(g.c1x * g.c1x + g.c1y * g.c1y) * r.linear_shear[0];
-      const Number                r2 = third * sqrt(g.c2x * g.c2x + g.c2y * g.c2y) * r.linear_shear[1];
+      const Number                r1 = third * g.g1 * r.linear_shear[0];
+      const Number                r2 = third * g.g2 * r.linear_shear[1];
 
       const Vector3<Number> f_gamma  = h1 * a1 + h2 * a2 + b1 * d1 + b2 * d2;
       const Vector3<Number> fd_gamma = b1 * a1 + b2 * a2;

@@ -49,7 +49,7 @@ namespace birdstrike
       add_elastic(e, s.thickness, mean, outer);
       const Number top[3]    = {mean[0] + outer[0], mean[1] + outer[1], mean[2] + outer[2]};
       const Number bottom[3] = {mean[0] - outer[0], mean[1] - outer[1], mean[2] - outer[2]};
-      return max(von_mises_plane(top), von_mises_plane(bottom)) > Number(yield);
+      return max(von_mises_plane_squared(top), von_mises_plane_squared(bottom)) > Number(yield * yield);
     }
 
     template <class Number>

@@ -15,49 +15,52 @@ namespace birdstrike
   ///   transverse shear:  kappa G/rho (S_max + (1 + |a3|^2 tr S)/r)
   /// and the linear parts with a third of the corresponding values; rows that share a mode are combined by
   /// lambda <= (a + b)/2 + sqrt((a - b)^2/4 + a b cos^2). Warp and initial curvature add a factor.
+  ///
+  /// All terms grow with 1/rho: with 1/(least mass that the nodes carry for this element) as `inverse_mass` (1/kg) the
+  /// bound holds for other shares than a quarter. Six roots and one division.
   template <class Number>
-  inline Number compute_eigenvalue_bound(const ShellGeometry<Number> &g, const Number &thickness, const Number &mass,
-                                         const ShellSectionLaw &law)
+  [[gnu::always_inline]] inline Number compute_eigenvalue_bound(const ShellGeometry<Number> &g, const Number &thickness,
+                                                                const Number &inverse_mass, const ShellSectionLaw &law)
   {
-    const Elasticity &elasticity = law.elasticity;
-    const double      kappa_g    = law.shear_modulus;
-    const Number      density    = mass / (thickness * g.area);
+    const double young = law.elasticity.young, nu = law.elasticity.poisson, plate = law.elasticity.plate_modulus();
+    const Number one = 1., half = 0.5, inverse_density = thickness * g.area * inverse_mass;
 
-    const auto combine = [](const Number &a, const Number &b, const Number &cos2) {
+    const auto root    = [](const Number &a) { return a * inverse_root(max(a, Number(1e-300))); };
+    const auto combine = [&](const Number &a, const Number &b, const Number &cos2) {
       const Number d = a - b;
-      return 0.5 * (a + b + sqrt(d * d + 4. * a * b * cos2));
+      return half * (a + b + root(d * d + 4. * a * b * cos2));
     };
-    const double nu  = elasticity.poisson;
-    const Number g11 = g.c1x * g.c1x + g.c1y * g.c1y, g22 = g.c2x * g.c2x + g.c2y * g.c2y;
-    const Number a11 = g.x.m1.dot(g.x.m1), a22 = g.x.m2.dot(g.x.m2);
-    const Number trace = g11 + g22, det = Number(16.) / (g.area * g.area);
-    const Number s_max = 0.5 * (trace + sqrt(max(Number(trace * trace - 4. * det), Number(0.))));
-    const Number skew  = g.alpha * g.alpha + g.beta * g.beta;
-    const Number cos2  = skew / (Number(1.) + skew);
-    const Number t2    = thickness * thickness / Number(12.);
+    const Number trace = g.g11 + g.g22, det = g.inverse_det * g.inverse_det;
+    const Number spread = max(Number(trace * trace - 4. * det), Number(0.));
+    const Number s_max  = half * (trace + root(spread));
+    const Number skew   = g.alpha * g.alpha + g.beta * g.beta;
+    const Number tilt   = g.x.m3.dot(g.x.m3) * trace;
+    const Number t2     = thickness * thickness * (1. / 12.);
     // theta x d of a director longer than one moves as with less inertia
     const Number longest = max(max(Number(g.director[0].dot(g.director[0])), Number(g.director[1].dot(g.director[1]))),
                                max(Number(g.director[2].dot(g.director[2])), Number(g.director[3].dot(g.director[3]))));
-    const Number r       = max(t2, Number(g.area / Number(8.))) / longest;
+    const Number radius2 = max(t2, Number(g.area * 0.125));
+    // three quotients with one division
+    const Number skew_1 = one + skew, tilt_1 = one + 2. * tilt, skew_tilt = skew_1 * tilt_1;
+    const Number quotient  = one / (skew_tilt * radius2);
+    const Number inverse_r = longest * skew_tilt * quotient, rest = radius2 * quotient;
+    const Number cos2 = skew * tilt_1 * rest, cos2_tilt = 2. * tilt * skew_1 * rest;
 
-    const Number root     = sqrt(max(Number(trace * trace - 4. * (1. - nu * nu) * det), Number(0.)));
-    const Number membrane = (0.5 * elasticity.plate_modulus() / density) * (trace + root);
+    const Number membrane = (0.5 * plate * inverse_density) * (trace + root(spread + 4. * nu * nu * det));
     // both directions; p and q share u_gamma by the cosine of a1 and a2
-    const Number angle           = g.x.m1.dot(g.x.m2);
-    const Number linear_membrane = (elasticity.young / (3. * density)) * (Number(1.) + skew) *
-                                   combine(Number(1.) / a11, Number(1.) / a22, Number(angle * angle / (a11 * a22)));
+    const Number linear_membrane =
+      (young / 3. * inverse_density) * skew_1 * combine(g.l1, g.l2, Number(g.a12 * g.a12 * g.l1 * g.l2));
     const Number flat_membrane = combine(membrane, linear_membrane, cos2);
 
-    const Number tilt  = g.x.m3.dot(g.x.m3) * trace;
-    const Number shear = (kappa_g / density) * (s_max + (Number(1.) + tilt) / r);
+    const Number shear_scale = law.shear_modulus * inverse_density;
+    const Number shear       = shear_scale * (s_max + (one + tilt) * inverse_r);
     const Number linear_shear =
-      (kappa_g / (3. * density)) * (trace + (max(Number(g11 * a11), Number(g22 * a22)) + tilt) / r);
-    const Number bending = (t2 / r) * flat_membrane;
-    const Number plate   = combine(shear, linear_shear + bending, Number(2. * tilt / (Number(1.) + 2. * tilt)));
+      (1. / 3.) * shear_scale * (trace + (max(Number(g.g11 * g.a11), Number(g.g22 * g.a22)) + tilt) * inverse_r);
+    const Number bending = t2 * inverse_r * flat_membrane;
+    const Number bent    = combine(shear, linear_shear + bending, cos2_tilt);
 
-    const Number curvature = (g.d.m1.dot(g.d.m1) + g.d.m2.dot(g.d.m2) + g.d.m3.dot(g.d.m3)) * r * s_max;
+    const Number curvature = (g.d.m1.dot(g.d.m1) + g.d.m2.dot(g.d.m2) + g.d.m3.dot(g.d.m3)) * radius2 * s_max;
     const Number warp      = g.warp * g.warp * s_max;
-    return max(flat_membrane, plate) * (Number(1.) + warp + 2. * curvature) +
-           sqrt(curvature) * sqrt(flat_membrane * plate);
+    return max(flat_membrane, bent) * (one + warp + 2. * curvature) + root(curvature * flat_membrane * bent);
   }
 } // namespace birdstrike

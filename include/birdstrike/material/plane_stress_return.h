@@ -5,11 +5,18 @@
 
 namespace birdstrike
 {
-  /// Von Mises stress (Pa) of a plane state (sxx, syy, sxy).
+  /// Square of the von Mises stress (Pa^2) of a plane state (sxx, syy, sxy).
+  template <class Number>
+  inline Number von_mises_plane_squared(const Number (&s)[3])
+  {
+    return s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3. * s[2] * s[2];
+  }
+
+  /// Von Mises stress (Pa) of a plane state.
   template <class Number>
   inline Number von_mises_plane(const Number (&s)[3])
   {
-    return sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3. * s[2] * s[2]);
+    return sqrt(von_mises_plane_squared(s));
   }
 
   /// What a return to the yield surface did.

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <birdstrike/core/number.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#if defined(__AVX512F__)
+#  include <immintrin.h>
+#endif
+
+namespace birdstrike
+{
+  /// Eight numbers of one entity in one cache line. Lines of n_lanes entities are loaded whole and transposed in
+  /// registers (and back): reading single components of n_lanes entities takes several times as long.
+  struct alignas(64) Row
+  {
+    double value[8];
+  };
+
+  namespace internal
+  {
+    using LaneRegister = double __attribute__((vector_size(n_lanes * sizeof(double)), may_alias));
+
+    struct LaneMatrix
+    {
+      LaneRegister row[n_lanes];
+    };
+
+    /// Row r of the matrix after its off-diagonal blocks of edge S are swapped: after S = 1, 2, ... it is transposed.
+    template <std::size_t S, std::size_t r, std::size_t... k>
+    [[gnu::always_inline]] inline LaneRegister swap_blocks(const LaneMatrix &m, std::index_sequence<k...>)
+    {
+      if constexpr ((r & S) == 0)
+        return __builtin_shufflevector(m.row[r], m.row[r + S], ((k & S) == 0 ? k : n_lanes + k - S)...);
+      else
+        return __builtin_shufflevector(m.row[r - S], m.row[r], ((k & S) == 0 ? k + S : n_lanes + k)...);
+    }
+
+    template <std::size_t S, std::size_t... r>
+    [[gnu::always_inline]] inline LaneMatrix transpose_lanes(const LaneMatrix &m, std::index_sequence<r...> all)
+    {
+      if constexpr (S == n_lanes)
+        return m;
+      else
+        return transpose_lanes<2 * S>({{swap_blocks<S, r>(m, all)...}}, all);
+    }
+  } // namespace internal
+
+  /// The eight components of the rows that begin at base + offset[0 .. n_lanes), offsets in doubles.
+  [[gnu::always_inline]] inline void load_rows(const double *base, const std::uint32_t *offset, Lanes (&component)[8])
+  {
+    constexpr auto all = std::make_index_sequence<n_lanes>();
+    for (std::size_t block = 0; block < 8; block += n_lanes)
+      {
+        internal::LaneMatrix m;
+        for (std::size_t r = 0; r < n_lanes; ++r)
+          std::memcpy(&m.row[r], base + offset[r] + block, sizeof m.row[r]);
+        m = internal::transpose_lanes<1>(m, all);
+        for (std::size_t k = 0; k < n_lanes; ++k)
+          component[block + k] = std::bit_cast<Lanes>(m.row[k]);
+      }
+  }
+
+  /// The inverse: writes n_lanes rows of eight components.
+  [[gnu::always_inline]] inline void store_rows(const Lanes (&component)[8], const std::uint32_t *row, Row *rows)
+  {
+    constexpr auto all = std::make_index_sequence<n_lanes>();
+    for (std::size_t block = 0; block < 8; block += n_lanes)
+      {
+        internal::LaneMatrix m;
+        for (std::size_t k = 0; k < n_lanes; ++k)
+          m.row[k] = std::bit_cast<internal::LaneRegister>(component[block + k]);
+        m = internal::transpose_lanes<1>(m, all);
+        for (std::size_t r = 0; r < n_lanes; ++r)
+          std::memcpy(rows[row[r]].value + block, &m.row[r], sizeof m.row[r]);
+      }
+  }
+
+  inline double inverse_root(const double a)
+  {
+    return 1. / std::sqrt(a);
+  }
+
+  /// 1/sqrt(a) to full precision, a > 0 normal. The hardware's 14-bit estimate and two Newton steps y <- y(3 - a y^2)/2
+  /// take half the time of a division and a root (Zen 4).
+  [[gnu::always_inline]] inline Lanes inverse_root(const Lanes &a)
+  {
+#if defined(__AVX512F__)
+    if constexpr (n_lanes == 8)
+      {
+        Lanes       y    = std::bit_cast<Lanes>(_mm512_rsqrt14_pd(std::bit_cast<__m512d>(a)));
+        const Lanes half = 0.5 * a;
+        y *= 1.5 - half * y * y;
+        y *= 1.5 - half * y * y;
+        return y;
+      }
+#endif
+    return 1. / sqrt(a);
+  }
+} // namespace birdstrike

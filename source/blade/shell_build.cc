@@ -1,0 +1,217 @@
+#include <birdstrike/blade/shell_implementation.h>
+#include <birdstrike/blade/shell_step_bound.h>
+#include <birdstrike/core/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace birdstrike
+{
+  namespace
+  {
+    std::string text(const double value)
+    {
+      char buffer[32];
+      std::snprintf(buffer, sizeof buffer, "%.6g", value);
+      return buffer;
+    }
+  } // namespace
+
+  ShellElements::Implementation::Implementation(std::vector<Point3>                       nodes,
+                                                std::vector<std::array<std::uint32_t, 4>> cells,
+                                                const std::vector<double> &thickness, const ShellSection &section,
+                                                ThreadPool &pool)
+    : section(section)
+    , law(section)
+    , initial_yield(law.initial_yield())
+    , pool(pool)
+    , n_nodes(nodes.size())
+    , cells(std::move(cells))
+    , records(nodes.size())
+    , corner_force(4 * this->cells.size() + 1)
+    , node_force(nodes.size())
+    , work((nodes.size() + nodes_per_chunk - 1) / nodes_per_chunk)
+  {
+    if (this->cells.empty() || thickness.size() != this->cells.size())
+      throw InputError("Shell elements: " + std::to_string(this->cells.size()) + " elements with " +
+                       std::to_string(thickness.size()) +
+                       " thicknesses; at least one element, and one thickness for each.");
+    build_corners();
+    build_diagonals();
+    update_nodes(nodes[0].data(), std::vector<double>(6 * n_nodes, 0.).data());
+    build_batches(thickness);
+  }
+
+  void ShellElements::Implementation::build_corners()
+  {
+    corner_begin.assign(n_nodes + 1, 0);
+    for (const auto &cell : cells)
+      for (const auto node : cell)
+        {
+          if (node >= n_nodes)
+            throw InputError("Shell elements: a cell names node " + std::to_string(node) + " of " +
+                             std::to_string(n_nodes) + ".");
+          ++corner_begin[node + 1];
+        }
+    for (std::size_t n = 0; n < n_nodes; ++n)
+      corner_begin[n + 1] += corner_begin[n];
+    corners.resize(4 * cells.size());
+    corner_of_element.resize(cells.size());
+    std::vector<std::uint32_t> next(corner_begin.begin(), corner_begin.end() - 1);
+    for (std::uint32_t e = 0; e < cells.size(); ++e)
+      for (std::uint32_t i = 0; i < 4; ++i)
+        {
+          corner_of_element[e][i]          = next[cells[e][i]]++;
+          corners[corner_of_element[e][i]] = {cells[e][(i + 1) % 4], cells[e][(i + 3) % 4]};
+        }
+  }
+
+  void ShellElements::Implementation::build_diagonals()
+  {
+    for (std::uint32_t n = 0; n < n_nodes; ++n)
+      {
+        std::vector<Corner> rest(corners.begin() + corner_begin[n], corners.begin() + corner_begin[n + 1]);
+        // the polygon around the node: from `next` to `previous` of one element after the other
+        std::vector<std::uint32_t> polygon;
+        const auto                 starts = [&](const std::uint32_t node) {
+          return std::none_of(rest.begin(), rest.end(), [node](const Corner &c) { return c.previous == node; });
+        };
+        for (const Corner &c : rest)
+          if (polygon.empty() && starts(c.next))
+            polygon = {n, c.next};
+        const bool is_fan = !polygon.empty();
+        if (!is_fan && !rest.empty())
+          polygon = {rest[0].next};
+        while (!rest.empty())
+          {
+            const auto found =
+              std::find_if(rest.begin(), rest.end(), [&](const Corner &c) { return c.next == polygon.back(); });
+            if (found == rest.end())
+              break;
+            polygon.push_back(found->previous);
+            rest.erase(found);
+          }
+        if (!is_fan && !polygon.empty())
+          polygon.pop_back(); // back at its beginning
+        if (polygon.size() == 3)
+          polygon.push_back(polygon.back());
+        if (rest.empty() && polygon.size() == 4)
+          diagonals.push_back({polygon[0], polygon[2], polygon[1], polygon[3]});
+        else
+          {
+            diagonals.push_back({n, n, n, n});
+            irregular.push_back(n);
+          }
+      }
+  }
+
+  void ShellElements::Implementation::build_batches(const std::vector<double> &thickness)
+  {
+    const std::size_t n_batches = (cells.size() + n_lanes - 1) / n_lanes;
+    batches.resize(n_batches);
+    points.resize(n_batches);
+    chunks.resize((n_batches + batches_per_chunk - 1) / batches_per_chunk);
+    for (std::size_t e = 0; e < n_batches * n_lanes; ++e)
+      {
+        Batch            &batch = batches[e / n_lanes];
+        const std::size_t k = e % n_lanes, element = std::min(e, cells.size() - 1);
+        if (k == 0)
+          batch.stress = ShellStress<Lanes>();
+        batch.stress.thickness[k] = thickness[element];
+        for (int i = 0; i < 4; ++i)
+          {
+            batch.record[i][k] = cells[element][i] * (sizeof(NodeRecord) / sizeof(double));
+            batch.corner[i][k] = e < cells.size() ? corner_of_element[e][i] : corners.size();
+          }
+        if (e < cells.size())
+          check_shape(e, thickness[e]);
+      }
+    set_inverse_masses({});
+  }
+
+  void ShellElements::Implementation::check_shape(const std::size_t e, const double thickness)
+  {
+    const ShellGeometry<double> g        = geometry(e);
+    double                      shortest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < i; ++j)
+        {
+          const double *x = records[cells[e][i]].position, *y = records[cells[e][j]].position;
+          shortest = std::min(shortest, std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]));
+        }
+    if (!(thickness > 0.) || !(g.area > 1e-6 * g.x.m1.squaredNorm()) || !(shortest > 0.))
+      throw InputError("Shell " + place(e) + ": thickness " + text(thickness) + " m, area " + text(g.area) +
+                       " m^2, shortest distance of two nodes " + text(shortest) + " m; all must be positive.");
+    mass.push_back(section.material.density * thickness * g.area);
+  }
+
+  void ShellElements::Implementation::set_inverse_masses(const std::span<const double> nodal_masses)
+  {
+    std::vector<double> quarters(n_nodes, 0.);
+    for (std::size_t e = 0; e < cells.size(); ++e)
+      for (const auto n : cells[e])
+        quarters[n] += 0.25 * mass[e];
+    for (Chunk &chunk : chunks)
+      chunk.eigenvalue = Lanes(0.);
+    for (std::size_t e = 0; e < batches.size() * n_lanes; ++e)
+      {
+        const std::size_t element = std::min(e, cells.size() - 1), k = e % n_lanes;
+        double            share = 1.;
+        for (const auto n : cells[element])
+          share = nodal_masses.empty() ? 1. : std::min(share, nodal_masses[n] / quarters[n]);
+        Batch       &batch   = batches[e / n_lanes];
+        const double inverse = 1. / (share * mass[element]);
+        const double value =
+          compute_eigenvalue_bound(geometry(element), double(batch.stress.thickness[k]), inverse, law);
+        batch.inverse_mass[k] = inverse;
+        batch.eigenvalue[k]   = value;
+        Chunk &chunk          = chunks[e / n_lanes / batches_per_chunk];
+        chunk.eigenvalue      = max(chunk.eigenvalue, Lanes(value));
+      }
+  }
+
+  std::string ShellElements::Implementation::place(const std::size_t element) const
+  {
+    Point3 x = Point3::Zero();
+    for (const auto n : cells[element])
+      x += 0.25 * Point3(records[n].position);
+    return "element " + std::to_string(element) + " at (" + text(x[0]) + ", " + text(x[1]) + ", " + text(x[2]) + ")";
+  }
+
+  std::size_t ShellElements::Implementation::n_elements_of(const std::size_t batch) const
+  {
+    return std::min(n_lanes, cells.size() - batch * n_lanes);
+  }
+
+  ShellGeometry<double> ShellElements::Implementation::geometry(const std::size_t element) const
+  {
+    Vector3<double> x[4], n[4];
+    for (int i = 0; i < 4; ++i)
+      for (int c = 0; c < 3; ++c)
+        {
+          x[i][c] = records[cells[element][i]].position[c];
+          n[i][c] = records[cells[element][i]].normal[c];
+        }
+    return ShellGeometry<double>::of_corners(x, n);
+  }
+
+  void ShellElements::Implementation::report_failure(const std::size_t b) const
+  {
+    std::size_t e        = b * n_lanes;
+    const auto  is_sound = [this](const std::size_t element) {
+      double sum = 0.;
+      for (const auto corner : corner_of_element[element])
+        for (const double f : corner_force[corner].value)
+          sum += f;
+      return std::isfinite(sum) && geometry(element).area > 0.;
+    };
+    for (std::size_t k = n_elements_of(b); k-- > 0;)
+      if (!is_sound(b * n_lanes + k))
+        e = b * n_lanes + k;
+    const ShellGeometry<double> g = geometry(e);
+    throw NumericalFailure("Shell " + place(e) + ": force or area is not finite (area " + text(g.area) +
+                           " m^2).\nThe step was too large or the element collapsed: reduce the step factor.");
+  }
+} // namespace birdstrike
