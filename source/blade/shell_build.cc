@@ -141,7 +141,7 @@ namespace birdstrike
           const double *x = records[cells[e][i]].position, *y = records[cells[e][j]].position;
           shortest = std::min(shortest, std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]));
         }
-    if (!(thickness > 0.) || !(g.area > 1e-6 * g.x.m1.squaredNorm()) || !(shortest > 0.))
+    if (!(thickness > 0.) || !(g.area > 1e-7 * g.x.m1.squaredNorm()) || !(shortest > 0.))
       throw InputError("Shell " + place(e) + ": thickness " + text(thickness) + " m, area " + text(g.area) +
                        " m^2, shortest distance of two nodes " + text(shortest) + " m; all must be positive.");
     mass.push_back(section.material.density * thickness * g.area);

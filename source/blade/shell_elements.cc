@@ -8,6 +8,12 @@
 
 namespace birdstrike
 {
+  void ShellElements::Implementation::promote(const std::size_t batch)
+  {
+    points[batch].resize(law.rule.n);
+    law.promote(batches[batch].stress, points[batch].data());
+  }
+
   double ShellElements::Implementation::sum(Lanes Chunk::*energy) const
   {
     double result = 0.;

@@ -15,6 +15,7 @@ namespace birdstrike
 
       [[gnu::always_inline]] BatchNodes(const double *records, const std::uint32_t (&begin)[4][n_lanes])
       {
+#pragma GCC unroll 4
         for (int i = 0; i < 4; ++i)
           {
             Lanes a[8], b[8];
@@ -65,8 +66,8 @@ namespace birdstrike
           ShellModes<Lanes> f, fd;
           Corners           director_force;
           physical_shell::compute_mode_forces(end, resultants, f, fd);
-          f.corner_shares(force[0]);
-          fd.corner_shares(director_force);
+          f.sum_at_corners(force[0]);
+          fd.sum_at_corners(director_force);
           for (int i = 0; i < 4; ++i)
             force[1][i] = end.director[i].cross(director_force[i]);
         }
@@ -79,6 +80,7 @@ namespace birdstrike
                                                            const std::uint32_t (&corner)[4][n_lanes], Row *rows)
     {
       const Lanes zero = 0.;
+#pragma GCC unroll 4
       for (int i = 0; i < 4; ++i)
         {
           const Vector3<Lanes> &f = force[0][i], &m = force[1][i];
@@ -88,10 +90,13 @@ namespace birdstrike
     }
   } // namespace
 
-  [[gnu::noinline]] void ShellElements::Implementation::promote(const std::size_t batch)
+  // Apart, so that the elastic path has the registers for itself.
+  [[gnu::noinline, gnu::flatten]] ShellWork<Lanes>
+  ShellElements::Implementation::update_points(const std::size_t b, const ShellVector<Lanes> &strain, const double dt)
   {
-    points[batch].resize(law.rule.n);
-    law.promote(batches[batch].stress, points[batch].data());
+    if (points[b].empty())
+      promote(b);
+    return law.update_plastic(strain, dt, batches[b].stress, points[b].data());
   }
 
   // One body, although long: all of it works on the same registers. Without `flatten` GCC leaves the vector operations
@@ -107,19 +112,18 @@ namespace birdstrike
     const auto midpoint = compute_midpoint(x, u, nodes.midpoint_normal);
     const auto strain =
       compute_strain_increments<physical>(midpoint, batch.stress.thickness, section.hourglass_coefficient, u, nodes);
-    if (points[b].empty() && any(law.has_yielded(batch.stress, strain, initial_yield)))
-      promote(b);
-    const auto work = law.update(strain, dt, batch.stress,
-                                 points[b].empty() ? nullptr : static_cast<ShellPoint<Lanes> *>(points[b].data()));
+    ShellWork<Lanes> work;
+    if (!points[b].empty() || !law.update_elastic(strain, initial_yield, batch.stress, work))
+      work = update_points(b, strain, dt);
 
-    const auto end = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
-    Corners    force[2];
+    const auto end   = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
+    batch.eigenvalue = compute_eigenvalue_bound(end, batch.stress.thickness, batch.inverse_mass, law);
+    chunk.eigenvalue = max(chunk.eigenvalue, batch.eigenvalue);
+    Corners force[2];
     compute_corner_forces<physical>(end, batch.stress, section.hourglass_coefficient, nodes.normal, force);
     store_corner_forces(force, batch.corner, corner_force.data());
 
-    batch.eigenvalue = compute_eigenvalue_bound(end, batch.stress.thickness, batch.inverse_mass, law);
-    chunk.eigenvalue = max(chunk.eigenvalue, batch.eigenvalue);
-    Lanes area       = midpoint.area;
+    Lanes area = midpoint.area;
     if (b + 1 == batches.size()) // copies of the last element do not count
       area = select(Lanes([](const auto k) { return double(k); }) < Lanes(double(n_elements_of(b))), area, Lanes(0.));
     chunk.plastic += area * work.plastic;

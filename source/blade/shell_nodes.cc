@@ -8,16 +8,27 @@ namespace birdstrike
 {
   namespace
   {
-    /// The mean of old and new normal, and the new one.
-    template <class Record>
-    void set_normal(Record &record, const double x, const double y, const double z)
+    // registers (or pairs of them) of four and of eight numbers of one node
+    using Four  = double __attribute__((vector_size(32)));
+    using Eight = double __attribute__((vector_size(64)));
+
+    template <class Register>
+    [[gnu::always_inline]] inline void read(const double *p, Register &r)
     {
-      const double normal[3] = {x, y, z};
-      for (int c = 0; c < 3; ++c)
-        {
-          record.midpoint_normal[c] = 0.5 * (record.normal[c] + normal[c]);
-          record.normal[c]          = normal[c];
-        }
+      std::memcpy(&r, p, sizeof r);
+    }
+    template <class Register>
+    [[gnu::always_inline]] inline void write(const Register &r, double *p)
+    {
+      std::memcpy(p, &r, sizeof r);
+    }
+
+    /// Differences a and b of three coordinates; the fourth component means nothing.
+    [[gnu::always_inline]] inline void cross(const Four &a, const Four &b, double *result)
+    {
+      const Four a_yzx = __builtin_shufflevector(a, a, 1, 2, 0, 3), a_zxy = __builtin_shufflevector(a, a, 2, 0, 1, 3);
+      const Four b_yzx = __builtin_shufflevector(b, b, 1, 2, 0, 3), b_zxy = __builtin_shufflevector(b, b, 2, 0, 1, 3);
+      write(a_yzx * b_zxy - a_zxy * b_yzx, result);
     }
   } // namespace
 
@@ -26,6 +37,7 @@ namespace birdstrike
     const auto   point  = [position](const std::size_t n) { return Point3(position + 3 * n); };
     const Point3 x      = point(node);
     Point3       normal = Point3::Zero();
+    NodeRecord  &record = records[node];
     for (std::size_t k = corner_begin[node]; k < corner_begin[node + 1]; ++k)
       normal += (point(corners[k].next) - x).cross(point(corners[k].previous) - x);
     if (!symmetry.empty())
@@ -33,45 +45,55 @@ namespace birdstrike
         normal -= normal.dot(plane) * plane;
     const double square = normal.squaredNorm();
     normal *= square > 0. ? inverse_root(square) : 0.;
-    set_normal(records[node], normal[0], normal[1], normal[2]);
+    for (int c = 0; c < 3; ++c)
+      {
+        record.midpoint_normal[c] = 0.5 * (record.normal[c] + normal[c]);
+        record.normal[c]          = normal[c];
+      }
   }
 
-  /// Nodes [begin, begin + n_lanes) of [0, n_nodes): their diagonals are read one by one, the rest is done at once.
+  /// Nodes [begin, begin + n_lanes) of [0, n_nodes). `last`: four numbers, the position of the last node, so that four
+  /// can be read of every node.
   void ShellElements::Implementation::update_group(const std::size_t begin, const double *position,
-                                                   const double *increment)
+                                                   const double *increment, const double *last)
   {
-    alignas(64) double difference[6][n_lanes];
-    const std::size_t  n = std::min(n_lanes, n_nodes - begin);
+    alignas(64) double normal[n_lanes][4], square[n_lanes];
+    const std::size_t  n     = std::min(n_lanes, n_nodes - begin);
+    const auto         point = [&](const std::uint32_t node, Four &x) {
+      read(node + 1 == n_nodes ? last : position + 3 * node, x);
+    };
     for (std::size_t k = 0; k < n_lanes; ++k)
       {
         const Diagonals &d = diagonals[begin + std::min(k, n - 1)];
-        for (int c = 0; c < 3; ++c)
-          {
-            difference[c][k]     = position[3 * d[0] + c] - position[3 * d[1] + c];
-            difference[3 + c][k] = position[3 * d[2] + c] - position[3 * d[3] + c];
-          }
+        Four             x[4];
+        for (int i = 0; i < 4; ++i)
+          point(d[i], x[i]);
+        cross(x[0] - x[1], x[2] - x[3], normal[k]);
+        square[k] = normal[k][0] * normal[k][0] + normal[k][1] * normal[k][1] + normal[k][2] * normal[k][2];
       }
-    const auto           get = [&](const int c) { return load<Lanes>(difference[c]); };
-    const Vector3<Lanes> a(get(0), get(1), get(2)), b(get(3), get(4), get(5));
-    const Vector3<Lanes> cross  = a.cross(b);
-    const Lanes          square = cross.dot(cross);
-    const Vector3<Lanes> unit   = cross * select(square > Lanes(0.), inverse_root(square), Lanes(0.));
-    for (int c = 0; c < 3; ++c)
-      store(unit[c], difference[c]);
+    const Lanes s = load<Lanes>(square);
+    store(select(s > Lanes(0.), inverse_root(s), Lanes(0.)), square);
     for (std::size_t k = 0; k < n; ++k)
       {
         NodeRecord &record = records[begin + k];
         std::memcpy(record.position, position + 3 * (begin + k), sizeof record.position);
         std::memcpy(record.increment, increment + 6 * (begin + k), sizeof record.increment + sizeof record.rotation);
-        set_normal(record, difference[0][k], difference[1][k], difference[2][k]);
+        Four unit, old;
+        read(normal[k], unit);
+        read(record.normal, old);
+        unit *= square[k];
+        write(0.5 * (old + unit), record.midpoint_normal); // the fourth number is written over
+        write(unit, record.normal);
       }
   }
 
   void ShellElements::Implementation::update_nodes(const double *position, const double *increment)
   {
-    const auto body = [&](const std::size_t begin, const std::size_t end) {
+    const double *const tail    = position + 3 * (n_nodes - 1);
+    const double        last[4] = {tail[0], tail[1], tail[2], 0.};
+    const auto          body    = [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t n = begin; n < end; n += n_lanes)
-        update_group(n, position, increment);
+        update_group(n, position, increment, last);
       const auto first = std::lower_bound(irregular.begin(), irregular.end(), begin);
       for (auto node = first; node != irregular.end() && *node < end; ++node)
         update_normal(*node, position);
@@ -84,20 +106,24 @@ namespace birdstrike
     const auto body = [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t chunk = begin; chunk < end; ++chunk)
         {
-          Row &sum = work[chunk];
+          Eight work_of_chunk;
+          read(work[chunk].value, work_of_chunk);
           for (std::size_t n = chunk * nodes_per_chunk; n < std::min(n_nodes, (chunk + 1) * nodes_per_chunk); ++n)
             {
-              Row           f{};
-              const double *u = records[n].increment; // and rotation; what follows meets zeros
+              Eight f{}, row, old, u;
               for (std::size_t k = corner_begin[n]; k < corner_begin[n + 1]; ++k)
-                for (int c = 0; c < 8; ++c)
-                  f.value[c] += corner_force[k].value[c];
-              for (int c = 0; c < 8; ++c)
-                sum.value[c] += 0.5 * (node_force[n].value[c] + f.value[c]) * u[c];
-              node_force[n] = f;
-              for (int c = 0; c < 6; ++c)
-                force[6 * n + c] = -f.value[c];
+                {
+                  read(corner_force[k].value, row);
+                  f += row;
+                }
+              read(node_force[n].value, old);
+              read(records[n].increment, u); // and rotation; what follows meets zeros
+              work_of_chunk += 0.5 * (old + f) * u;
+              write(f, node_force[n].value);
+              f = -f;
+              std::memcpy(force + 6 * n, &f, 6 * sizeof(double));
             }
+          write(work_of_chunk, work[chunk].value);
         }
     };
     pool.parallel_for(work.size(), 1, std::cref(body));

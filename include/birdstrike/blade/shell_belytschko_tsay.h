@@ -57,7 +57,9 @@ namespace birdstrike
                                      s.membrane);
       physical_shell::compute_tensor(g, Number(a1.dot(dd.m1)), Number(a2.dot(dd.m2)),
                                      Number(a1.dot(dd.m2) + a2.dot(dd.m1)), s.curvature);
-      const Number shear_1 = a1.dot(dd.m0) + g.e3.dot(u.m1), shear_2 = a2.dot(dd.m0) + g.e3.dot(u.m2);
+      const Number quarter           = 0.25; // a mean, see ShellModes
+      const Number shear_1           = quarter * a1.dot(dd.m0) + g.e3.dot(u.m1),
+                   shear_2           = quarter * a2.dot(dd.m0) + g.e3.dot(u.m2);
       s.shear[0]                     = shear_1 * g.c1x + shear_2 * g.c2x;
       s.shear[1]                     = shear_1 * g.c1y + shear_2 * g.c2y;
       const Vector3<Number> u_gamma  = u.m3 - g.alpha * u.m1 - g.beta * u.m2;
@@ -78,18 +80,18 @@ namespace birdstrike
       const physical_shell::Contravariant<Number> N(g, r.membrane), M(g, r.curvature);
       const Number                                q1      = g.area * (r.shear[0] * g.c1x + r.shear[1] * g.c1y);
       const Number                                q2      = g.area * (r.shear[0] * g.c2x + r.shear[1] * g.c2y);
-      const Number                                third   = g.area / Number(3.);
+      const Number                                third   = (1. / 3.) * g.area;
       const Vector3<Number>                       f_gamma = (third * membrane * r.linear_membrane[0]) * e1 +
                                       (third * membrane * r.linear_membrane[1]) * e2 +
                                       (third * w * r.linear_shear[0]) * n;
       const Vector3<Number> fd_gamma =
         (third * theta * r.linear_curvature[0]) * e1 + (third * theta * r.linear_curvature[1]) * e2;
       ShellModes<Number> f, fd;
-      fd.m0 = q1 * a1 + q2 * a2;
+      fd.m0 = (0.25 * q1) * a1 + (0.25 * q2) * a2;
       fd.m1 = M.n11 * a1 + M.n12 * a2 - g.alpha * fd_gamma;
       fd.m2 = M.n12 * a1 + M.n22 * a2 - g.beta * fd_gamma;
       fd.m3 = fd_gamma;
-      fd.corner_shares(moment);
+      fd.sum_at_corners(moment);
       Vector3<Number> about_normals = Vector3<Number>::Constant(Number(0.));
       for (int i = 0; i < 4; ++i)
         {
@@ -105,7 +107,7 @@ namespace birdstrike
       f.m2 =
         N.n12 * a1 + N.n22 * a2 - g.beta * f_gamma + (q2 + about_normals.dot(b2.cross(n))) * n + half * n.cross(b2);
       f.m3 = f_gamma;
-      f.corner_shares(force);
+      f.sum_at_corners(force);
     }
   };
 } // namespace birdstrike

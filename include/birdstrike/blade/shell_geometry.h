@@ -4,10 +4,11 @@
 
 namespace birdstrike
 {
-  /// The four modes of a quadrilateral with corners (xi, eta) = (-1,-1), (1,-1), (1,1), (-1,1):
-  ///   f = f0 + xi f1 + eta f2 + xi eta f3.
+  /// The four modes of a quadrilateral with corners (xi, eta) = (-1,-1), (1,-1), (1,1), (-1,1), times four:
+  ///   4 f = f0 + xi f1 + eta f2 + xi eta f3.
   /// The mode vectors (1, xi, eta, xi eta) at the corners are orthogonal with square 4; hence sum_i g_i . f_i of
-  /// forces g_i = 1/4 (G0 + xi G1 + eta G2 + xi eta G3) is G0.f0 + ... + G3.f3.
+  /// forces g_i = G0 + xi G1 + eta G2 + xi eta G3 is G0.f0 + ... + G3.f3. Without the quarter neither way takes a
+  /// multiplication.
   template <class Number>
   struct ShellModes
   {
@@ -15,33 +16,30 @@ namespace birdstrike
 
     [[gnu::always_inline]] static ShellModes of_corners(const Vector3<Number> (&f)[4])
     {
-      const Number          quarter = 0.25;
       const Vector3<Number> a = f[0] + f[2], b = f[1] + f[3], c = f[2] - f[0], d = f[1] - f[3];
-      return {quarter * (a + b), quarter * (c + d), quarter * (c - d), quarter * (a - b)};
+      return {a + b, c + d, c - d, a - b};
     }
 
-    /// 1/4 of the sum of the modes at every corner
-    [[gnu::always_inline]] void corner_shares(Vector3<Number> (&f)[4]) const
+    /// The sum of the modes at every corner.
+    [[gnu::always_inline]] void sum_at_corners(Vector3<Number> (&f)[4]) const
     {
-      const Number          quarter = 0.25;
-      const Vector3<Number> a = quarter * (m0 + m3), b = quarter * (m0 - m3), c = quarter * (m1 + m2),
-                            d = quarter * (m1 - m2);
-      f[0]                    = a - c;
-      f[1]                    = b + d;
-      f[2]                    = a + c;
-      f[3]                    = b - d;
+      const Vector3<Number> a = m0 + m3, b = m0 - m3, c = m1 + m2, d = m1 - m2;
+      f[0] = a - c;
+      f[1] = b + d;
+      f[2] = a + c;
+      f[3] = b - d;
     }
   };
 
   /// Geometry of a one-point shell element: bilinear surface x(xi, eta), director field d(xi, eta), frame at the
   /// centre.
   ///
-  /// x.m1, x.m2 are the covariant base vectors a1, a2 at the centre; a3 = x.m3 = alpha a1 + beta a2 + warp e3. The
-  /// frame has e3 normal to a1 and a2, and e1, e2 symmetric about them, so that it turns with the mean of the two
-  /// directions: a1 = |a1| (C, S), a2 = |a2| (S, C), 2 C S = c the cosine between them, C^2 - S^2 its sine. With the
-  /// contravariant base vectors (c1x, c1y), (c2x, c2y) in (e1, e2) four inverse roots and one division are all that
-  /// this takes; e1 = c1x a1 + c2x a2 and e2 = c1y a1 + c2y a2 are made only where they are needed.
-  /// Area = 4 |a1 x a2|, exact for a plane element.
+  /// x.m1, x.m2 are the covariant base vectors a1, a2 at the centre, of coordinates in [-1/4, 1/4]; a3 = x.m3 = alpha
+  /// a1 + beta a2 + warp e3. The frame has e3 normal to a1 and a2, and e1, e2 symmetric about them, so that it turns
+  /// with the mean of the two directions: a1 = |a1| (C, S), a2 = |a2| (S, C), 2 C S = c the cosine between them, C^2 -
+  /// S^2 its sine. With the contravariant base vectors (c1x, c1y), (c2x, c2y) in (e1, e2) four inverse roots and one
+  /// division are all that this takes; e1 = c1x a1 + c2x a2 and e2 = c1y a1 + c2y a2 are made only where they are
+  /// needed. Area = |a1 x a2|/4, exact for a plane element.
   template <class Number>
   struct ShellGeometry
   {
@@ -50,7 +48,7 @@ namespace birdstrike
     ShellModes<Number> d;           ///< of the directors
     Vector3<Number>    e3;
     Number             area;          ///< m^2
-    Number             inverse_det;   ///< 1/|a1 x a2| = 4/area, 1/m^2
+    Number             inverse_det;   ///< 1/|a1 x a2| = 1/(4 area), 1/m^2
     Number             a11, a22, a12; ///< covariant metric, m^2
     Number             g11, g22;      ///< contravariant metric, 1/m^2
     Number             g1, g2;        ///< lengths of the contravariant base vectors, 1/m
@@ -74,7 +72,7 @@ namespace birdstrike
       const Number           square        = normal_vector.dot(normal_vector);
       const Number           inverse       = inverse_root(square); // 1/|a1 x a2|
       const Number           det           = square * inverse;
-      g.area                               = 4. * det;
+      g.area                               = 0.25 * det;
       g.inverse_det                        = inverse;
       g.e3                                 = normal_vector * inverse;
       g.a11                                = a1.dot(a1);

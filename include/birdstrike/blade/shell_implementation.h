@@ -94,9 +94,10 @@ namespace birdstrike
     void build_diagonals();
     void check_shape(std::size_t element, double thickness);
     void build_batches(const std::vector<double> &thickness);
-    void update_group(std::size_t begin, const double *position, const double *increment);
+    void update_group(std::size_t begin, const double *position, const double *increment, const double *last);
     template <bool physical>
     void              update_batch(std::size_t batch, double dt, Chunk &chunk);
+    ShellWork<Lanes>  update_points(std::size_t batch, const ShellVector<Lanes> &strain, double dt);
     [[noreturn]] void report_failure(std::size_t batch) const;
   };
 } // namespace birdstrike

@@ -51,14 +51,15 @@ namespace birdstrike
     {
       const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
       const Vector3<Number> &d0 = g.d.m0, &d1 = g.d.m1, &d2 = g.d.m2;
+      const Number           quarter = 0.25; // the directors are of the true surface, see ShellModes
       ShellVector<Number>    s;
       compute_tensor(g, Number(a1.dot(u.m1)), Number(a2.dot(u.m2)), Number(a1.dot(u.m2) + a2.dot(u.m1)), s.membrane);
       compute_tensor(g, Number(a1.dot(dd.m1) + d1.dot(u.m1)), Number(a2.dot(dd.m2) + d2.dot(u.m2)),
                      Number(a1.dot(dd.m2) + a2.dot(dd.m1) + d1.dot(u.m2) + d2.dot(u.m1)), s.curvature);
       const Number shear_1 = a1.dot(dd.m0) + a3.dot(dd.m2) + d0.dot(u.m1) + d2.dot(u.m3);
       const Number shear_2 = a2.dot(dd.m0) + a3.dot(dd.m1) + d0.dot(u.m2) + d1.dot(u.m3);
-      s.shear[0]           = shear_1 * g.c1x + shear_2 * g.c2x;
-      s.shear[1]           = shear_1 * g.c1y + shear_2 * g.c2y;
+      s.shear[0]           = quarter * (shear_1 * g.c1x + shear_2 * g.c2x);
+      s.shear[1]           = quarter * (shear_1 * g.c1y + shear_2 * g.c2y);
 
       const Vector3<Number> u_gamma  = u.m3 - g.alpha * u.m1 - g.beta * u.m2;
       const Vector3<Number> dd_gamma = dd.m3 - g.alpha * dd.m1 - g.beta * dd.m2;
@@ -70,8 +71,8 @@ namespace birdstrike
       s.linear_curvature[1] =
         l2 * (a2.dot(dd_gamma) + g.warp * g.e3.dot(dd.m2) + d2.dot(u_gamma) + g.d_gamma.dot(u.m2));
       const Number common = a3.dot(dd.m0) + d0.dot(u.m3);
-      s.linear_shear[0]   = g.g1 * (a1.dot(dd.m2) + d2.dot(u.m1) + common);
-      s.linear_shear[1]   = g.g2 * (a2.dot(dd.m1) + d1.dot(u.m2) + common);
+      s.linear_shear[0]   = quarter * g.g1 * (a1.dot(dd.m2) + d2.dot(u.m1) + common);
+      s.linear_shear[1]   = quarter * g.g2 * (a2.dot(dd.m1) + d1.dot(u.m2) + common);
       return s;
     }
 
@@ -95,14 +96,14 @@ namespace birdstrike
       const Vector3<Number>      &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
       const Vector3<Number>      &d0 = g.d.m0, &d1 = g.d.m1, &d2 = g.d.m2;
       const Contravariant<Number> n(g, r.membrane), m(g, r.curvature);
-      const Number                third = g.area / Number(3.);
+      const Number                third = (1. / 3.) * g.area, quarter_area = 0.25 * g.area;
       const Number                l1 = third * g.l1, l2 = third * g.l2;
       const Number                h1 = l1 * r.linear_membrane[0], h2 = l2 * r.linear_membrane[1];
       const Number                b1 = l1 * r.linear_curvature[0], b2 = l2 * r.linear_curvature[1];
-      const Number                q1 = g.area * (r.shear[0] * g.c1x + r.shear[1] * g.c1y);
-      const Number                q2 = g.area * (r.shear[0] * g.c2x + r.shear[1] * g.c2y);
-      const Number                r1 = third * g.g1 * r.linear_shear[0];
-      const Number                r2 = third * g.g2 * r.linear_shear[1];
+      const Number                q1 = quarter_area * (r.shear[0] * g.c1x + r.shear[1] * g.c1y);
+      const Number                q2 = quarter_area * (r.shear[0] * g.c2x + r.shear[1] * g.c2y);
+      const Number                r1 = (1. / 3.) * quarter_area * g.g1 * r.linear_shear[0];
+      const Number                r2 = (1. / 3.) * quarter_area * g.g2 * r.linear_shear[1];
 
       const Vector3<Number> f_gamma  = h1 * a1 + h2 * a2 + b1 * d1 + b2 * d2;
       const Vector3<Number> fd_gamma = b1 * a1 + b2 * a2;

@@ -30,11 +30,13 @@ namespace birdstrike
       const Number d = a - b;
       return half * (a + b + root(d * d + 4. * a * b * cos2));
     };
-    const Number trace = g.g11 + g.g22, det = g.inverse_det * g.inverse_det;
+    // base vectors of [-1, 1]: a quarter as long, see ShellModes
+    const Number g11 = 16. * g.g11, g22 = 16. * g.g22, trace = g11 + g22;
+    const Number det    = (256. * g.inverse_det) * g.inverse_det;
     const Number spread = max(Number(trace * trace - 4. * det), Number(0.));
     const Number s_max  = half * (trace + root(spread));
     const Number skew   = g.alpha * g.alpha + g.beta * g.beta;
-    const Number tilt   = g.x.m3.dot(g.x.m3) * trace;
+    const Number tilt   = (1. / 16.) * g.x.m3.dot(g.x.m3) * trace;
     const Number t2     = thickness * thickness * (1. / 12.);
     // theta x d of a director longer than one moves as with less inertia
     const Number longest = max(max(Number(g.director[0].dot(g.director[0])), Number(g.director[1].dot(g.director[1]))),
@@ -49,7 +51,7 @@ namespace birdstrike
     const Number membrane = (0.5 * plate * inverse_density) * (trace + root(spread + 4. * nu * nu * det));
     // both directions; p and q share u_gamma by the cosine of a1 and a2
     const Number linear_membrane =
-      (young / 3. * inverse_density) * skew_1 * combine(g.l1, g.l2, Number(g.a12 * g.a12 * g.l1 * g.l2));
+      (16. / 3. * young * inverse_density) * skew_1 * combine(g.l1, g.l2, Number(g.a12 * g.a12 * g.l1 * g.l2));
     const Number flat_membrane = combine(membrane, linear_membrane, cos2);
 
     const Number shear_scale = law.shear_modulus * inverse_density;
@@ -59,8 +61,9 @@ namespace birdstrike
     const Number bending = t2 * inverse_r * flat_membrane;
     const Number bent    = combine(shear, linear_shear + bending, cos2_tilt);
 
-    const Number curvature = (g.d.m1.dot(g.d.m1) + g.d.m2.dot(g.d.m2) + g.d.m3.dot(g.d.m3)) * radius2 * s_max;
-    const Number warp      = g.warp * g.warp * s_max;
+    const Number curvature =
+      (g.d.m1.dot(g.d.m1) + g.d.m2.dot(g.d.m2) + g.d.m3.dot(g.d.m3)) * ((1. / 16.) * radius2) * s_max;
+    const Number warp = (1. / 16.) * g.warp * g.warp * s_max;
     return max(flat_membrane, bent) * (one + warp + 2. * curvature) + root(curvature * flat_membrane * bent);
   }
 } // namespace birdstrike

@@ -100,8 +100,8 @@ TEST(ShellKernel, ForcesAreTheTransposeOfStrains)
         {
           ShellModes<double> f, fd;
           physical_shell::compute_mode_forces(g, r, f, fd);
-          f.corner_shares(force);
-          fd.corner_shares(director_force);
+          f.sum_at_corners(force);
+          fd.sum_at_corners(director_force);
           for (int i = 0; i < 4; ++i)
             moment[i] = g.director[i].cross(director_force[i]);
         }
