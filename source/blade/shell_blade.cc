@@ -17,8 +17,8 @@ namespace birdstrike
     State        &s     = *state;
     const double  decay = std::exp(-s.damping * half_step);
     const bool    first = half == HalfKick::first;
-    double       *v     = s.velocity.begin();
-    const double *f = s.force.begin(), *external = s.external.data(), *inverse = s.inverse_mass.data();
+    double       *v     = s.velocity.data();
+    const double *f = s.force.data(), *external = s.external.data(), *inverse = s.inverse_mass.data();
 
     if (s.damping == 0. && !s.loads.is_active())
       s.for_nodes([=](const std::size_t begin, const std::size_t end) {
@@ -27,7 +27,7 @@ namespace birdstrike
       });
     else
       {
-        const double     *m    = s.mass.begin();
+        const double     *m    = s.mass.data();
         const State::Sums sums = s.sum_nodes([=](const std::size_t n, State::Sums &sum) {
           for (std::size_t i = 6 * n; i < 6 * n + 6; ++i)
             {
@@ -56,22 +56,23 @@ namespace birdstrike
   {
     State        &s     = *state;
     const bool    first = half == HalfKick::first;
-    double       *v     = s.velocity.begin();
+    double       *v     = s.velocity.data();
     const double *f = s.contact.data(), *inverse = s.inverse_mass.data();
 
-    const State::Sums sums = s.sum_nodes([=](const std::size_t n, State::Sums &sum) {
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          const std::size_t i       = 6 * n + d;
-          const double      impulse = half_step * f[i], before = v[i];
-          v[i] += impulse * inverse[i];
-          sum[d] += impulse;
-          sum[3] += impulse * (first ? v[i] : before);
-        }
+    // contact leaves the moments at zero: what happens to rotations is nothing
+    const auto sums = s.sum_components<2>([=](const std::size_t i, Eight *sum) {
+      Eight force, before, mobility;
+      read(f + i, force);
+      read(v + i, before);
+      read(inverse + i, mobility);
+      const Eight impulse = half_step * force, after = before + impulse * mobility;
+      write(after, v + i);
+      sum[0] += impulse;
+      sum[1] += impulse * (first ? after : before);
     });
     for (unsigned int d = 0; d < 3; ++d)
-      s.impulses.contact_impulse[d] += sums[d];
-    s.booked.contact_work += sums[3];
+      s.impulses.contact_impulse[d] += sums[0][d];
+    s.booked.contact_work += sums[1][0] + sums[1][1] + sums[1][2];
     for (const std::uint32_t dof : s.supports.held_dofs)
       if (dof % 6 < 3)
         s.impulses.support_impulse[dof % 6] += half_step * f[dof];
@@ -81,14 +82,18 @@ namespace birdstrike
   void ShellBlade::drift(const double step)
   {
     State        &s = *state;
-    const double *v = s.velocity.begin(), *reference = s.reference.data();
-    double       *u = s.displacement.begin(), *du = s.increment.data(), *x = s.position.data();
+    const double *v = s.velocity.data(), *reference = s.reference.data();
+    double       *u = s.displacement.data(), *du = s.increment.data(), *x = s.position.data();
+    const bool    is_first = s.increment_time == 0.; // since the last forces
     s.for_nodes([=](const std::size_t begin, const std::size_t end) {
-      for (std::size_t i = 6 * begin; i < 6 * end; ++i)
-        {
+      if (is_first)
+        for (std::size_t i = 6 * begin; i < 6 * end; ++i)
+          du[i] = step * v[i];
+      else
+        for (std::size_t i = 6 * begin; i < 6 * end; ++i)
           du[i] += step * v[i];
-          u[i] += step * v[i];
-        }
+      for (std::size_t i = 6 * begin; i < 6 * end; ++i)
+        u[i] += step * v[i];
       for (std::size_t n = begin; n < end; ++n)
         for (unsigned int d = 0; d < 3; ++d)
           x[3 * n + d] = reference[3 * n + d] + u[6 * n + d];
@@ -101,8 +106,7 @@ namespace birdstrike
   {
     State &s = *state;
     if (s.increment_time > 0.)
-      s.elements.compute_internal_forces(s.position.data(), s.increment.data(), s.increment_time, s.force.begin());
-    std::fill(s.increment.begin(), s.increment.end(), 0.);
+      s.elements.compute_internal_forces(s.position.data(), s.increment.data(), s.increment_time, s.force.data());
     s.increment_time = 0.;
     s.update_loads();
   }
@@ -119,7 +123,7 @@ namespace birdstrike
     FacetsView         view;
     view.n_nodes         = s.n_nodes;
     view.position        = s.position.data();
-    view.velocity        = s.velocity.begin();
+    view.velocity        = s.velocity.data();
     view.force           = s.contact.data();
     view.inverse_mass    = s.node_inverse_mass.data();
     view.velocity_stride = 6;
@@ -133,7 +137,7 @@ namespace birdstrike
   ShellBlade::Nodes ShellBlade::nodes()
   {
     State &s = *state;
-    return {s.n_nodes,          s.reference.data(), s.position.data(), s.displacement.begin(),
-            s.velocity.begin(), s.force.begin(),    s.mass.begin(),    s.inverse_mass.data()};
+    return {s.n_nodes,         s.reference.data(), s.position.data(), s.displacement.data(),
+            s.velocity.data(), s.force.data(),     s.mass.data(),     s.inverse_mass.data()};
   }
 } // namespace birdstrike

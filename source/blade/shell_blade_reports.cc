@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace birdstrike
 {
@@ -72,33 +73,43 @@ namespace birdstrike
     return state->elements.step_limit();
   }
 
+  double ShellBlade::largest_stable_step() const
+  {
+    return state->elements.largest_stable_step();
+  }
+
   std::array<double, 3> ShellBlade::contact_force() const
   {
     const double *f    = state->contact.data();
-    const auto    sums = state->sum_nodes([=](const std::size_t n, State::Sums &sum) {
-      for (unsigned int d = 0; d < 3; ++d)
-        sum[d] += f[6 * n + d];
+    const auto    sums = state->sum_components<1>([=](const std::size_t i, Eight *sum) {
+      Eight force;
+      read(f + i, force);
+      sum[0] += force;
     });
-    return {{sums[0], sums[1], sums[2]}};
+    return {{sums[0][0], sums[0][1], sums[0][2]}};
   }
 
   EnergyReport ShellBlade::energies() const
   {
     const State  &s     = *state;
     const double  decay = std::exp(-s.damping * s.internal_half);
-    const double *v = s.velocity.begin(), *f = s.force.begin(), *m = s.mass.begin();
+    const double *v = s.velocity.data(), *f = s.force.data(), *m = s.mass.data();
     const double  h = s.internal_half, h_c = s.contact_half;
-    const auto    sums   = s.sum_nodes([&, v, f, m](const std::size_t n, State::Sums &sum) {
-      for (std::size_t i = 6 * n; i < 6 * n + 6; ++i)
-        {
-          const double contact  = h_c * s.contact[i] * s.inverse_mass[i];
-          const double kick     = h * (f[i] + s.external[i]) * s.inverse_mass[i];
-          const double internal = kick + (1. - 1. / decay) * v[i];
-          sum[0] += 0.5 * m[i] * (v[i] * v[i] - internal * internal - contact * contact);
-        }
+    const double *f_contact = s.contact.data(), *f_external = s.external.data(), *inverse = s.inverse_mass.data();
+    const double  back   = 1. - 1. / decay;
+    const auto    sums   = s.sum_components<1>([=](const std::size_t i, Eight *sum) {
+      Eight speed, force, contact, external, mass, mobility;
+      read(v + i, speed);
+      read(f + i, force);
+      read(m + i, mass);
+      read(f_contact + i, contact);
+      read(f_external + i, external);
+      read(inverse + i, mobility);
+      const Eight internal = h * (force + external) * mobility + back * speed, outer = h_c * contact * mobility;
+      sum[0] += 0.5 * mass * (speed * speed - internal * internal - outer * outer);
     });
     EnergyReport  report = s.booked;
-    report.kinetic       = sums[0];
+    report.kinetic       = std::accumulate(sums[0].begin(), sums[0].end(), 0.);
     report.elastic       = s.elements.elastic_energy();
     report.plastic       = s.elements.plastic_work();
     report.hourglass     = s.elements.hourglass_energy();
@@ -108,7 +119,7 @@ namespace birdstrike
   MomentumReport ShellBlade::momenta() const
   {
     const State   &s = *state;
-    const double  *v = s.velocity.begin(), *m = s.mass.begin(), *x = s.position.data();
+    const double  *v = s.velocity.data(), *m = s.mass.data(), *x = s.position.data();
     const auto     sums   = s.sum_nodes([=](const std::size_t n, State::Sums &sum) {
       const double *p = x + 3 * n, *w = v + 6 * n;
       const double  mass = m[6 * n], inertia = m[6 * n + 3];
@@ -145,12 +156,13 @@ namespace birdstrike
 
   BladeCensus ShellBlade::census() const
   {
-    const SurfaceMesh &mesh   = state->mesh.surface();
-    BladeCensus        census = compute_census(mesh);
-    census.mass               = mass();
-    census.n_held_dofs        = state->supports.held_dofs.size();
-    // 8 vectors of six and 2 of three numbers a node; about 120 numbers an element with its points; deal.II's mesh.
-    census.bytes              = 54. * 8. * census.n_nodes + (120. * 8. + 600.) * census.n_elements;
+    const SurfaceMesh &mesh       = state->mesh.surface();
+    BladeCensus        census     = compute_census(mesh);
+    census.mass                   = mass();
+    census.n_held_dofs            = state->supports.held_dofs.size();
+    census.n_elements_with_points = state->elements.n_promoted();
+    // 8 vectors of six and 2 of three numbers a node; what elements hold; about 600 bytes a cell of deal.II's mesh
+    census.bytes              = 54. * 8. * census.n_nodes + state->elements.bytes() + 600. * census.n_elements;
     census.bytes_per_snapshot = 8. * (9. * census.n_nodes + 19. * census.n_elements) + 16. * census.n_elements;
     return census;
   }
@@ -164,8 +176,8 @@ namespace birdstrike
     snapshot.points.assign(s.reference.begin(), s.reference.end());
     for (const auto &c : mesh.cells)
       snapshot.cells.insert(snapshot.cells.end(), {c[0], c[1], c[3], c[2]});
-    snapshot.fields.push_back(node_vector("displacement", "m", s.displacement.begin(), s.n_nodes));
-    snapshot.fields.push_back(node_vector("velocity", "m/s", s.velocity.begin(), s.n_nodes));
+    snapshot.fields.push_back(node_vector("displacement", "m", s.displacement.data(), s.n_nodes));
+    snapshot.fields.push_back(node_vector("velocity", "m/s", s.velocity.data(), s.n_nodes));
     for (unsigned int layer = 0; layer < 3; ++layer)
       add_layer_fields(s.elements, layer, snapshot.fields);
     snapshot.fields.push_back(cell_scalar("thickness", "m", mesh.cells.size(),
@@ -194,12 +206,12 @@ namespace birdstrike
 
   RootSectionReport ShellBlade::root_section() const
   {
-    return state->root.compute_report(state->force.begin(), state->position.data(), state->elements);
+    return state->root.compute_report(state->force.data(), state->position.data(), state->elements);
   }
 
   TipDeflection ShellBlade::tip_deflection() const
   {
-    return state->tip.compute_deflection(state->displacement.begin());
+    return state->tip.compute_deflection(state->displacement.data());
   }
 
   PeakPlasticStrain ShellBlade::peak_plastic_strain() const

@@ -80,10 +80,9 @@ namespace birdstrike
 
   void ShellBlade::State::initialize_nodes()
   {
-    for (auto *vector : {&displacement, &velocity, &force, &mass})
-      vector->reinit(6 * n_nodes);
-    for (auto *vector : {&inverse_mass, &increment, &contact, &external})
-      vector->assign(6 * n_nodes, 0.);
+    n_padded = (6 * n_nodes + block - 1) / block * block;
+    for (auto *vector : {&displacement, &velocity, &force, &mass, &inverse_mass, &increment, &contact, &external})
+      vector->assign(n_padded, 0.);
     reference.resize(3 * n_nodes);
     for (std::size_t n = 0; n < n_nodes; ++n)
       {

@@ -1,3 +1,5 @@
+#include "registers.h"
+
 #include <birdstrike/blade/shell_implementation.h>
 
 #include <algorithm>
@@ -8,21 +10,6 @@ namespace birdstrike
 {
   namespace
   {
-    // registers (or pairs of them) of four and of eight numbers of one node
-    using Four  = double __attribute__((vector_size(32)));
-    using Eight = double __attribute__((vector_size(64)));
-
-    template <class Register>
-    [[gnu::always_inline]] inline void read(const double *p, Register &r)
-    {
-      std::memcpy(&r, p, sizeof r);
-    }
-    template <class Register>
-    [[gnu::always_inline]] inline void write(const Register &r, double *p)
-    {
-      std::memcpy(p, &r, sizeof r);
-    }
-
     /// Differences a and b of three coordinates; the fourth component means nothing.
     [[gnu::always_inline]] inline void cross(const Four &a, const Four &b, double *result)
     {

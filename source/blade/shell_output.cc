@@ -35,6 +35,28 @@ namespace birdstrike
 
   namespace
   {
+    template <class Vector>
+    std::size_t bytes_of(const Vector &v)
+    {
+      return v.capacity() * sizeof(typename Vector::value_type);
+    }
+  } // namespace
+
+  std::size_t ShellElements::bytes() const
+  {
+    const Implementation &my = *implementation;
+
+    std::size_t sum = bytes_of(my.cells) + bytes_of(my.mass) + bytes_of(my.corner_begin) + bytes_of(my.corners) +
+                      bytes_of(my.corner_of_element) + bytes_of(my.diagonals) + bytes_of(my.irregular) +
+                      bytes_of(my.records) + bytes_of(my.corner_force) + bytes_of(my.node_force) + bytes_of(my.work) +
+                      bytes_of(my.batches) + bytes_of(my.chunks) + bytes_of(my.points);
+    for (const auto &of_batch : my.points)
+      sum += bytes_of(of_batch);
+    return sum;
+  }
+
+  namespace
+  {
     unsigned int point_of(const ShellLayer layer, const unsigned int n)
     {
       return layer == ShellLayer::bottom ? 0 : layer == ShellLayer::middle ? n / 2 : n - 1;

@@ -28,6 +28,11 @@ namespace birdstrike
     virtual std::string kind() const          = 0; ///< "shell", "rigid"
     virtual bool        is_deformable() const = 0; ///< false: no internal force, no vote on the step
     virtual StepLimit   step_limit() const    = 0;
+    /// Its value alone (s), for every step: nothing is searched, no text is written.
+    virtual double largest_stable_step() const
+    {
+      return step_limit().value;
+    }
 
     virtual void kick_internal(double half_step, HalfKick half) = 0;
     virtual void kick_contact(double half_step, HalfKick half)  = 0;

@@ -8,19 +8,20 @@
 /// What a blade tells the rest of the program about itself.
 namespace birdstrike
 {
-  /// What will be computed, known before the first step.
+  /// What will be computed, known before the first step (all but the elements with points, which grow in number).
   struct BladeCensus
   {
     std::size_t           n_elements    = 0;
     std::size_t           n_nodes       = 0;
-    double                mass          = 0.;      ///< kg
-    double                area          = 0.;      ///< m^2
-    double                smallest_edge = 0.;      ///< m
-    std::array<double, 3> smallest_at{};           ///< m, centroid of the element with that edge
-    double                largest_edge_ratio = 1.; ///< longest over shortest `smallest_edge` of all elements
-    std::size_t           n_held_dofs        = 0;
-    double                bytes              = 0.; ///< estimated memory of state, elements and surface
-    double                bytes_per_snapshot = 0.;
+    double                mass          = 0.;          ///< kg
+    double                area          = 0.;          ///< m^2
+    double                smallest_edge = 0.;          ///< m
+    std::array<double, 3> smallest_at{};               ///< m, centroid of the element with that edge
+    double                largest_edge_ratio     = 1.; ///< longest over shortest `smallest_edge` of all elements
+    std::size_t           n_held_dofs            = 0;
+    std::size_t           n_elements_with_points = 0;  ///< that hold points through the thickness at present
+    double                bytes                  = 0.; ///< estimated memory of state, elements and surface
+    double                bytes_per_snapshot     = 0.;
   };
 
   /// Force and moment that the blade exerts on its clamped edge, and the stress that carries them.

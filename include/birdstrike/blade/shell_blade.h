@@ -28,6 +28,7 @@ namespace birdstrike
     std::string kind() const override;
     bool        is_deformable() const override;
     StepLimit   step_limit() const override;
+    double      largest_stable_step() const override;
 
     void kick_internal(double half_step, HalfKick half) override;
     void kick_contact(double half_step, HalfKick half) override;

@@ -99,6 +99,7 @@ namespace birdstrike
 
     std::size_t n_elements() const;
     std::size_t n_promoted() const; ///< elements that store points because an outer fibre met the yield stress
+    std::size_t bytes() const;      ///< counted, of all that these elements hold
     ShellState  state(std::size_t element) const;
     /// sxx, syy, sxy (Pa) in the element frame.
     std::array<double, 3> layer_stress(std::size_t element, ShellLayer layer) const;

@@ -210,6 +210,24 @@ TEST(ShellElements, PointsAppearWithTheStressThatThereWas)
   EXPECT_GE(first, 0);
 }
 
+TEST(ShellElements, ThatHaveNeverYieldedHoldNoPoints)
+{
+  // a strip of 64 elements, one end of which is stretched beyond yield
+  Model             model(make_grid(64, 1, [](const double x, const double y) { return Point3(64. * x, y, 0.); }), 0.05,
+                          titanium(HardeningLaw::linear, 1e9));
+  const std::size_t before  = model.elements.bytes();
+  Eigen::VectorXd   stretch = Eigen::VectorXd::Zero(model.n_dofs());
+  model.move(stretch);
+  EXPECT_EQ(model.elements.n_promoted(), 0u);
+  EXPECT_EQ(model.elements.bytes(), before);
+  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n)
+    stretch[6 * n] = 0.02 * std::max(0., model.mesh.nodes[n][0] - 62.);
+  model.move(stretch);
+  // the two stretched elements, and those that share their register: five points of six numbers each
+  EXPECT_EQ(model.elements.n_promoted(), n_lanes);
+  EXPECT_EQ(model.elements.bytes(), before + n_lanes * 5 * 6 * sizeof(double));
+}
+
 TEST(ShellElements, StabilisationOfAPlasticElementIsCapped)
 {
   // membrane hourglass mode on an element that is stretched far beyond yield: the force stays near that of yield stress

@@ -91,3 +91,16 @@ TEST(ShellStepBound, CountsTheMassesThatTheNodesCarry)
   model.elements.use_nodal_masses(mass);
   EXPECT_NEAR(model.elements.step_limit().value, 0.5 * before, 1e-12);
 }
+
+TEST(ShellStepBound, IsTheSameWithAndWithoutWords)
+{
+  // a mesh of more than one chunk of batches, moved, so that the largest value is somewhere inside
+  Model model(make_grid(40, 30, [](const double x, const double y) { return Point3(x, y * (1. + 0.2 * x), 0.); }), 0.02,
+              make_section(1., 0.3));
+  EXPECT_EQ(model.elements.largest_stable_step(), model.elements.step_limit().value);
+  Eigen::VectorXd u(model.n_dofs());
+  for (Eigen::Index d = 0; d < u.size(); ++d)
+    u[d] = 1e-3 * std::sin(1.7 * d);
+  model.move(u);
+  EXPECT_EQ(model.elements.largest_stable_step(), model.elements.step_limit().value);
+}
