@@ -142,7 +142,7 @@ namespace birdstrike
           shortest = std::min(shortest, std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]));
         }
     if (!(thickness > 0.) || !(g.area > 1e-7 * g.x.m1.squaredNorm()) || !(shortest > 0.))
-      throw InputError("Shell " + place(e) + ": thickness " + text(thickness) + " m, area " + text(g.area) +
+      throw InputError("Shell " + place(e).text() + ": thickness " + text(thickness) + " m, area " + text(g.area) +
                        " m^2, shortest distance of two nodes " + text(shortest) + " m; all must be positive.");
     mass.push_back(section.material.density * thickness * g.area);
   }
@@ -172,12 +172,12 @@ namespace birdstrike
       }
   }
 
-  std::string ShellElements::Implementation::place(const std::size_t element) const
+  EntityPlace ShellElements::Implementation::place(const std::size_t element) const
   {
     Point3 x = Point3::Zero();
     for (const auto n : cells[element])
       x += 0.25 * Point3(records[n].position);
-    return "element " + std::to_string(element) + " at (" + text(x[0]) + ", " + text(x[1]) + ", " + text(x[2]) + ")";
+    return {"element", element, {{x[0], x[1], x[2]}}};
   }
 
   std::size_t ShellElements::Implementation::n_elements_of(const std::size_t batch) const
@@ -211,7 +211,7 @@ namespace birdstrike
       if (!is_sound(b * n_lanes + k))
         e = b * n_lanes + k;
     const ShellGeometry<double> g = geometry(e);
-    throw NumericalFailure("Shell " + place(e) + ": force or area is not finite (area " + text(g.area) +
+    throw NumericalFailure("Shell " + place(e).text() + ": force or area is not finite (area " + text(g.area) +
                            " m^2).\nThe step was too large or the element collapsed: reduce the step factor.");
   }
 } // namespace birdstrike

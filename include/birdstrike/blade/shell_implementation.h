@@ -66,7 +66,7 @@ namespace birdstrike
     std::size_t           n_elements_of(std::size_t batch) const;
     ShellGeometry<double> geometry(std::size_t element) const;
     double                sum(Lanes Chunk::*energy) const;
-    std::string           place(std::size_t element) const; ///< "element 17 at (0.01, 0.02, 0)"
+    EntityPlace           place(std::size_t element) const; ///< its middle
 
     ShellSection                              section;
     ShellSectionLaw                           law;
