@@ -10,15 +10,6 @@ namespace birdstrike
     /// Particles per thread range: whole registers and whole cache lines of every column.
     constexpr std::size_t grain = 64;
 
-    /// Liquid at zero pressure remembers how far it has come apart, up to twice its volume: beyond, spray would weigh
-    /// more and more in its neighbours' sums.
-    template <class Number>
-    Number expand_at_most(const Number &mu)
-    {
-      const Number thinnest(-0.5);
-      return select(mu > Number(-1.) && mu < thinnest, thinnest, mu); // what is no density passes, to be reported
-    }
-
     double compute_slope(const EquationOfState &eos, const BirdParameters &parameters)
     {
       const auto &v = parameters.velocity;
@@ -45,12 +36,12 @@ namespace birdstrike
 
   void Bird::place()
   {
-    const std::size_t n = packed.points.size();
-    particles           = Particles();
-    particles.mass      = packed.particle_mass;
-    particles.n_ids     = n;
+    const std::size_t n             = packed.points.size();
+    particles                       = Particles();
+    particles.mass                  = packed.particle_mass;
+    particles.n_ids                 = n;
+    particles.has_velocity_gradient = parameters.reconstruction == "linear";
     particles.resize(n);
-    predicted_mu.reserve(n + n_lanes);
     particle_masses.assign(n, particles.mass);
     for (std::size_t p = 0; p < n; ++p)
       {
@@ -59,7 +50,7 @@ namespace birdstrike
           {
             particles.x[d][p]          = packed.points[p][d];
             particles.v[d][p]          = parameters.velocity[d];
-            particles.correction[d][p] = 1.;
+            particles.correction[d][p] = 1.f;
           }
       }
     half_step     = 0.;
@@ -117,9 +108,7 @@ namespace birdstrike
       sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
         for (int d = 0; d < 3; ++d)
           {
-            const Number u = dt * load<Number>(&particles.v[d][p]);
-            store(load<Number>(&particles.x[d][p]) + u, &particles.x[d][p]);
-            store(load<Number>(&particles.displacement[d][p]) + u, &particles.displacement[d][p]);
+            store(load<Number>(&particles.x[d][p]) + dt * load<Number>(&particles.v[d][p]), &particles.x[d][p]);
           }
       });
     });
@@ -130,27 +119,9 @@ namespace birdstrike
       }
   }
 
-  void Bird::predict()
-  {
-    predicted_mu.resize(particles.size());
-    const double scale = half_step / particles.mass;
-    pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
-      sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
-        for (int d = 0; d < 3; ++d)
-          {
-            const Number f = load<Number>(&particles.force[d][p]) + load<Number>(&particles.contact_force[d][p]);
-            store(load<Number>(&particles.v[d][p]) + scale * f, &particles.predicted_velocity[d][p]);
-          }
-        const Number mu = load<Number>(&particles.mu[p]), rate = load<Number>(&particles.compression_rate[p]);
-        store(expand_at_most(compress(mu, rate, half_step)), &predicted_mu[p]);
-      });
-    });
-  }
-
   void Bird::compute_rates()
   {
-    predict();
-    rates->update(particles, predicted_mu, list, pool);
+    rates->update(particles, half_step, list, pool);
   }
 
   void Bird::kick(const double dt, const HalfKick half)
@@ -168,13 +139,13 @@ namespace birdstrike
     const double scale = dt / particles.mass;
     pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
       sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
-        Number power = load<Number>(&particles.internal_energy_rate[p]);
+        Number power = load<Number>(&particles.power[p]);
         for (int d = 0; d < 3; ++d)
           {
             const Number f = load<Number>(&particles.force[d][p]), before = load<Number>(&particles.v[d][p]);
             const Number after = before + scale * (f + load<Number>(&particles.contact_force[d][p]));
             store(after, &particles.v[d][p]);
-            power -= f * ((is_first ? after : before) - load<Number>(&particles.predicted_velocity[d][p]));
+            power -= f * (is_first ? after : before);
           }
         store(load<Number>(&particles.internal_energy[p]) + dt * power, &particles.internal_energy[p]);
         const Number mu = load<Number>(&particles.mu[p]), rate = load<Number>(&particles.compression_rate[p]);

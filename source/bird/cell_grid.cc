@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace birdstrike
 {
@@ -87,20 +88,20 @@ namespace birdstrike
   {
     const std::size_t n_particles = particles.size();
     scratch.resize(n_particles);
-    id_scratch.resize(n_particles);
-    particles.for_each_column([&](Particles::Column &column) {
+    const auto permute_column = [&](auto &column) {
+      using Entry    = typename std::decay_t<decltype(column)>::value_type;
+      auto *const to = reinterpret_cast<Entry *>(scratch.data());
       pool.parallel_for(n_particles, 512, [&](const std::size_t first, const std::size_t last) {
         for (std::size_t p = first; p < last; ++p)
-          scratch[p] = column[order[p]];
+          to[p] = column[order[p]];
       });
       // copied back, not swapped: views of the columns stay valid
       pool.parallel_for(n_particles, 512, [&](const std::size_t first, const std::size_t last) {
-        std::copy(scratch.begin() + first, scratch.begin() + last, column.begin() + first);
+        std::copy(to + first, to + last, column.begin() + first);
       });
-    });
-    for (std::size_t p = 0; p < n_particles; ++p)
-      id_scratch[p] = particles.id[order[p]];
-    std::copy(id_scratch.begin(), id_scratch.end(), particles.id.begin());
+    };
+    particles.for_each_column(permute_column);
+    permute_column(particles.id);
   }
 
   std::array<int, 3> CellGrid::cell_coordinates(const std::size_t cell) const

@@ -11,29 +11,54 @@ namespace birdstrike
   {
     constexpr std::size_t cells_per_chunk = 64;
 
-    /// Smallest and largest of u[begin .. end), at least one number.
-    void find_extremes(const double *u, const std::size_t begin, const std::size_t end, double &low, double &high)
+    /// Of the particles [begin, end), at least one, along one direction: x - origin - start.
+    struct Displacement
     {
-      low = high = u[begin];
-      if (end - begin < n_lanes)
-        {
-          for (std::size_t p = begin + 1; p < end; ++p)
-            {
-              low  = std::min(low, u[p]);
-              high = std::max(high, u[p]);
-            }
-          return;
-        }
-      Lanes least = load<Lanes>(u + end - n_lanes), most = least; // the last register may overlap the one before
-      for (std::size_t p = begin; p + n_lanes <= end; p += n_lanes)
-        {
-          const Lanes a = load<Lanes>(u + p);
-          least         = min(least, a);
-          most          = max(most, a);
-        }
-      low  = stdx::hmin(least);
-      high = stdx::hmax(most);
-    }
+      template <class Number>
+      Number at(const std::size_t p) const
+      {
+        return load<Number>(x + p) - origin - load<Number>(start + p);
+      }
+
+      void find_extremes(const std::size_t begin, const std::size_t end, double &low, double &high) const
+      {
+        low = high = at<double>(begin);
+        if (end - begin < n_lanes)
+          {
+            for (std::size_t p = begin + 1; p < end; ++p)
+              {
+                low  = std::min(low, at<double>(p));
+                high = std::max(high, at<double>(p));
+              }
+            return;
+          }
+        Lanes least = at<Lanes>(end - n_lanes), most = least; // the last register may overlap the one before
+        for (std::size_t p = begin; p + n_lanes <= end; p += n_lanes)
+          {
+            const Lanes a = at<Lanes>(p);
+            least         = min(least, a);
+            most          = max(most, a);
+          }
+        low  = stdx::hmin(least);
+        high = stdx::hmax(most);
+      }
+
+      double sum(const std::size_t begin, const std::size_t end) const
+      {
+        Lanes       whole = 0.;
+        std::size_t p     = begin;
+        for (; p + n_lanes <= end; p += n_lanes)
+          whole += at<Lanes>(p);
+        double rest = stdx::reduce(whole);
+        for (; p < end; ++p)
+          rest += at<double>(p);
+        return rest;
+      }
+
+      const double *x;
+      const float  *start;
+      double        origin;
+    };
   } // namespace
 
   void NeighborList::list_near_cells()
@@ -81,21 +106,10 @@ namespace birdstrike
   double NeighborList::update_extremes(const Particles &particles, ThreadPool &pool)
   {
     const auto       &occupied = grid.occupied();
-    const auto       &u        = particles.displacement;
     const std::size_t n        = particles.size();
-    const auto        sums     = pool.ordered_sums<3>(n, [&](const std::size_t begin, const std::size_t end) {
-      std::array<double, 3> sum{};
-      for (int d = 0; d < 3; ++d)
-        {
-          Lanes       whole = 0.;
-          std::size_t p     = begin;
-          for (; p + n_lanes <= end; p += n_lanes)
-            whole += load<Lanes>(&u[d][p]);
-          for (; p < end; ++p)
-            sum[d] += u[d][p];
-          sum[d] += stdx::reduce(whole);
-        }
-      return sum;
+    const auto u    = [&](const int d) { return Displacement{particles.x[d].data(), positions[d].data(), origin[d]}; };
+    const auto sums = pool.ordered_sums<3>(n, [&](const std::size_t begin, const std::size_t end) {
+      return std::array<double, 3>{u(0).sum(begin, end), u(1).sum(begin, end), u(2).sum(begin, end)};
     });
     return pool.ordered_max(
       occupied.size(),
@@ -107,7 +121,7 @@ namespace birdstrike
             for (int d = 0; d < 3; ++d)
               {
                 double low, high;
-                find_extremes(u[d].data(), grid.begin(occupied[o]), grid.end(occupied[o]), low, high);
+                u(d).find_extremes(grid.begin(occupied[o]), grid.end(occupied[o]), low, high);
                 lowest[d][o]      = low;
                 highest[d][o]     = high;
                 const double mean = is_mirrored && d == 1 ? 0. : sums[d] / n; // the images' mean is the same

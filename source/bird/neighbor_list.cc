@@ -93,10 +93,10 @@ namespace birdstrike
       {
         positions[d].reserve(n_all + FloatLanes::size()); // whole registers are read at the end of the last run
         positions[d].resize(n_all);
-        const double origin = n == 0 || (is_mirrored && d == 1) ? 0. : particles.x[d][0];
+        origin[d] = n == 0 || (is_mirrored && d == 1) ? 0. : particles.x[d][0];
         for (std::size_t p = 0; p < n; ++p)
           {
-            const double x  = particles.x[d][p] - origin;
+            const double x  = particles.x[d][p] - origin[d];
             positions[d][p] = static_cast<float>(x);
             largest         = std::max(largest, std::abs(x));
           }
@@ -167,7 +167,10 @@ namespace birdstrike
         for (std::size_t p = grid.begin(cell); p < grid.end(cell); ++p)
           {
             if (used + most > lists.size())
-              lists.resize(2 * (used + most));
+              {
+                lists.reserve(used + used / 8 + most); // not twice: lists are most of a bird's memory
+                lists.resize(lists.capacity());
+              }
             std::uint32_t *const list = lists.data() + used;
             std::uint32_t       *out  = list;
             for (int run = 0; run < runs.n; ++run)
@@ -225,8 +228,6 @@ namespace birdstrike
     for (std::size_t p = 0; p < n; ++p)
       prefix[p + 1] = prefix[p] + count[p] + n_lanes;
     longest_count = n == 0 ? 0 : *std::max_element(count.begin(), count.end());
-    for (auto &u : particles.displacement)
-      std::fill(u.begin(), u.end(), 0.);
     list_near_cells();
     ++builds;
   }

@@ -57,7 +57,7 @@ namespace birdstrike
       return share;
     for (std::size_t k = 0; k < kept.size(); ++k)
       particles.id[k] = particles.id[kept[k]];
-    particles.for_each_column([&](Particles::Column &column) {
+    particles.for_each_column([&](auto &column) {
       for (std::size_t k = 0; k < kept.size(); ++k)
         column[k] = column[kept[k]];
     });

@@ -149,11 +149,17 @@ namespace birdstrike
   template <class Variant, class N>
   void RiemannRates<T>::store_rates(Particles &particles, const SumBlock &block, const std::size_t i) const
   {
-    const auto sum    = [&](const int component) { return block.get<N>(component, i % n_lanes); };
-    const N    volume = sum(SumBlock::volume) * (1. / scale.volume), pressure = sum(SumBlock::pressure);
-    const N    by_volume = scale.force / volume;
+    const auto          sum    = [&](const int component) { return block.get<N>(component, i % n_lanes); };
+    const N             volume = sum(SumBlock::volume) * (1. / scale.volume), pressure = sum(SumBlock::pressure);
+    const N             by_volume = scale.force / volume;
+    const Prediction<N> prediction(particles, i, prediction_time); // with the old forces
+    N                   work = 0.;
     for (int d = 0; d < 3; ++d)
-      store(scale.force * sum(SumBlock::force + d), &particles.force[d][i]);
+      {
+        const N force = scale.force * sum(SumBlock::force + d);
+        work += force * prediction.velocity[d];
+        store(force, &particles.force[d][i]);
+      }
 
     std::array<N, 9> g;
     for (int k = 0; k < 9; ++k)
@@ -181,8 +187,7 @@ namespace birdstrike
     // (p_i - p_j)/(Z_i + Z_j) with the mean of 1/Z, which records hold times 3/2 rho0
     const N flux = by_volume * (1. / (1.5 * eos.reference_density())) * sum(SumBlock::flux);
     store(-(divergence + 0.5 * pressure_share * flux), &particles.compression_rate[i]);
-    store(-(volume * pressure * divergence + 0.5 * scale.force * sum(SumBlock::heat)),
-          &particles.internal_energy_rate[i]);
+    store(work - (volume * pressure * divergence + 0.5 * scale.force * sum(SumBlock::heat)), &particles.power[i]);
     const N fastest = load<N>(&particles.sound_speed[i]) + 1.2 * sum(SumBlock::approach);
     store(select(sum(SumBlock::weight) > N(0.), fastest, N(0.)), &particles.signal_speed[i]);
     if constexpr (Variant::is_renewing)

@@ -42,10 +42,10 @@ namespace birdstrike
 
   template <class T>
   template <class N>
-  void RiemannRates<T>::update_records(Particles &particles, const Particles::Column &mu, const std::size_t p,
+  void RiemannRates<T>::update_records(Particles &particles, const Prediction<N> &prediction, const std::size_t p,
                                        Bounds<N> &bound)
   {
-    const N m  = load<N>(&mu[p]);
+    const N m  = prediction.mu;
     const N p0 = eos.pressure(m), c = sqrt(eos.sound_speed_squared(m, p0));
     const N rho      = eos.reference_density() * (1. + m);
     const N pressure = has_cutoff ? max(p0, N(0.)) : p0;
@@ -63,7 +63,7 @@ namespace birdstrike
     for (int d = 0; d < 3; ++d)
       {
         a[d]             = (load<N>(&particles.x[d][p]) - scale.origin[d]) * (1. / scale.length);
-        a[4 + d]         = load<N>(&particles.predicted_velocity[d][p]) - scale.velocity[d];
+        a[4 + d]         = prediction.velocity[d] - scale.velocity[d];
         a[8 + d]         = b[d];
         a[12 + d]        = b[3 + d];
         bound.slowest[d] = min(bound.slowest[d], a[4 + d]);
@@ -88,22 +88,19 @@ namespace birdstrike
 
   template <class T>
   typename RiemannRates<T>::template Bounds<double>
-  RiemannRates<T>::update_chunk(Particles &particles, const Particles::Column &mu, const std::size_t begin,
-                                const std::size_t end)
+  RiemannRates<T>::update_chunk(Particles &particles, const std::size_t begin, const std::size_t end)
   {
     Bounds<Lanes>  whole;
     Bounds<double> rest;
-    std::size_t    p = begin;
-    for (; p + n_lanes <= end; p += n_lanes)
-      if (is_sound(particles, load<Lanes>(&mu[p]), p))
-        update_records<Lanes>(particles, mu, p, whole);
+    sweep(begin, end, [&]<class N>(const N &, const std::size_t p) {
+      const Prediction<N> prediction(particles, p, prediction_time);
+      if (!is_sound(particles, prediction, p))
+        report_failed_particle(particles, prediction_time, p, p + lanes_of<N>);
+      if constexpr (std::is_same_v<N, Lanes>)
+        update_records(particles, prediction, p, whole);
       else
-        report_failed_particle(particles, mu, p, p + n_lanes);
-    for (; p < end; ++p)
-      if (is_sound(particles, mu[p], p))
-        update_records<double>(particles, mu, p, rest);
-      else
-        report_failed_particle(particles, mu, p, p + 1);
+        update_records(particles, prediction, p, rest);
+    });
     rest.pressure  = max(rest.pressure, largest(whole.pressure));
     rest.impedance = max(rest.impedance, largest(whole.impedance));
     rest.volume    = max(rest.volume, largest(whole.volume));
@@ -171,13 +168,13 @@ namespace birdstrike
   }
 
   template <class T>
-  void RiemannRates<T>::update(Particles &particles, const Particles::Column &predicted_mu, const NeighborList &list,
-                               ThreadPool &pool)
+  void RiemannRates<T>::update(Particles &particles, const double dt, const NeighborList &list, ThreadPool &pool)
   {
     const std::size_t n = particles.size();
     if (n == 0)
       return;
     const MirrorImages &images = list.images();
+    prediction_time            = dt;
     pairs.resize(n + 1 + images.size());
     // the dummy that pads the lists: no volume, no pressure, far away
     pairs[n].value = {T(1e9), T(1e9), T(1e9), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
@@ -187,12 +184,12 @@ namespace birdstrike
       {
         const bool is_mirrored = images.size() > 0 && d == 1; // an image's record then differs in signs alone
         scale.origin[d]        = is_mirrored ? 0. : particles.x[d][0];
-        scale.velocity[d]      = is_mirrored ? 0. : particles.predicted_velocity[d][0];
+        scale.velocity[d]      = is_mirrored ? 0. : particles.v[d][0];
       }
     bounds.resize((n + chunk_size - 1) / chunk_size);
     pool.parallel_for(bounds.size(), 1, [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
-        bounds[c] = update_chunk(particles, predicted_mu, c * chunk_size, std::min(n, (c + 1) * chunk_size));
+        bounds[c] = update_chunk(particles, c * chunk_size, std::min(n, (c + 1) * chunk_size));
     });
     update_images(images, pool);
     update_force_unit(list.longest());

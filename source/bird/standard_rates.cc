@@ -59,9 +59,8 @@ namespace birdstrike
   }
 
   template <class Number>
-  void StandardRates::update_records(Particles &particles, const Particles::Column &mu, const std::size_t p)
+  void StandardRates::update_records(Particles &particles, const Number &m, const std::size_t p)
   {
-    const Number m  = load<Number>(&mu[p]);
     const Number p0 = eos.pressure(m), c = sqrt(eos.sound_speed_squared(m, p0));
     const Number rho      = eos.reference_density() * (1. + m);
     const Number pressure = has_cutoff ? max(p0, Number(0.)) : p0;
@@ -135,18 +134,20 @@ namespace birdstrike
             densest  = max(densest, select(meets, A[6], zero));
             is_isolated &= !any(meets);
           }
+        particles.power[i] = -0.5 * mass * mass * sum(work);
         for (int d = 0; d < 3; ++d)
-          particles.force[d][i] = mass * mass * sum(force[d]);
-        particles.internal_energy_rate[i] = -0.5 * mass * mass * sum(work);
-        particles.compression_rate[i]     = has_summation ? 0. : mass * sum(compression) / a[6];
-        particles.signal_speed[i]         = is_isolated ? 0. : c + 1.2 * stdx::hmax(approach);
+          {
+            particles.force[d][i] = mass * mass * sum(force[d]);
+            particles.power[i] += particles.force[d][i] * a[3 + d];
+          }
+        particles.compression_rate[i] = has_summation ? 0. : mass * sum(compression) / a[6];
+        particles.signal_speed[i]     = is_isolated ? 0. : c + 1.2 * stdx::hmax(approach);
         particles.largest_mu[i] =
           std::max(a[6], static_cast<double>(stdx::hmax(densest))) / eos.reference_density() - 1.;
       }
   }
 
-  void StandardRates::update(Particles &particles, const Particles::Column &predicted_mu, const NeighborList &list,
-                             ThreadPool &pool)
+  void StandardRates::update(Particles &particles, const double dt, const NeighborList &list, ThreadPool &pool)
   {
     const std::size_t n = particles.size();
     motion.resize(n + 1);
@@ -164,29 +165,28 @@ namespace birdstrike
 
     pool.parallel_for(n, 64, [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t p = begin; p < end; ++p)
-        for (int d = 0; d < 3; ++d)
-          {
-            motion[p].value[d]     = particles.x[d][p];
-            motion[p].value[3 + d] = particles.predicted_velocity[d][p];
-          }
+        {
+          const Prediction<double> prediction(particles, p, dt);
+          for (int d = 0; d < 3; ++d)
+            {
+              motion[p].value[d]     = particles.x[d][p];
+              motion[p].value[3 + d] = prediction.velocity[d];
+            }
+        }
     });
     if (has_summation)
       pool.parallel_for_balanced(n, 8, list.cost_prefix(), [&](const std::size_t begin, const std::size_t end) {
         (this->*densities[is_spline][wraps])(particles, list, begin, end);
       });
-    const Particles::Column &mu = has_summation ? particles.mu : predicted_mu;
     pool.parallel_for(n, 64, [&](const std::size_t begin, const std::size_t end) {
-      std::size_t p = begin;
-      for (; p + n_lanes <= end; p += n_lanes)
-        if (is_sound(particles, load<Lanes>(&mu[p]), p))
-          update_records<Lanes>(particles, mu, p);
-        else
-          report_failed_particle(particles, mu, p, p + n_lanes);
-      for (; p < end; ++p)
-        if (is_sound(particles, mu[p], p))
-          update_records<double>(particles, mu, p);
-        else
-          report_failed_particle(particles, mu, p, p + 1);
+      sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
+        Prediction<Number> prediction(particles, p, dt);
+        if (has_summation)
+          prediction.mu = load<Number>(&particles.mu[p]);
+        if (!is_sound(particles, prediction, p))
+          report_failed_particle(particles, dt, p, p + lanes_of<Number>);
+        update_records(particles, prediction.mu, p);
+      });
     });
     pool.parallel_for_balanced(n, 8, list.cost_prefix(), [&](const std::size_t begin, const std::size_t end) {
       (this->*pairs[is_spline][wraps])(particles, list, begin, end);

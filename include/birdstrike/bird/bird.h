@@ -79,7 +79,6 @@ namespace birdstrike
     }
 
   private:
-    void   predict();
     double sum(const std::function<double(std::size_t)> &term) const;
     void   book_contact(double dt);
 
@@ -91,7 +90,6 @@ namespace birdstrike
     Particles              particles;
     NeighborList           list;
     std::unique_ptr<Rates> rates;
-    Particles::Column      predicted_mu;
     Particles::Column      particle_masses; ///< kg, the same number for every particle: contact sees an array
     double                 half_step = 0.;  ///< s, of the latest first kick
     double                 hugoniot_slope;

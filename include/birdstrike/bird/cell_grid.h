@@ -66,15 +66,14 @@ namespace birdstrike
     void lay_out(const Particles &particles, double range, const Period &period);
     void permute(Particles &particles, ThreadPool &pool);
 
-    std::array<int, 3>           n{1, 1, 1};
-    std::array<bool, 3>          periodic{};
-    Point3                       origin;
-    Point3                       inverse_edge;
-    double                       smallest_edge = 0.;
-    std::vector<std::uint32_t>   start;
-    std::vector<std::uint32_t>   occupied_cells;
-    std::vector<std::uint32_t>   cell_of, order;
-    AlignedVector<double>        scratch;
-    AlignedVector<std::uint32_t> id_scratch;
+    std::array<int, 3>         n{1, 1, 1};
+    std::array<bool, 3>        periodic{};
+    Point3                     origin;
+    Point3                     inverse_edge;
+    double                     smallest_edge = 0.;
+    std::vector<std::uint32_t> start;
+    std::vector<std::uint32_t> occupied_cells;
+    std::vector<std::uint32_t> cell_of, order;
+    AlignedVector<double>      scratch;
   };
 } // namespace birdstrike

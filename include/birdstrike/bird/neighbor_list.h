@@ -35,7 +35,7 @@ namespace birdstrike
       return mirror_images;
     }
 
-    /// Sorts the particles, clears their displacements and lists their neighbours.
+    /// Sorts the particles and lists their neighbours.
     void update(Particles &particles, ThreadPool &pool);
 
     bool is_outdated(const Particles &particles, ThreadPool &pool);
@@ -97,7 +97,8 @@ namespace birdstrike
     std::vector<std::size_t>                  prefix;
     std::vector<std::uint32_t>                near_start, occupied_before;
     std::vector<CellRun>                      near_runs;
-    std::array<AlignedVector<float>, 3>       positions; ///< m, relative to one particle
+    std::array<AlignedVector<float>, 3>       positions; ///< m, at the build, relative to origin
+    std::array<double, 3>                     origin{};
     double                                    safe_range = 0.;
     Particles::Column3                        lowest, highest; ///< displacement, by occupied cell
     std::size_t                               longest_count = 0;

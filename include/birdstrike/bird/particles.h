@@ -12,28 +12,28 @@ namespace birdstrike
   /// stays. All particles have one mass and one smoothing length. SI units.
   struct Particles
   {
-    using Column  = AlignedVector<double>;
-    using Column3 = std::array<Column, 3>;
+    using Column      = AlignedVector<double>;
+    using Column3     = std::array<Column, 3>;
+    using FloatColumn = AlignedVector<float>;
 
-    double      mass  = 0.; ///< kg, of each
-    std::size_t n_ids = 0;
+    double      mass                  = 0.; ///< kg, of each
+    std::size_t n_ids                 = 0;
+    bool        has_velocity_gradient = false;
 
     AlignedVector<std::uint32_t> id;
     Column3                      x;               ///< m
     Column3                      v;               ///< m/s
     Column                       mu;              ///< rho/rho0 - 1
     Column                       internal_energy; ///< J
-    Column3                      displacement;    ///< m, since the neighbour list was built
 
     // What the last evaluation of the rates left.
-    Column3               force;                ///< N, of the particles on each other
-    Column3               predicted_velocity;   ///< m/s, with which the rates were evaluated
-    Column                compression_rate;     ///< 1/s, -div v
-    Column                internal_energy_rate; ///< W, at the predicted velocity
-    Column                signal_speed;         ///< m/s, c + 1.2 largest approach speed; 0 if isolated
-    Column                largest_mu;           ///< of the particle and those within its support
-    std::array<Column, 6> correction;           ///< B: xx yy zz xy xz yz
-    std::array<Column, 6> velocity_gradient;    ///< 1/s, symmetric part, for the reconstruction
+    Column3                    force;             ///< N, of the particles on each other
+    Column                     compression_rate;  ///< 1/s, -div v
+    Column                     power;             ///< W, internal energy rate + force . predicted velocity
+    Column                     signal_speed;      ///< m/s, c + 1.2 largest approach speed; 0 if isolated
+    Column                     largest_mu;        ///< of the particle and those within its support
+    std::array<FloatColumn, 6> correction;        ///< B: xx yy zz xy xz yz
+    std::array<Column, 6>      velocity_gradient; ///< 1/s, symmetric part; empty without reconstruction
 
     // What contact sees and gives.
     Column  volume, density, sound_speed;
@@ -44,7 +44,7 @@ namespace birdstrike
       return id.size();
     }
 
-    /// Calls f(column) for every column of doubles.
+    /// Calls f(column) for every column but `id`, of doubles or floats.
     template <class Function>
     void for_each_column(const Function &f);
 
@@ -60,26 +60,54 @@ namespace birdstrike
     return mu + (1. + mu) * (12. * e / (12. - 6. * e + e * e));
   }
 
+  /// Liquid at zero pressure remembers how far it has come apart, up to twice its volume: beyond, spray would weigh
+  /// more and more in its neighbours' sums.
+  template <class Number>
+  Number expand_at_most(const Number &mu)
+  {
+    const Number thinnest(-0.5);
+    return select(mu > Number(-1.) && mu < thinnest, thinnest, mu); // what is no density passes, to be reported
+  }
+
+  /// What the old rates foretell for the time dt later, at which the new ones are evaluated.
+  template <class Number>
+  struct Prediction
+  {
+    Prediction(const Particles &particles, const std::size_t p, const double dt)
+      : mu(expand_at_most(compress(load<Number>(&particles.mu[p]), load<Number>(&particles.compression_rate[p]), dt)))
+    {
+      for (int d = 0; d < 3; ++d)
+        velocity[d] =
+          load<Number>(&particles.v[d][p]) +
+          (dt / particles.mass) * (load<Number>(&particles.force[d][p]) + load<Number>(&particles.contact_force[d][p]));
+    }
+
+    Vector3<Number> velocity; ///< m/s
+    Number          mu;
+  };
+
   template <class Function>
   void Particles::for_each_column(const Function &f)
   {
-    for (Column3 *vector : {&x, &v, &displacement, &force, &predicted_velocity, &contact_force})
+    for (Column3 *vector : {&x, &v, &force, &contact_force})
       for (Column &column : *vector)
         f(column);
-    for (Column *column : {&mu, &internal_energy, &compression_rate, &internal_energy_rate, &signal_speed, &largest_mu,
-                           &volume, &density, &sound_speed})
+    for (Column *column : {&mu, &internal_energy, &compression_rate, &power, &signal_speed, &largest_mu, &volume,
+                           &density, &sound_speed})
       f(*column);
-    for (auto *tensor : {&correction, &velocity_gradient})
-      for (Column &column : *tensor)
+    for (FloatColumn &column : correction)
+      f(column);
+    if (has_velocity_gradient)
+      for (Column &column : velocity_gradient)
         f(column);
   }
 
   inline void Particles::resize(const std::size_t n)
   {
     id.resize(n);
-    for_each_column([n](Column &column) {
+    for_each_column([n](auto &column) {
       column.reserve(n + n_lanes); // loops may read, never write, one register past the end
-      column.resize(n, 0.);
+      column.resize(n, 0);
     });
   }
 } // namespace birdstrike

@@ -10,22 +10,21 @@
 
 namespace birdstrike
 {
-  /// The right-hand side of the particle equations at given positions, predicted velocities and predicted mu.
+  /// The right-hand side of the particle equations at the positions, and at velocity and mu as the old rates foretell
+  /// them for the time dt later (Prediction).
   ///
-  /// `update` fills force, compression_rate, internal_energy_rate, signal_speed, largest_mu, volume, density and
+  /// `update` fills force, compression_rate, power, signal_speed, largest_mu, volume, density and
   /// sound_speed. Each owner sums over all its neighbours, with formulas symmetric in the pair: forces cancel to
   /// round-off, and
-  ///   sum_i (internal_energy_rate_i + force_i . predicted_velocity_i) = 0  to round-off.
+  ///   sum_i power_i = 0  to round-off.
   /// Raises NumericalFailure if a density is not positive or a position or velocity not finite.
   class Rates
   {
   public:
     virtual ~Rates() = default;
 
-    /// `predicted_mu` is mu at the present time as the old rate foretells it; density by summation overwrites
-    /// particles.mu and ignores it.
-    virtual void update(Particles &particles, const Particles::Column &predicted_mu, const NeighborList &list,
-                        ThreadPool &pool) = 0;
+    /// Density by summation overwrites particles.mu and ignores its prediction.
+    virtual void update(Particles &particles, double dt, const NeighborList &list, ThreadPool &pool) = 0;
 
     /// Lets the next update renew what it would otherwise keep for some passes: the state was set, not computed.
     virtual void renew_correction()
@@ -36,16 +35,16 @@ namespace birdstrike
   std::unique_ptr<Rates> make_rates(const BirdParameters &parameters, const EquationOfState &eos, double spacing);
 
   /// Throws NumericalFailure naming the first particle in [begin, end) whose state is not finite or not compressible.
-  [[noreturn]] void report_failed_particle(const Particles &particles, const Particles::Column &mu, std::size_t begin,
-                                           std::size_t end);
+  [[noreturn]] void report_failed_particle(const Particles &particles, double dt, std::size_t begin, std::size_t end);
 
-  /// Whether the n numbers starting at particle p are all in order (finite motion, density > 0).
+  /// Whether the numbers starting at particle p are all in order (finite motion, density > 0).
   template <class Number>
-  bool is_sound(const Particles &particles, const Number &mu, const std::size_t p)
+  bool is_sound(const Particles &particles, const Prediction<Number> &prediction, const std::size_t p)
   {
-    Number sum = 0.;
+    const Number &mu  = prediction.mu;
+    Number        sum = 0.;
     for (int d = 0; d < 3; ++d)
-      sum += load<Number>(&particles.x[d][p]) + load<Number>(&particles.predicted_velocity[d][p]);
+      sum += load<Number>(&particles.x[d][p]) + prediction.velocity[d];
     return all(mu > Number(-1.) && sum * 0. == Number(0.) && mu * 0. == Number(0.));
   }
 } // namespace birdstrike

@@ -31,8 +31,7 @@ namespace birdstrike
   public:
     RiemannRates(const BirdParameters &parameters, const EquationOfState &eos, double spacing);
 
-    void update(Particles &particles, const Particles::Column &predicted_mu, const NeighborList &list,
-                ThreadPool &pool) override;
+    void update(Particles &particles, double dt, const NeighborList &list, ThreadPool &pool) override;
 
     void renew_correction() override
     {
@@ -60,8 +59,8 @@ namespace birdstrike
     };
 
     template <class N>
-    void           update_records(Particles &particles, const Particles::Column &mu, std::size_t p, Bounds<N> &bounds);
-    Bounds<double> update_chunk(Particles &particles, const Particles::Column &mu, std::size_t begin, std::size_t end);
+    void update_records(Particles &particles, const Prediction<N> &prediction, std::size_t p, Bounds<N> &bounds);
+    Bounds<double> update_chunk(Particles &particles, std::size_t begin, std::size_t end);
     void           update_force_unit(std::size_t longest_list);
     void           update_images(const MirrorImages &images, ThreadPool &pool);
 
@@ -79,8 +78,9 @@ namespace birdstrike
     unsigned int                renewal_interval, passes_to_renewal = 0;
     bool                        is_renewing = true;
     Scale                       scale;
-    std::vector<Bounds<double>> bounds;   ///< by chunk of particles
-    Records<T, 16>              pairs;    ///< x V, v p, p B: xx yy zz, Z/2, p B: xy xz yz, 3 rho0/(2 Z)
+    double                      prediction_time = 0.; ///< s
+    std::vector<Bounds<double>> bounds;               ///< by chunk of particles
+    Records<T, 16>              pairs;                ///< x V, v p, p B: xx yy zz, Z/2, p B: xy xz yz, 3 rho0/(2 Z)
     Records<T, 16>              gradient; ///< symmetric velocity gradient (xx yy zz xy xz yz), with reconstruction only
   };
 } // namespace birdstrike

@@ -17,12 +17,11 @@ namespace birdstrike
   public:
     StandardRates(const BirdParameters &parameters, const EquationOfState &eos, double spacing);
 
-    void update(Particles &particles, const Particles::Column &predicted_mu, const NeighborList &list,
-                ThreadPool &pool) override;
+    void update(Particles &particles, double dt, const NeighborList &list, ThreadPool &pool) override;
 
   private:
     template <class Number>
-    void update_records(Particles &particles, const Particles::Column &mu, std::size_t p);
+    void update_records(Particles &particles, const Number &mu, std::size_t p);
 
     template <class Kernel, bool is_periodic>
     void sum_densities(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;

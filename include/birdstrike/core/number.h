@@ -124,6 +124,27 @@ namespace birdstrike
   {
     return Lanes(p, stdx::element_aligned);
   }
+  /// The same from floats, and back to them rounded.
+  template <class Number>
+  inline Number load(const float *p);
+  template <>
+  inline double load<double>(const float *p)
+  {
+    return *p;
+  }
+  template <>
+  inline Lanes load<Lanes>(const float *p)
+  {
+    return Lanes(p, stdx::element_aligned);
+  }
+  inline void store(const double a, float *p)
+  {
+    *p = static_cast<float>(a);
+  }
+  inline void store(const Lanes &a, float *p)
+  {
+    a.copy_to(p, stdx::element_aligned);
+  }
   inline void store(const double a, double *p)
   {
     *p = a;

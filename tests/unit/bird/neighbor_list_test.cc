@@ -64,10 +64,7 @@ namespace
   void move(Particles &particles, const std::size_t p, const Point3 &u)
   {
     for (int d = 0; d < 3; ++d)
-      {
-        particles.x[d][p] += u[d];
-        particles.displacement[d][p] += u[d];
-      }
+      particles.x[d][p] += u[d];
   }
 
   void expect_complete_in_motion(const Period &period)
