@@ -1,3 +1,4 @@
+#include <birdstrike/contact/append.h>
 #include <birdstrike/contact/pair_collector.h>
 #include <birdstrike/core/number.h>
 
@@ -58,17 +59,17 @@ namespace birdstrike
         chosen.push_back(f);
     });
     n_chosen = chosen.size();
-    while (chosen.size() % n_lanes != 0)
-      chosen.push_back(chosen.back());
+    chosen.resize(n_chosen + n_lanes, 0);
     for (unsigned int d = 0; d < 3; ++d)
       {
-        low[d].resize(std::max(low[d].size(), chosen.size()));
+        low[d].resize(std::max(low[d].size(), n_chosen + n_lanes));
         high[d].resize(low[d].size());
-        for (std::size_t k = 0; k < chosen.size(); ++k)
+        for (std::size_t k = 0; k < n_chosen; ++k)
           {
             low[d][k]  = grid.box(chosen[k]).low[d];
             high[d][k] = grid.box(chosen[k]).high[d];
           }
+        std::fill_n(low[d].begin() + static_cast<std::ptrdiff_t>(n_chosen), n_lanes, 1e300); // out of any reach
       }
   }
 
@@ -76,10 +77,11 @@ namespace birdstrike
                                  CandidateBlock &block)
   {
     const std::size_t before = n_pairs;
+    const double      limit  = reach * (1. + 1e-12);
     const auto        number = static_cast<std::uint32_t>(block.points.size());
-    if (near.size() < n_pairs + chosen.size())
+    if (near.size() < n_pairs + n_chosen + n_lanes)
       {
-        const std::size_t n = 2 * (n_pairs + chosen.size());
+        const std::size_t n = 2 * (n_pairs + n_chosen + n_lanes);
         near.resize(n);
         facet.resize(n);
         bound.resize(n);
@@ -94,19 +96,12 @@ namespace birdstrike
               max(Lanes(0.), max(load<Lanes>(&low[d][b]) - p, p - load<Lanes>(&high[d][b])) + reach);
             squared += outside * outside;
           }
-        if (!any(squared <= Lanes(reach * reach)))
-          continue;
-        alignas(64) std::array<double, n_lanes> distance;
-        store(sqrt(squared), distance.data());
-        const std::size_t n = std::min(n_lanes, n_chosen - b);
-        for (std::size_t k = 0; k < n; ++k)
-          {
-            near[n_pairs]  = number;
-            facet[n_pairs] = chosen[b + k];
-            bound[n_pairs] = distance[k];
-            n_pairs += distance[k] <= reach ? 1 : 0;
-          }
+        // the limit is a hair larger: rounding must not lose what is exactly at reach
+        const std::size_t n = append_below(sqrt(squared), limit, &chosen[b], &facet[n_pairs], &bound[n_pairs]);
+        n_pairs += n;
       }
+    std::fill(near.begin() + static_cast<std::ptrdiff_t>(before), near.begin() + static_cast<std::ptrdiff_t>(n_pairs),
+              number);
     if (n_pairs > before)
       block.points.push_back(static_cast<std::uint32_t>(i));
   }

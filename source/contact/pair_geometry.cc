@@ -1,3 +1,4 @@
+#include <birdstrike/contact/append.h>
 #include <birdstrike/contact/gather.h>
 #include <birdstrike/contact/pair_geometry.h>
 #include <birdstrike/core/closest_point.h>
@@ -11,13 +12,13 @@ namespace birdstrike
     const double limit = reach + block.path;
     n_awake            = 0;
     pair.resize(std::max(pair.size(), block.pair_bound.size() + n_lanes));
+    std::array<std::uint32_t, n_lanes> number;
     for (std::size_t b = 0; b < block.pair_bound.size(); b += n_lanes)
-      if (any(load<Lanes>(&block.pair_bound[b]) < Lanes(limit)))
-        for (std::size_t k = b; k < b + n_lanes; ++k)
-          {
-            pair[n_awake] = static_cast<std::uint32_t>(k);
-            n_awake += block.pair_bound[k] < limit ? 1 : 0;
-          }
+      {
+        for (std::size_t k = 0; k < n_lanes; ++k)
+          number[k] = static_cast<std::uint32_t>(b + k);
+        n_awake += append_below(load<Lanes>(&block.pair_bound[b]), limit, number.data(), &pair[n_awake], nullptr);
+      }
     for (std::size_t a = n_awake; a % n_lanes != 0; ++a)
       pair[a] = pair[n_awake - 1];
   }
