@@ -108,11 +108,4 @@ namespace birdstrike
     const auto low = cell_of(box.low.data()), high = cell_of(box.high.data());
     return (high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1);
   }
-
-  std::span<const std::uint32_t> FacetGrid::near(const Point3 &p) const
-  {
-    const auto        cell  = cell_of(p.data());
-    const std::size_t index = (cell[2] * n_cells[1] + cell[1]) * n_cells[0] + cell[0];
-    return {entries.data() + first[index], entries.data() + first[index + 1]};
-  }
 } // namespace birdstrike

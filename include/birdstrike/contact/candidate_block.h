@@ -27,7 +27,7 @@ namespace birdstrike
     std::vector<std::uint32_t> points;     ///< near ones, ascending
     std::vector<unsigned char> has_passed; ///< [points], whether the point is beyond the surface that it touches
     std::vector<std::uint32_t> pair_near;  ///< [pair], place in `points`, ascending
-    std::vector<std::uint32_t> pair_facet; ///< [pair], number in `facets`, by ascending facet for each point
+    std::vector<std::uint32_t> pair_facet; ///< [pair], number in `facets`
 
     /// [pair], m, from number_surface() on padded to whole registers: a lower bound of the distance plus `path` when it
     /// was found. While this less the present path exceeds the reach, the pair sleeps.

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace birdstrike
@@ -70,9 +69,6 @@ namespace birdstrike
           visit(entries[e]);
       });
     }
-
-    /// Facets whose widened box meets the cell of p (which must lie in box()), in ascending order.
-    std::span<const std::uint32_t> near(const Point3 &p) const;
 
   private:
     std::array<std::size_t, 3> cell_of(const double *p) const;

@@ -45,10 +45,6 @@ namespace birdstrike
       return all_blocks;
     }
 
-    bool is_apart() const
-    {
-      return n_near() == 0;
-    }
     std::size_t n_near() const ///< points on the list
     {
       return n_near_points;

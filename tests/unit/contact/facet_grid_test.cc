@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
+#include <vector>
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
@@ -25,7 +27,11 @@ TEST(FacetGrid, ACellListsEveryFacetWhoseBoxHoldsThePoint)
       Point3 p;
       for (unsigned int d = 0; d < 3; ++d)
         p[d] = grid.box().low[d] + uniform(random) * (grid.box().high[d] - grid.box().low[d]);
-      const auto near = grid.near(p);
+      Box at_point;
+      at_point.add(p.data());
+      std::vector<std::uint32_t> near;
+      grid.visit_near(at_point, [&](const std::uint32_t f) { near.push_back(f); });
+      EXPECT_EQ(grid.count_cells(at_point), 1u);
       n_listed += near.size();
       EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
       for (std::uint32_t f = 0; f < facets.n_facets; ++f)
@@ -35,6 +41,26 @@ TEST(FacetGrid, ACellListsEveryFacetWhoseBoxHoldsThePoint)
           }
     }
   EXPECT_LT(n_listed, 5000u * facets.n_facets / 5); // it does select
+}
+
+TEST(FacetGrid, OnlyFacetsThatMeetTheRegionAreEntered)
+{
+  FreeMasses scene;
+  scene.add_plate(10, 10, 0.01, 0.);
+  Box          region;
+  const double low[3] = {0.021, 0.021, 0.}, high[3] = {0.029, 0.039, 0.};
+  region.add(low);
+  region.add(high);
+  FacetGrid grid;
+  grid.update(scene.facets(), 5e-4, region);
+  std::set<std::uint32_t> seen;
+  grid.visit_near(region, [&](const std::uint32_t f) { seen.insert(f); });
+  EXPECT_EQ(seen, (std::set<std::uint32_t>{22, 32})); // the cells [0.02, 0.03] x [0.02, 0.04] of 1 cm
+  const double away[3] = {5., 5., 5.};
+  Box          nowhere;
+  nowhere.add(away);
+  grid.update(scene.facets(), 1e-3, nowhere);
+  EXPECT_TRUE(grid.box().is_empty());
 }
 
 TEST(FacetGrid, BoxesKnowHowFarApartTheyAre)
