@@ -15,13 +15,15 @@ namespace birdstrike
     const double norm = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     normal            = {{n[0] / norm, n[1] / norm, n[2] / norm}};
     if (parameters.rigid.surface == "mesh")
-      take_mesh(ShellMesh(parameters.mesh).surface());
+      take_mesh(ShellMesh(parameters.mesh, parameters.is_halved).surface());
     else
-      take_mesh(make_rectangle(parameters.rigid));
+      take_mesh(make_rectangle(parameters.rigid, parameters.is_halved));
+    if (parameters.is_halved)
+      plate_mass *= 0.5;
     half_thickness.assign(surface.cells.size(), parameters.rigid.half_thickness);
   }
 
-  SurfaceMesh RigidPlate::make_rectangle(const BladeParameters::Rigid &parameters) const
+  SurfaceMesh RigidPlate::make_rectangle(const BladeParameters::Rigid &parameters, const bool is_halved) const
   {
     const Point3 n(normal[0], normal[1], normal[2]);
     // The first in-plane direction is the global axis that is least aligned with the normal, made tangent: x for n = z.
@@ -34,10 +36,12 @@ namespace birdstrike
     SurfaceMesh  mesh;
     for (const Point3 &p : {Point3(centre - along - across), Point3(centre + along - across),
                             Point3(centre + along + across), Point3(centre - along + across)})
-      mesh.nodes.push_back({{p[0], p[1], p[2]}});
+      mesh.nodes.push_back({{p[0], is_halved ? std::max(p[1], 0.) : p[1], p[2]}});
     mesh.cells        = {{{0, 1, 2, 3}}};
     mesh.neighbors    = {{{-1, -1, -1, -1}}};
     mesh.material_ids = {0};
+    if (is_halved)
+      cut_at_symmetry_plane(mesh);
     return mesh;
   }
 

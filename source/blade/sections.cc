@@ -43,6 +43,8 @@ namespace birdstrike
         return;
       }
     origin /= length;
+    if (!mesh.symmetry_nodes.empty())
+      origin[1] = 0.; // the middle of the whole edge
     normal.normalize();
     span  = (span - span.dot(normal) * normal).normalized();
     chord = normal.cross(span);
@@ -107,6 +109,16 @@ namespace birdstrike
     std::sort(along.begin(), along.end());
     corners = {along.front().second, along.back().second};
 
+    // Of half a row, mid-chord is on the plane of symmetry and both corners are alike.
+    for (const std::uint32_t plane : mesh.symmetry_nodes)
+      for (const int end : {0, 1})
+        if (corners[end] == plane)
+          {
+            middle  = {{plane, plane}};
+            share   = {{1., 0.}};
+            corners = {corners[1 - end], corners[1 - end]};
+            return;
+          }
     const double centre = 0.5 * (along.front().first + along.back().first);
     std::size_t  k      = 0;
     while (k + 2 < along.size() && along[k + 1].first < centre)

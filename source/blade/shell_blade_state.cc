@@ -54,7 +54,7 @@ namespace birdstrike
 
   ShellBlade::State::State(const BladeParameters &parameters, ThreadPool &pool)
     : pool(pool)
-    , mesh(parameters.mesh)
+    , mesh(parameters.mesh, parameters.is_halved)
     , supports(parameters.supports, with_dofs(mesh).surface())
     , loads(parameters.loads, mesh.surface())
     , lumped(mesh.compute_mass(parameters.material.metal().density, make_thickness(parameters.thickness)))
@@ -67,6 +67,8 @@ namespace birdstrike
     , partial((n_nodes + chunk - 1) / chunk)
   {
     elements.use_nodal_masses(lumped.node);
+    if (parameters.is_halved)
+      elements.add_symmetry_plane(mesh.surface().symmetry_nodes, Point3::UnitY());
     initialize_nodes();
     initialize_velocity(parameters.loads);
     initialize_facets();

@@ -27,7 +27,7 @@ namespace birdstrike
                         dealii::ExcMessage("The unknowns of a vertex must be contiguous."));
           node_of_vertex[cell->vertex_index(v)] = first / 6;
         }
-    plain = grid->extract(node_of_vertex);
+    extract(node_of_vertex);
   }
 
   ShellMesh::Mass ShellMesh::compute_mass(const double density, const ThicknessLaw &thickness) const

@@ -41,7 +41,8 @@ namespace birdstrike
     for (const auto node : nodes)
       {
         my.symmetry.at(node).push_back(plane_normal.normalized());
-        my.update_normal(node, position.data());
+        my.diagonals[node]                   = {node, node, node, node};
+        Point3::Map(my.records[node].normal) = my.compute_normal(node, position.data());
       }
     my.irregular.insert(my.irregular.end(), nodes.begin(), nodes.end());
     std::sort(my.irregular.begin(), my.irregular.end());

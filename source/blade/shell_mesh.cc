@@ -31,15 +31,33 @@ namespace birdstrike
       return position;
     }
 
-    void make_flat_plate(const BladeParameters::Mesh &p, dealii::Triangulation<2, 3> &triangulation)
+    /// Positions along the chord, from the leading edge or, if halved, from the plane of symmetry.
+    std::vector<double> chord_positions(const BladeParameters::Mesh &p, const bool is_halved)
+    {
+      std::vector<double> y = graded_positions(p.n_chord, p.chord, p.chord_grading);
+      for (double &y_j : y)
+        y_j -= 0.5 * p.chord;
+      if (!is_halved)
+        return y;
+      if (p.n_chord % 2 != 0 || p.chord_grading != 1.)
+        throw InputError("Blade/Mesh: " + std::to_string(p.n_chord) + " elements along the chord with grading " +
+                         std::to_string(p.chord_grading) +
+                         " have no half.\nAllowed with a symmetry plane: an even number of equal elements.");
+      y.erase(y.begin(), y.begin() + p.n_chord / 2);
+      y[0] = 0.;
+      return y;
+    }
+
+    void make_flat_plate(const BladeParameters::Mesh &p, const bool is_halved,
+                         dealii::Triangulation<2, 3> &triangulation)
     {
       const auto         x = graded_positions(p.n_span, p.length, p.span_grading);
-      const auto         y = graded_positions(p.n_chord, p.chord, p.chord_grading);
-      const unsigned int m = p.n_chord + 1;
+      const auto         y = chord_positions(p, is_halved);
+      const unsigned int m = y.size(), n_chord = m - 1;
       Vertices           vertices;
       for (const double x_i : x)
         for (const double y_j : y)
-          vertices.emplace_back(x_i, y_j - 0.5 * p.chord, 0.);
+          vertices.emplace_back(x_i, y_j, 0.);
 
       std::vector<dealii::CellData<2>> cells;
       dealii::SubCellData              rim;
@@ -50,21 +68,21 @@ namespace birdstrike
         rim.boundary_lines.push_back(edge);
       };
       for (unsigned int i = 0; i < p.n_span; ++i)
-        for (unsigned int j = 0; j < p.n_chord; ++j)
+        for (unsigned int j = 0; j < n_chord; ++j)
           {
             dealii::CellData<2> cell;
             cell.vertices = {i * m + j, (i + 1) * m + j, i * m + j + 1, (i + 1) * m + j + 1};
             cells.push_back(cell);
           }
-      for (unsigned int j = 0; j < p.n_chord; ++j)
+      for (unsigned int j = 0; j < n_chord; ++j)
         {
           add_edge(j, j + 1, 0);
           add_edge(p.n_span * m + j, p.n_span * m + j + 1, 1);
         }
       for (unsigned int i = 0; i < p.n_span; ++i)
         {
-          add_edge(i * m, (i + 1) * m, 2);
-          add_edge(i * m + p.n_chord, (i + 1) * m + p.n_chord, 3);
+          add_edge(i * m, (i + 1) * m, is_halved ? 4 : 2);
+          add_edge(i * m + n_chord, (i + 1) * m + n_chord, 3);
         }
       triangulation.create_triangulation(vertices, cells, rim);
     }
@@ -139,19 +157,30 @@ namespace birdstrike
     return mesh;
   }
 
-  ShellMesh::ShellMesh(const BladeParameters::Mesh &parameters) : grid(std::make_unique<Grid>())
+  ShellMesh::ShellMesh(const BladeParameters::Mesh &parameters, const bool is_halved)
+    : grid(std::make_unique<Grid>()), is_halved(is_halved), has_flat_plate(parameters.generator != "file")
   {
-    if (parameters.generator == "file")
-      read_file(parameters, grid->triangulation);
+    if (has_flat_plate)
+      make_flat_plate(parameters, is_halved, grid->triangulation);
     else
-      make_flat_plate(parameters, grid->triangulation);
+      read_file(parameters, grid->triangulation);
     std::vector<std::uint32_t> identity(grid->triangulation.n_vertices());
     std::iota(identity.begin(), identity.end(), 0);
-    plain = grid->extract(identity);
+    extract(identity);
     check_shape(plain);
   }
 
   ShellMesh::~ShellMesh() = default;
+
+  void ShellMesh::extract(const std::vector<std::uint32_t> &node_of_vertex)
+  {
+    plain = grid->extract(node_of_vertex);
+    if (!is_halved)
+      return;
+    cut_at_symmetry_plane(plain);
+    if (has_flat_plate)
+      plain.mirrored_ids = {2};
+  }
 
   const SurfaceMesh &ShellMesh::surface() const
   {

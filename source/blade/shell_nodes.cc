@@ -19,24 +19,18 @@ namespace birdstrike
     }
   } // namespace
 
-  void ShellElements::Implementation::update_normal(const std::size_t node, const double *position)
+  Point3 ShellElements::Implementation::compute_normal(const std::size_t node, const double *position) const
   {
     const auto   point  = [position](const std::size_t n) { return Point3(position + 3 * n); };
     const Point3 x      = point(node);
     Point3       normal = Point3::Zero();
-    NodeRecord  &record = records[node];
     for (std::size_t k = corner_begin[node]; k < corner_begin[node + 1]; ++k)
       normal += (point(corners[k].next) - x).cross(point(corners[k].previous) - x);
     if (!symmetry.empty())
       for (const Point3 &plane : symmetry[node])
         normal -= normal.dot(plane) * plane;
     const double square = normal.squaredNorm();
-    normal *= square > 0. ? inverse_root(square) : 0.;
-    for (int c = 0; c < 3; ++c)
-      {
-        record.midpoint_normal[c] = 0.5 * (record.normal[c] + normal[c]);
-        record.normal[c]          = normal[c];
-      }
+    return normal * (square > 0. ? inverse_root(square) : 0.);
   }
 
   /// Nodes [begin, begin + n_lanes) of [0, n_nodes). `last`: four numbers, the position of the last node, so that four
@@ -83,7 +77,15 @@ namespace birdstrike
         update_group(n, position, increment, last);
       const auto first = std::lower_bound(irregular.begin(), irregular.end(), begin);
       for (auto node = first; node != irregular.end() && *node < end; ++node)
-        update_normal(*node, position);
+        {
+          // their diagonals are nothing: so far the new normal is zero, and the mean half of the old one
+          const Point3 normal = compute_normal(*node, position);
+          for (int c = 0; c < 3; ++c)
+            {
+              records[*node].normal[c] = normal[c];
+              records[*node].midpoint_normal[c] += 0.5 * normal[c];
+            }
+        }
     };
     pool.parallel_for(n_nodes, nodes_per_chunk, std::cref(body));
   }

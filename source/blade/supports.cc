@@ -12,7 +12,8 @@ namespace birdstrike
     void require_ids(const std::vector<unsigned int> &ids, const SurfaceMesh &mesh, const std::string &entry)
     {
       for (const unsigned int id : ids)
-        if (!mesh.has_boundary_id(id))
+        if (!mesh.has_boundary_id(id) &&
+            std::find(mesh.mirrored_ids.begin(), mesh.mirrored_ids.end(), id) == mesh.mirrored_ids.end())
           {
             std::string known;
             for (const unsigned int other : mesh.boundary_ids())
@@ -76,6 +77,8 @@ namespace birdstrike
     HeldSet held;
     held.add(mesh.rim_nodes(clamped), {{true, true, true, true, true, true}});
     held.add(mesh.rim_nodes(hub), {{true, true, true, true, true, true}});
+    // the mirror image at y = 0 has -u_y, -theta_x and -theta_z
+    held.add(mesh.symmetry_nodes, {{false, true, false, true, false, true}});
     for (const auto &[key, components] : parse_pairs(parameters.held, "Supports/Held"))
       {
         const auto ids = parse_ids(key, "Supports/Held");

@@ -1,7 +1,9 @@
 #include <birdstrike/blade/surface_mesh.h>
+#include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/errors.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <string>
@@ -185,6 +187,39 @@ namespace birdstrike
         if (edge_of(mesh, edge.cell, side) ==
             Edge(std::min(edge.nodes[0], edge.nodes[1]), std::max(edge.nodes[0], edge.nodes[1])))
           edge.side = side;
+  }
+
+  void cut_at_symmetry_plane(SurfaceMesh &mesh)
+  {
+    double size = 0.;
+    for (const auto &node : mesh.nodes)
+      size = std::max({size, std::abs(node[0]), std::abs(node[1]), std::abs(node[2])});
+    std::vector<bool> is_on_plane;
+    for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n)
+      {
+        double &y = mesh.nodes[n][1];
+        if (y < -1e-6 * size)
+          throw InputError("Mesh: node " + std::to_string(n) + " at " + at(mesh.node(n)) +
+                           " lies beyond the symmetry plane y = 0.\nAllowed: the half y >= 0 of the blade.");
+        is_on_plane.push_back(y <= 1e-6 * size);
+        if (is_on_plane[n])
+          y = 0.;
+      }
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+      for (unsigned int side = 0; side < 4; ++side)
+        if (const Edge edge = edge_of(mesh, cell, side);
+            mesh.neighbors[cell][side] == FacetsView::free_edge && is_on_plane[edge.first] && is_on_plane[edge.second])
+          {
+            mesh.neighbors[cell][side] = FacetsView::symmetry_edge;
+            mesh.symmetry_nodes.insert(mesh.symmetry_nodes.end(), {edge.first, edge.second});
+          }
+    auto &nodes = mesh.symmetry_nodes;
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    if (nodes.empty())
+      throw InputError(
+        "Mesh: no edge lies on the symmetry plane y = 0.\nCut the blade there, or set Case/Symmetry plane "
+        "to none.");
   }
 
   void check_shape(const SurfaceMesh &mesh)

@@ -23,7 +23,7 @@ namespace birdstrike
     rim_node.assign(facets.n_nodes, 0);
     for (std::size_t f = 0; f < facets.n_facets; ++f)
       for (unsigned int k = 0; k < 4; ++k)
-        if (facets.neighbor[f][k] < 0 && is_edge(facets.nodes[f], k))
+        if (facets.neighbor[f][k] == FacetsView::free_edge && is_edge(facets.nodes[f], k))
           rim_node[facets.nodes[f][k]] = rim_node[facets.nodes[f][(k + 1) % 4]] = 1;
   }
 
@@ -86,7 +86,7 @@ namespace birdstrike
       return rim_node[nodes[corner]];
     for (unsigned int k = 0; k < 4; ++k)
       if (weights[k] > 0. && weights[(k + 1) % 4] > 0.)
-        return is_edge(nodes, k) ? facets.neighbor[facet][k] < 0 : rim_node[nodes[k]];
+        return is_edge(nodes, k) ? facets.neighbor[facet][k] == FacetsView::free_edge : rim_node[nodes[k]];
     return false;
   }
 } // namespace birdstrike

@@ -11,6 +11,7 @@ namespace birdstrike
   /// A surface that does not deform: a rectangle of one facet, or the facets of a mesh. No finite element and no
   /// DoFHandler is built. It is fixed, or free to move along its normal with a given mass (a body in a frictionless
   /// guide):
+  /// Halved by y = 0, it is the half y >= 0 with half the mass.
   ///   M dw/dt = F_contact . n;  what the guide or the ground takes is booked as impulse on the supports.
   class RigidPlate : public Blade
   {
@@ -44,7 +45,7 @@ namespace birdstrike
     double speed() const; ///< m/s along the normal
 
   private:
-    SurfaceMesh make_rectangle(const BladeParameters::Rigid &parameters) const;
+    SurfaceMesh make_rectangle(const BladeParameters::Rigid &parameters, bool is_halved) const;
     void        take_mesh(SurfaceMesh mesh);
 
     SurfaceMesh           surface;

@@ -57,7 +57,6 @@ namespace birdstrike
     static constexpr std::size_t batches_per_chunk = 16, nodes_per_chunk = 512;
 
     void update_nodes(const double *position, const double *increment);
-    void update_normal(std::size_t node, const double *position);
     void promote(std::size_t batch);
     void update_chunk(std::size_t chunk, double dt);
     void gather_forces(double *force);
@@ -66,7 +65,9 @@ namespace birdstrike
     std::size_t           n_elements_of(std::size_t batch) const;
     ShellGeometry<double> geometry(std::size_t element) const;
     double                sum(Lanes Chunk::*energy) const;
-    EntityPlace           place(std::size_t element) const; ///< its middle
+    Point3                compute_normal(std::size_t node, const double *position) const;
+    Point3                centroid(std::size_t element) const; ///< at present, m
+    EntityPlace           place(std::size_t element) const;    ///< its middle
 
     ShellSection                              section;
     ShellSectionLaw                           law;

@@ -31,7 +31,9 @@ namespace birdstrike
       double              total = 0.;        ///< kg
     };
 
-    explicit ShellMesh(const BladeParameters::Mesh &parameters);
+    /// `is_halved`: only y >= 0 is meshed, and the boundary y = 0 (id 4 of the flat plate, which then has no edge 2) is
+    /// a plane of symmetry; a file is taken as this half already.
+    explicit ShellMesh(const BladeParameters::Mesh &parameters, bool is_halved = false);
     ~ShellMesh();
 
     const SurfaceMesh &surface() const;
@@ -46,7 +48,10 @@ namespace birdstrike
 
   private:
     struct Grid;
+    void extract(const std::vector<std::uint32_t> &node_of_vertex);
+
     std::unique_ptr<Grid> grid;
+    bool                  is_halved, has_flat_plate;
     SurfaceMesh           plain;
   };
 } // namespace birdstrike

@@ -8,7 +8,8 @@
 
 namespace birdstrike
 {
-  /// Which unknowns are held at zero velocity: by boundary id (clamped, hub, named components) and by coordinate boxes.
+  /// Which unknowns are held at zero velocity: by boundary id (clamped, hub, named components), by coordinate boxes,
+  /// and on a plane of symmetry.
   /// Throws InputError for a boundary id that the mesh does not have, a box without nodes, or an unknown component.
   struct Supports
   {

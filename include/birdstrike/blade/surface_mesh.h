@@ -22,9 +22,11 @@ namespace birdstrike
 
     std::vector<std::array<double, 3>>        nodes;        ///< m
     std::vector<std::array<std::uint32_t, 4>> cells;        ///< counter-clockwise about the surface normal
-    std::vector<std::array<std::int32_t, 4>>  neighbors;    ///< cell across side k, -1 at the rim
+    std::vector<std::array<std::int32_t, 4>>  neighbors;    ///< cell across side k, or as FacetsView says
     std::vector<unsigned int>                 material_ids; ///< per cell
     std::vector<BoundaryEdge>                 rim;
+    std::vector<std::uint32_t>                symmetry_nodes; ///< sorted, on the plane y = 0 where the mesh is cut
+    std::vector<unsigned int>                 mirrored_ids;   ///< boundary ids that only the other half has
 
     Point3 node(std::size_t n) const;
     Point3 centroid(std::size_t cell) const;
@@ -44,6 +46,10 @@ namespace birdstrike
   /// InputError if more than two cells share an edge, if the surface has only one side (Möbius), or if it falls into
   /// several pieces.
   void update_topology(SurfaceMesh &mesh);
+
+  /// Takes the mesh as the half y >= 0 of a symmetric one: nodes within 1e-6 of its size are put on the plane, edges
+  /// between them become symmetry edges. Throws InputError for nodes at y < 0, or none on the plane.
+  void cut_at_symmetry_plane(SurfaceMesh &mesh);
 
   /// Throws InputError naming the first cell that is degenerate: a corner whose area is not positive about the cell's
   /// own normal (crossed or folded quadrilateral), or an edge of no length.

@@ -37,11 +37,12 @@ namespace birdstrike
     const double *inverse_mass    = nullptr; ///< [n_nodes], 1/kg; 0 where the node is held or rigid
     std::size_t   velocity_stride = 3;
 
-    std::size_t                         n_facets = 0;
-    const std::array<std::uint32_t, 4> *nodes    = nullptr; ///< [n_facets], counter-clockwise about the facet normal
-    const std::array<std::int32_t, 4> *neighbor = nullptr; ///< [n_facets], facet across edge (k, k+1 mod 4), -1 if free
-    const double                      *half_thickness = nullptr; ///< [n_facets], m: material beyond the facet's surface
-    bool          two_sided = true; ///< false for the skin of a solid: only the normal side is outside
-    std::uint64_t revision  = 0;    ///< grows whenever facets appear or vanish
+    std::size_t                         n_facets  = 0;
+    const std::array<std::uint32_t, 4> *nodes     = nullptr; ///< [n_facets], counter-clockwise about the facet normal
+    const std::array<std::int32_t, 4>  *neighbor  = nullptr; ///< [n_facets], facet across edge (k, k+1 mod 4), or:
+    static constexpr std::int32_t       free_edge = -1, symmetry_edge = -2; ///< nothing there; the facet's mirror image
+    const double *half_thickness = nullptr; ///< [n_facets], m: material beyond the facet's surface
+    bool          two_sided      = true;    ///< false for the skin of a solid: only the normal side is outside
+    std::uint64_t revision       = 0;       ///< grows whenever facets appear or vanish
   };
 } // namespace birdstrike

@@ -79,6 +79,39 @@ TEST(ShellElements, RigidMotionMakesNoForce)
     }
 }
 
+TEST(ShellElements, AFiniteRotationMakesForceOfThirdOrderAroundAnyNode)
+{
+  // five elements around a node: its normal is no cross product of diagonals; the rim has nodes of one and two elements
+  Mesh mesh;
+  mesh.nodes.push_back(Point3(0., 0., 0.2));
+  for (int k = 0; k < 10; ++k)
+    mesh.nodes.push_back((k % 2 ? 1.3 : 1.) *
+                         Point3(std::cos(0.2 * pi * k), std::sin(0.2 * pi * k), 0.1 * std::sin(2. * k)));
+  for (std::uint32_t k = 0; k < 5; ++k)
+    mesh.cells.push_back({0, 2 * k + 1, 2 * k + 2, (2 * k + 2) % 10 + 1});
+  const auto force = [&](const double angle) {
+    Model                   model(mesh, 0.05, make_section(1., 0.3));
+    const Point3            axis = Point3(1., 2., -0.5).normalized();
+    const Eigen::AngleAxisd turn(angle, axis);
+    Eigen::VectorXd         u(model.n_dofs());
+    double                  largest = 0.;
+    for (int step = 0; step < 2; ++step)
+      {
+        for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+          {
+            const Point3 x(&model.position[3 * n]);
+            u.segment<3>(6 * n)     = turn * x - x;
+            u.segment<3>(6 * n + 3) = angle * axis;
+          }
+        largest = std::max(largest, model.move(u).cwiseAbs().maxCoeff());
+      }
+    return largest;
+  };
+  // E t = 0.05; an old normal in the place of the mean leaves first order
+  EXPECT_LT(force(1e-3), 1e-9);
+  EXPECT_NEAR(force(2e-3) / force(1e-3), 8., 0.1);
+}
+
 TEST(ShellElements, HasSixRigidModesAndDrillingOnly)
 {
   for (const bool warped : {false, true})
