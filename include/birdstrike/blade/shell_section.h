@@ -1,8 +1,6 @@
 #pragma once
 
-#include <birdstrike/blade/shell_stress.h>
-#include <birdstrike/blade/thickness_points.h>
-#include <birdstrike/material/plane_stress_return.h>
+#include <birdstrike/blade/through_thickness.h>
 
 namespace birdstrike
 {
@@ -14,13 +12,12 @@ namespace birdstrike
   /// thickness rule. Stabilisation stresses grow with the elastic modulus times the mean tangent ratio of the points
   /// (at least `smallest_tangent`, so that a fully plastic element keeps its shape), and are capped by the yield stress
   /// (3/2 of it for bending, the plastic moment). Transverse shear stays elastic.
-  struct ShellSectionLaw
+  struct ShellSectionLaw : ThroughThickness
   {
     explicit ShellSectionLaw(const ShellSection &section)
-      : elasticity(section.material.elasticity)
-      , hardening(section.material.hardening)
+      : ThroughThickness{section.material.elasticity, section.material.hardening,
+                         make_thickness_points(section.rule, section.n_points)}
       , shear_modulus(section.shear_factor * elasticity.shear_modulus())
-      , rule(make_thickness_points(section.rule, section.n_points))
       , has_thinning(section.has_thinning)
       , is_capped(section.formulation == ShellFormulation::one_point_physical)
     {
@@ -28,18 +25,9 @@ namespace birdstrike
 
     static constexpr double smallest_tangent = 0.05;
 
-    Elasticity      elasticity;
-    Hardening       hardening;
-    double          shear_modulus; ///< kappa G
-    ThicknessPoints rule;
-    bool            has_thinning;
-    bool            is_capped;
-
-    double initial_yield() const
-    {
-      return compute_flow_stress(hardening, 0., 0., 1., thermal_softening(hardening, hardening.initial_temperature))
-        .value;
-    }
+    double shear_modulus; ///< kappa G
+    bool   has_thinning;
+    bool   is_capped;
 
     /// The elastic trial state of a step, without points: false (and `s` as it was) when the stress at a face exceeds
     /// the initial yield stress in any lane.
@@ -67,18 +55,6 @@ namespace birdstrike
       return true;
     }
 
-    template <class Number>
-    void promote(const ShellStress<Number> &s, ShellPoint<Number> *points) const
-    {
-      for (unsigned int k = 0; k < rule.n; ++k)
-        {
-          for (int c = 0; c < 3; ++c)
-            points[k].stress[c] = s.mean[c] + rule.position[k] * s.outer[c];
-          points[k].plastic_strain = points[k].plastic_work = Number(0.);
-          points[k].yield                                   = Number(initial_yield());
-        }
-    }
-
     /// One step of a section with points.
     template <class Number>
     ShellWork<Number> update_plastic(const ShellVector<Number> &e, const double dt, ShellStress<Number> &s,
@@ -102,66 +78,12 @@ namespace birdstrike
 
   private:
     template <class Number>
-    struct Tangent
-    {
-      Number membrane, bending, yield;
-    };
-
-    template <class Number>
     void add_elastic(const ShellVector<Number> &e, const Number &thickness, Number (&mean)[3], Number (&outer)[3]) const
     {
       const Number half    = 0.5 * thickness;
       const Number bend[3] = {half * e.curvature[0], half * e.curvature[1], half * e.curvature[2]};
       add_plane_stress(elasticity, e.membrane, mean);
       add_plane_stress(elasticity, bend, outer);
-    }
-
-    template <class Number>
-    Tangent<Number> update_points(const ShellVector<Number> &e, const double dt, ShellStress<Number> &s,
-                                  ShellPoint<Number> *points, Number &plastic_work) const
-    {
-      Tangent<Number> tangent{Number(0.), Number(0.), Number(0.)};
-      for (int c = 0; c < 3; ++c)
-        s.mean[c] = s.outer[c] = Number(0.);
-      for (unsigned int k = 0; k < rule.n; ++k)
-        {
-          ShellPoint<Number> &point = points[k];
-          const double        z = rule.position[k], w = 0.5 * rule.weight[k];
-          const Number        arm       = 0.5 * z * s.thickness;
-          const Number        strain[3] = {e.membrane[0] + arm * e.curvature[0], e.membrane[1] + arm * e.curvature[1],
-                                           e.membrane[2] + arm * e.curvature[2]};
-          add_plane_stress(elasticity, strain, point.stress);
-          const Number softening = thermal_softening(hardening, adiabatic_temperature(hardening, point.plastic_work));
-          const auto   step =
-            plane_stress_return(elasticity, hardening, point.plastic_strain, point.yield, softening, dt, point.stress);
-          const auto   yields = step.strain > Number(0.);
-          const Number work   = step.stress * step.strain;
-          point.plastic_strain += step.strain;
-          point.plastic_work += work;
-          plastic_work += w * s.thickness * work;
-          update_yield(point, dt);
-          const Number ratio = select(yields, step.slope / (elasticity.young + step.slope), Number(1.));
-          tangent.membrane += w * ratio;
-          tangent.bending += 3. * w * z * z * ratio;
-          tangent.yield += w * point.yield;
-          for (int c = 0; c < 3; ++c)
-            {
-              s.mean[c] += w * point.stress[c];
-              s.outer[c] += 3. * w * z * point.stress[c];
-            }
-        }
-      return tangent;
-    }
-
-    /// The static flow stress that the next step starts from.
-    template <class Number>
-    void update_yield(ShellPoint<Number> &point, const double dt) const
-    {
-      const Number softening = thermal_softening(hardening, adiabatic_temperature(hardening, point.plastic_work));
-      if (hardening.law == HardeningLaw::perfect)
-        point.yield = hardening.yield * softening;
-      else
-        point.yield = compute_flow_stress(hardening, point.plastic_strain, Number(0.), dt, softening).value;
     }
 
     /// `add_membrane` and `add_bending` add an increment to a stress and may limit it.
