@@ -66,8 +66,7 @@ namespace birdstrike
     ShellGeometry<double> geometry(std::size_t element) const;
     double                sum(Lanes Chunk::*energy) const;
     Point3                compute_normal(std::size_t node, const double *position) const;
-    Point3                centroid(std::size_t element) const; ///< at present, m
-    EntityPlace           place(std::size_t element) const;    ///< its middle
+    EntityPlace           place(std::size_t element) const; ///< its middle
 
     ShellSection                              section;
     ShellSectionLaw                           law;
