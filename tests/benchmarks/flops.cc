@@ -18,35 +18,37 @@ namespace birdstrike::benchmarks
 
   Work pair_loop_work(const double n_true_neighbors)
   {
-    // RiemannRates::sum_pairs, corrected, no reconstruction; pairs beyond the support are computed too but are no work
-    constexpr double separation = 3. + 3. + 6.;        // x, v, r^2 with its smallest distance
-    constexpr double kernel     = 9. + 1. + 2. + 4.;   // 1/r by two Newton steps, r, 1 - q/2, V w
-    constexpr double solver     = 5. + 1. + 7. + 1.;   // v.x, u, q, approach
-    constexpr double sums       = 3. + 21. + 12. + 18. // w x, force, moments, gradient
-                            + 3. + 5. + 3.;            // own, flux, heat
-    constexpr double per_pair = separation + kernel + solver + sums;
-    // store_sums: B from moments 45, symmetric part 6, B.own 15, two contractions 24, rates 13, force 6;
-    // update_records: pressure and sound speed 2 x 20 + 7, rho, V, solid, p B, Z, 1/Z 13; predict: 9 + 11
-    constexpr double per_particle = 45. + 6. + 15. + 24. + 13. + 6. + 47. + 13. + 20.;
-    // read: x, v, force, contact force (12), mu, rate (2), B (6), list at 4 bytes; written: predicted v and mu (4),
-    // density, volume, sound speed (3), force (3), rates (2), signal speed, largest mu (2), B (6), gradient (6);
-    // written and read again: records of x, v, V, p and p B, Z, 1/Z (2 x 16)
-    constexpr double doubles = 12. + 2. + 6. + 4. + 3. + 3. + 2. + 2. + 6. + 6. + 32.;
+    // RiemannRates::sum_neighbors, corrected, no reconstruction, float pairs; pairs beyond the support are computed too
+    // but are no work. Every fourth pass adds the moments (12) and the smallest volume (1).
+    constexpr double separation = 3. + 3. + 6.;            // x, v, r^2 with its smallest distance
+    constexpr double kernel     = 5. + 1. + 2. + 4.;       // 1/r by one Newton step, r, 1 - r, w
+    constexpr double solver     = 5. + 2. + 7. + 1.;       // v.x, u, q, approach
+    constexpr double stress     = 9. + 15. + 6.;           // p_i B_i + p_j B_j + q, times w x, converted and added
+    constexpr double sums       = 3. + 18. + 6. + 3. + 1.; // w x, gradient, flux, heat, weight
+    constexpr double renewal    = 13. / 4.;
+    constexpr double per_pair   = separation + kernel + solver + stress + sums + renewal;
+    // store_rates: gradient 9, divergence 11, rates 13, power 8, force 3, prediction 2 x 20; a fourth of B from moments
+    // 55; update_records: pressure and sound speed 2 x 20 + 7, rho, V, solid, p B, Z, 1/Z 13, bounds 15
+    constexpr double per_particle = 9. + 11. + 13. + 8. + 3. + 40. + 14. + 47. + 13. + 15.;
+    // update_records reads x, v, force, contact force (12), mu, rate (2), B (3), writes density, volume, sound speed
+    // (3) and a record (8); store_rates reads the record, v, both forces, mu, rate, B, sound speed (8 + 9 + 2 + 3 + 1)
+    // and writes force, two rates, signal speed (6), every fourth time B and the largest mu (1); the list at 4 bytes
+    constexpr double doubles = 12. + 2. + 3. + 3. + 8. + 23. + 6. + 1.;
     return {per_pair * n_true_neighbors + per_particle, 8. * doubles + 4. * n_true_neighbors};
   }
 
   Work particle_motion_work()
   {
-    // Bird::kick: velocity 3 x 3, power 3 x 3, energy 2, compress 11. Reads v, f, f_c, predicted v (12), rates (2), e,
-    // mu (2); writes v (3), e, mu (2)
-    return {9. + 9. + 2. + 11., 8. * (12. + 2. + 2. + 3. + 2.)};
+    // Bird::kick: velocity 3 x 3, power 3 x 2, energy 2, compress 11. Reads v, f, f_c (9), power, rate (2), e, mu (2);
+    // writes v (3), e, mu (2)
+    return {9. + 6. + 2. + 11., 8. * (9. + 2. + 2. + 3. + 2.)};
   }
 
   Work particle_step_work(const double n_true_neighbors)
   {
-    // two kicks; Bird::drift: 3 x 3 flops, x and displacement read and written, v read; its check: 9 flops, u read
+    // two kicks; Bird::drift: 3 x 2 flops, x read and written, v read; its check: 15 flops, x and start (float) read
     const Work       pairs = pair_loop_work(n_true_neighbors), kick = particle_motion_work();
-    constexpr double drift_flops = 9. + 9., drift_doubles = 12. + 3. + 3.;
+    constexpr double drift_flops = 6. + 15., drift_doubles = 9. + 4.5;
     return {pairs.flops + 2. * kick.flops + drift_flops, pairs.bytes + 2. * kick.bytes + 8. * drift_doubles};
   }
 
