@@ -52,7 +52,7 @@ namespace birdstrike
     }
 
     /// Calls job(t) for every thread t, the caller being thread 0, and waits for all.
-    void run(const std::function<void(std::size_t)> &job)
+    void run(const FunctionRef<void(std::size_t)> job)
     {
       std::fill(errors.begin(), errors.end(), nullptr);
       {
@@ -108,14 +108,14 @@ namespace birdstrike
         }
     }
 
-    std::vector<std::thread>                threads;
-    std::vector<std::exception_ptr>         errors;
-    const std::function<void(std::size_t)> *task;
-    std::mutex                              mutex;
-    std::condition_variable                 wake;
-    std::atomic<std::uint64_t>              generation{0};
-    std::atomic<std::size_t>                n_pending{0};
-    std::atomic<bool>                       stopping{false};
+    std::vector<std::thread>              threads;
+    std::vector<std::exception_ptr>       errors;
+    const FunctionRef<void(std::size_t)> *task;
+    std::mutex                            mutex;
+    std::condition_variable               wake;
+    std::atomic<std::uint64_t>            generation{0};
+    std::atomic<std::size_t>              n_pending{0};
+    std::atomic<bool>                     stopping{false};
   };
 
   ThreadPool::ThreadPool(const std::size_t n_threads)
@@ -131,7 +131,7 @@ namespace birdstrike
   }
 
   void ThreadPool::parallel_for(const std::size_t n, const std::size_t grain,
-                                const std::function<void(std::size_t, std::size_t)> &body)
+                                const FunctionRef<void(std::size_t, std::size_t)> body)
   {
     const std::size_t unit      = std::max<std::size_t>(grain, 1);
     const std::size_t n_units   = (n + unit - 1) / unit;
@@ -151,7 +151,7 @@ namespace birdstrike
   }
 
   void ThreadPool::parallel_for_balanced(const std::size_t n, const std::size_t grain, const std::size_t *prefix,
-                                         const std::function<void(std::size_t, std::size_t)> &body)
+                                         const FunctionRef<void(std::size_t, std::size_t)> body)
   {
     const std::size_t unit      = std::max<std::size_t>(grain, 1);
     const std::size_t n_threads = workers->size();
@@ -177,7 +177,7 @@ namespace birdstrike
     });
   }
 
-  double ThreadPool::ordered_sum(const std::size_t n, const std::function<double(std::size_t, std::size_t)> &term,
+  double ThreadPool::ordered_sum(const std::size_t n, const FunctionRef<double(std::size_t, std::size_t)> term,
                                  const std::size_t chunk)
   {
     return ordered_sums<1>(
@@ -185,7 +185,7 @@ namespace birdstrike
       chunk)[0];
   }
 
-  double ThreadPool::ordered_max(const std::size_t n, const std::function<double(std::size_t, std::size_t)> &term,
+  double ThreadPool::ordered_max(const std::size_t n, const FunctionRef<double(std::size_t, std::size_t)> term,
                                  const std::size_t chunk)
   {
     const std::size_t n_chunks = (n + chunk - 1) / chunk;

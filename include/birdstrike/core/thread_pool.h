@@ -1,9 +1,10 @@
 #pragma once
 
+#include <birdstrike/core/function_ref.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,12 +27,11 @@ namespace birdstrike
 
     /// Calls body(begin, end) on disjoint ranges that cover [0, n); range borders are multiples of `grain` (so that
     /// SIMD batches stay whole). A loop of no more than `grain` entities, or a pool of one thread, runs in the caller.
-    void parallel_for(std::size_t n, std::size_t grain,
-                      const std::function<void(std::size_t begin, std::size_t end)> &body);
+    void parallel_for(std::size_t n, std::size_t grain, FunctionRef<void(std::size_t begin, std::size_t end)> body);
 
     /// As above with a cost per entity: prefix[k] is the summed cost of entities [0, k), prefix has n + 1 entries.
     void parallel_for_balanced(std::size_t n, std::size_t grain, const std::size_t *prefix,
-                               const std::function<void(std::size_t begin, std::size_t end)> &body);
+                               FunctionRef<void(std::size_t begin, std::size_t end)> body);
 
     /// Sums of several quantities at once: term(begin, end) returns them, over fixed chunks that are added in order.
     template <std::size_t n_sums, class Term>
@@ -55,11 +55,11 @@ namespace birdstrike
 
     /// Sum of term(begin, end) over fixed chunks of `chunk` entities, added in chunk order: bitwise the same for any
     /// number of threads.
-    double ordered_sum(std::size_t n, const std::function<double(std::size_t begin, std::size_t end)> &term,
+    double ordered_sum(std::size_t n, FunctionRef<double(std::size_t begin, std::size_t end)> term,
                        std::size_t chunk = 4096);
 
     /// Maximum of term(begin, end) over the same chunks; -infinity for n = 0.
-    double ordered_max(std::size_t n, const std::function<double(std::size_t begin, std::size_t end)> &term,
+    double ordered_max(std::size_t n, FunctionRef<double(std::size_t begin, std::size_t end)> term,
                        std::size_t chunk = 4096);
 
   private:
