@@ -73,7 +73,7 @@ namespace birdstrike
     std::array<Vector3<Lanes>, 4>       x;
     for (unsigned int c = 0; c < 4; ++c)
       {
-        node[c] = load_nodes(nodes.data(), corner[c].data());
+        node[c] = load_records(nodes.data(), corner[c].data());
         x[c]    = {node[c][0], node[c][1], node[c][2]};
       }
     const auto           q      = compute_closest_point(gather_points(points, point.data()), x);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <birdstrike/bird/records.h>
+#include <birdstrike/core/records.h>
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <birdstrike/bird/rates.h>
-#include <birdstrike/bird/records.h>
+#include <birdstrike/core/records.h>
 #include <birdstrike/bird/riemann_sums.h>
 
 namespace birdstrike

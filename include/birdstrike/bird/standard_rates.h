@@ -1,7 +1,7 @@
 #pragma once
 
 #include <birdstrike/bird/rates.h>
-#include <birdstrike/bird/records.h>
+#include <birdstrike/core/records.h>
 
 namespace birdstrike
 {

@@ -1,16 +1,10 @@
 #pragma once
 
-#include <birdstrike/core/number.h>
+#include <birdstrike/core/records.h>
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <utility>
-
-#if defined(__AVX512F__)
-#  include <immintrin.h>
-#endif
 
 namespace birdstrike
 {
@@ -21,47 +15,17 @@ namespace birdstrike
     double value[8];
   };
 
-  namespace internal
-  {
-    using LaneRegister = double __attribute__((vector_size(n_lanes * sizeof(double)), may_alias));
-
-    struct LaneMatrix
-    {
-      LaneRegister row[n_lanes];
-    };
-
-    /// Row r of the matrix after its off-diagonal blocks of edge S are swapped: after S = 1, 2, ... it is transposed.
-    template <std::size_t S, std::size_t r, std::size_t... k>
-    [[gnu::always_inline]] inline LaneRegister swap_blocks(const LaneMatrix &m, std::index_sequence<k...>)
-    {
-      if constexpr ((r & S) == 0)
-        return __builtin_shufflevector(m.row[r], m.row[r + S], ((k & S) == 0 ? k : n_lanes + k - S)...);
-      else
-        return __builtin_shufflevector(m.row[r - S], m.row[r], ((k & S) == 0 ? k + S : n_lanes + k)...);
-    }
-
-    template <std::size_t S, std::size_t... r>
-    [[gnu::always_inline]] inline LaneMatrix transpose_lanes(const LaneMatrix &m, std::index_sequence<r...> all)
-    {
-      if constexpr (S == n_lanes)
-        return m;
-      else
-        return transpose_lanes<2 * S>({{swap_blocks<S, r>(m, all)...}}, all);
-    }
-  } // namespace internal
-
   /// The eight components of the rows that begin at base + offset[0 .. n_lanes), offsets in doubles.
   [[gnu::always_inline]] inline void load_rows(const double *base, const std::uint32_t *offset, Lanes (&component)[8])
   {
-    constexpr auto all = std::make_index_sequence<n_lanes>();
 #pragma GCC unroll 8
     for (std::size_t block = 0; block < 8; block += n_lanes)
       {
-        internal::LaneMatrix m;
+        internal::Rows<double> m;
 #pragma GCC unroll 8
         for (std::size_t r = 0; r < n_lanes; ++r)
           std::memcpy(&m.row[r], base + offset[r] + block, sizeof m.row[r]);
-        m = internal::transpose_lanes<1>(m, all);
+        m = internal::transpose(m);
 #pragma GCC unroll 8
         for (std::size_t k = 0; k < n_lanes; ++k)
           component[block + k] = std::bit_cast<Lanes>(m.row[k]);
@@ -71,15 +35,14 @@ namespace birdstrike
   /// The inverse: writes n_lanes rows of eight components.
   [[gnu::always_inline]] inline void store_rows(const Lanes (&component)[8], const std::uint32_t *row, Row *rows)
   {
-    constexpr auto all = std::make_index_sequence<n_lanes>();
 #pragma GCC unroll 8
     for (std::size_t block = 0; block < 8; block += n_lanes)
       {
-        internal::LaneMatrix m;
+        internal::Rows<double> m;
 #pragma GCC unroll 8
         for (std::size_t k = 0; k < n_lanes; ++k)
-          m.row[k] = std::bit_cast<internal::LaneRegister>(component[block + k]);
-        m = internal::transpose_lanes<1>(m, all);
+          m.row[k] = std::bit_cast<internal::LaneVector<double>>(component[block + k]);
+        m = internal::transpose(m);
 #pragma GCC unroll 8
         for (std::size_t r = 0; r < n_lanes; ++r)
           std::memcpy(rows[row[r]].value + block, &m.row[r], sizeof m.row[r]);

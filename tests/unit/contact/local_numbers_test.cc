@@ -56,7 +56,7 @@ TEST(NodeRecords, AreTransposedIntoLanes)
   std::array<std::uint32_t, n_lanes> index;
   for (std::size_t k = 0; k < n_lanes; ++k)
     index[k] = static_cast<std::uint32_t>((7 * k + 3) % records.size());
-  const auto components = load_nodes(records.data(), index.data());
+  const auto components = load_records(records.data(), index.data());
   for (std::size_t c = 0; c < 8; ++c)
     for (std::size_t k = 0; k < n_lanes; ++k)
       EXPECT_EQ(components[c][k], 10. * index[k] + c);

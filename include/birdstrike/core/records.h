@@ -19,7 +19,7 @@ namespace birdstrike
   template <class T>
   using LanesOf = stdx::native_simd<T>;
 
-  /// What a pair needs of one particle, in whole cache lines. A neighbour's record is loaded whole and a register's
+  /// What a loop needs of one entity (particle, node), in whole cache lines. Records are loaded whole and a register's
   /// worth of them is transposed in registers: hardware gathers of single components take twice as long (measured,
   /// Zen 4).
   template <class T, std::size_t n>
@@ -125,7 +125,7 @@ namespace birdstrike
 
   /// The n components of records[index[0 .. lanes)].
   template <class T, std::size_t n>
-  [[gnu::always_inline]] inline std::array<LanesOf<T>, n> load_records(const Records<T, n> &records,
+  [[gnu::always_inline]] inline std::array<LanesOf<T>, n> load_records(const Record<T, n>  *records,
                                                                        const std::uint32_t *index)
   {
     constexpr std::size_t N = internal::width<T>;
@@ -133,11 +133,18 @@ namespace birdstrike
     std::array<LanesOf<T>, n> components;
     for (std::size_t block = 0; block < n; block += N)
       {
-        const auto columns = internal::load_block(records.data(), index, block, std::make_index_sequence<N>());
+        const auto columns = internal::load_block(records, index, block, std::make_index_sequence<N>());
         for (std::size_t k = 0; k < N; ++k)
           components[block + k] = std::bit_cast<LanesOf<T>>(columns.row[k]);
       }
     return components;
+  }
+
+  template <class T, std::size_t n>
+  [[gnu::always_inline]] inline std::array<LanesOf<T>, n> load_records(const Records<T, n> &records,
+                                                                       const std::uint32_t *index)
+  {
+    return load_records(records.data(), index);
   }
 
   /// records[p + k].value[c] = lane k of components[c], for as many k as there are lanes of doubles.
