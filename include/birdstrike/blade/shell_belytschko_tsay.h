@@ -16,12 +16,9 @@ namespace birdstrike
   struct BelytschkoTsay
   {
     const ShellGeometry<Number> &g;
-    Vector3<Number>              e1, e2; ///< in the plane
-    Vector3<Number>              b1, b2; ///< contravariant base vectors, 1/m
     Number                       membrane, w, theta;
 
-    BelytschkoTsay(const ShellGeometry<Number> &g, const Number &thickness, const double coefficient)
-      : g(g), e1(g.compute_e1()), e2(g.compute_e2()), b1(g.c1x * e1 + g.c1y * e2), b2(g.c2x * e1 + g.c2y * e2)
+    BelytschkoTsay(const ShellGeometry<Number> &g, const Number &thickness, const double coefficient) : g(g)
     {
       // B.B = sum_I (b_xI^2 + b_yI^2); 4: q = h_I v_I - ... = 4 u_gamma
       const Number bb = 0.25 * (g.g11 + g.g22), scale = 4. * bb * inverse_root(bb); // 4 sqrt(bb)
@@ -30,12 +27,13 @@ namespace birdstrike
       w        = std::sqrt(0.25 * coefficient) * thickness * scale * inverse_root(g.area);
     }
 
-    /// Spin of the element from the displacement modes.
+    /// Spin of the element from the displacement modes, with the contravariant base vectors b1 x n = -a2/|a1 x a2| and
+    /// b2 x n = a1/|a1 x a2|.
     Vector3<Number> compute_spin(const ShellModes<Number> &u) const
     {
-      const Vector3<Number> &n = g.e3;
-      const Number           z = b1.cross(u.m1).dot(n) + b2.cross(u.m2).dot(n);
-      return n.dot(u.m1) * b1.cross(n) + n.dot(u.m2) * b2.cross(n) + (0.5 * z) * n;
+      const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2, &n = g.e3;
+      const Number           j = g.inverse_det, half = 0.5;
+      return (j * n.dot(u.m2)) * a1 - (j * n.dot(u.m1)) * a2 + (half * j * (a2.dot(u.m1) - a1.dot(u.m2))) * n;
     }
 
     ShellVector<Number> compute_strains(const Vector3<Number> (&displacement)[4], const Vector3<Number> (&rotation)[4],
@@ -64,12 +62,10 @@ namespace birdstrike
       s.shear[1]                     = shear_1 * g.c1y + shear_2 * g.c2y;
       const Vector3<Number> u_gamma  = u.m3 - g.alpha * u.m1 - g.beta * u.m2;
       const Vector3<Number> dd_gamma = dd.m3 - g.alpha * dd.m1 - g.beta * dd.m2;
-      s.linear_membrane[0]           = membrane * e1.dot(u_gamma);
-      s.linear_membrane[1]           = membrane * e2.dot(u_gamma);
-      s.linear_curvature[0]          = theta * e1.dot(dd_gamma);
-      s.linear_curvature[1]          = theta * e2.dot(dd_gamma);
-      s.linear_shear[0]              = w * g.e3.dot(u_gamma);
-      s.linear_shear[1]              = Number(0.);
+      set_components(u_gamma, membrane, s.linear_membrane);
+      set_components(dd_gamma, theta, s.linear_curvature);
+      s.linear_shear[0] = w * g.e3.dot(u_gamma);
+      s.linear_shear[1] = Number(0.);
       return s;
     }
 
@@ -78,15 +74,13 @@ namespace birdstrike
     {
       const Vector3<Number>                      &a1 = g.x.m1, &a2 = g.x.m2, &n = g.e3;
       const physical_shell::Contravariant<Number> N(g, r.membrane), M(g, r.curvature);
-      const Number                                q1      = g.area * (r.shear[0] * g.c1x + r.shear[1] * g.c1y);
-      const Number                                q2      = g.area * (r.shear[0] * g.c2x + r.shear[1] * g.c2y);
-      const Number                                third   = (1. / 3.) * g.area;
-      const Vector3<Number>                       f_gamma = (third * membrane * r.linear_membrane[0]) * e1 +
-                                      (third * membrane * r.linear_membrane[1]) * e2 +
-                                      (third * w * r.linear_shear[0]) * n;
-      const Vector3<Number> fd_gamma =
-        (third * theta * r.linear_curvature[0]) * e1 + (third * theta * r.linear_curvature[1]) * e2;
-      ShellModes<Number> f, fd;
+      const Number                                q1    = g.area * (r.shear[0] * g.c1x + r.shear[1] * g.c1y);
+      const Number                                q2    = g.area * (r.shear[0] * g.c2x + r.shear[1] * g.c2y);
+      const Number                                third = (1. / 3.) * g.area;
+      const Vector3<Number>                       f_gamma =
+        make_vector(third * membrane, r.linear_membrane) + (third * w * r.linear_shear[0]) * n;
+      const Vector3<Number> fd_gamma = make_vector(third * theta, r.linear_curvature);
+      ShellModes<Number>    f, fd;
       fd.m0 = (0.25 * q1) * a1 + (0.25 * q2) * a2;
       fd.m1 = M.n11 * a1 + M.n12 * a2 - g.alpha * fd_gamma;
       fd.m2 = M.n12 * a1 + M.n22 * a2 - g.beta * fd_gamma;
@@ -100,14 +94,28 @@ namespace birdstrike
           moment[i]               = m - c;
           about_normals += c;
         }
-      const Number half = 0.5 * about_normals.dot(n);
-      f.m0              = Vector3<Number>::Constant(Number(0.));
-      f.m1 =
-        N.n11 * a1 + N.n12 * a2 - g.alpha * f_gamma + (q1 + about_normals.dot(b1.cross(n))) * n + half * n.cross(b1);
-      f.m2 =
-        N.n12 * a1 + N.n22 * a2 - g.beta * f_gamma + (q2 + about_normals.dot(b2.cross(n))) * n + half * n.cross(b2);
+      const Number j = g.inverse_det, half = 0.5 * j * about_normals.dot(n);
+      f.m0 = Vector3<Number>::Constant(Number(0.));
+      f.m1 = N.n11 * a1 + (N.n12 + half) * a2 - g.alpha * f_gamma + (q1 - j * about_normals.dot(a2)) * n;
+      f.m2 = (N.n12 - half) * a1 + N.n22 * a2 - g.beta * f_gamma + (q2 + j * about_normals.dot(a1)) * n;
       f.m3 = f_gamma;
       f.sum_at_corners(force);
+    }
+
+  private:
+    /// factor (e1.v, e2.v), of a vector by its products with a1 and a2.
+    void set_components(const Vector3<Number> &v, const Number &factor, Number (&components)[2]) const
+    {
+      const Number v1 = factor * g.x.m1.dot(v), v2 = factor * g.x.m2.dot(v);
+      components[0] = v1 * g.c1x + v2 * g.c2x;
+      components[1] = v1 * g.c1y + v2 * g.c2y;
+    }
+
+    /// factor (c_x e1 + c_y e2)
+    Vector3<Number> make_vector(const Number &factor, const Number (&c)[2]) const
+    {
+      const Number x = factor * c[0], y = factor * c[1];
+      return Number(x * g.c1x + y * g.c1y) * g.x.m1 + Number(x * g.c2x + y * g.c2y) * g.x.m2;
     }
   };
 } // namespace birdstrike
