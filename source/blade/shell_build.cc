@@ -30,18 +30,19 @@ namespace birdstrike
     , n_nodes(nodes.size())
     , cells(std::move(cells))
     , records(nodes.size())
-    , corner_force(4 * this->cells.size() + 1)
     , node_force(nodes.size())
-    , work((nodes.size() + nodes_per_chunk - 1) / nodes_per_chunk)
   {
     if (this->cells.empty() || thickness.size() != this->cells.size())
       throw InputError("Shell elements: " + std::to_string(this->cells.size()) + " elements with " +
                        std::to_string(thickness.size()) +
                        " thicknesses; at least one element, and one thickness for each.");
     build_corners();
-    build_diagonals();
-    update_nodes(nodes[0].data(), std::vector<double>(6 * n_nodes, 0.).data());
-    build_batches(thickness);
+    build_blocks();
+    std::vector<std::uint32_t> row_begin = assign_rows();
+    const std::vector<double>  still(6 * n_nodes, 0.);
+    for (const Block &block : blocks)
+      update_nodes(block, nodes[0].data(), still.data());
+    build_batches(thickness, std::move(row_begin));
   }
 
   void ShellElements::Implementation::build_corners()
@@ -58,56 +59,14 @@ namespace birdstrike
     for (std::size_t n = 0; n < n_nodes; ++n)
       corner_begin[n + 1] += corner_begin[n];
     corners.resize(4 * cells.size());
-    corner_of_element.resize(cells.size());
     std::vector<std::uint32_t> next(corner_begin.begin(), corner_begin.end() - 1);
-    for (std::uint32_t e = 0; e < cells.size(); ++e)
+    for (const auto &cell : cells)
       for (std::uint32_t i = 0; i < 4; ++i)
-        {
-          corner_of_element[e][i]          = next[cells[e][i]]++;
-          corners[corner_of_element[e][i]] = {cells[e][(i + 1) % 4], cells[e][(i + 3) % 4]};
-        }
+        corners[next[cell[i]]++] = {cell[(i + 1) % 4], cell[(i + 3) % 4]};
   }
 
-  void ShellElements::Implementation::build_diagonals()
-  {
-    for (std::uint32_t n = 0; n < n_nodes; ++n)
-      {
-        std::vector<Corner> rest(corners.begin() + corner_begin[n], corners.begin() + corner_begin[n + 1]);
-        // the polygon around the node: from `next` to `previous` of one element after the other
-        std::vector<std::uint32_t> polygon;
-        const auto                 starts = [&](const std::uint32_t node) {
-          return std::none_of(rest.begin(), rest.end(), [node](const Corner &c) { return c.previous == node; });
-        };
-        for (const Corner &c : rest)
-          if (polygon.empty() && starts(c.next))
-            polygon = {n, c.next};
-        const bool is_fan = !polygon.empty();
-        if (!is_fan && !rest.empty())
-          polygon = {rest[0].next};
-        while (!rest.empty())
-          {
-            const auto found =
-              std::find_if(rest.begin(), rest.end(), [&](const Corner &c) { return c.next == polygon.back(); });
-            if (found == rest.end())
-              break;
-            polygon.push_back(found->previous);
-            rest.erase(found);
-          }
-        if (!is_fan && !polygon.empty())
-          polygon.pop_back(); // back at its beginning
-        if (polygon.size() == 3)
-          polygon.push_back(polygon.back());
-        if (rest.empty() && polygon.size() == 4)
-          diagonals.push_back({polygon[0], polygon[2], polygon[1], polygon[3]});
-        else
-          {
-            diagonals.push_back({n, n, n, n});
-            irregular.push_back(n);
-          }
-      }
-  }
-
-  void ShellElements::Implementation::build_batches(const std::vector<double> &thickness)
+  void ShellElements::Implementation::build_batches(const std::vector<double> &thickness,
+                                                    std::vector<std::uint32_t> next_row)
   {
     const std::size_t n_batches = (cells.size() + n_lanes - 1) / n_lanes;
     batches.resize(n_batches);
@@ -123,7 +82,7 @@ namespace birdstrike
         for (int i = 0; i < 4; ++i)
           {
             batch.record[i][k] = cells[element][i] * (sizeof(NodeRecord) / sizeof(double));
-            batch.corner[i][k] = e < cells.size() ? corner_of_element[e][i] : corners.size();
+            batch.corner[i][k] = e < cells.size() ? next_row[cells[e][i]]++ : corner_force.size() - 1;
           }
         if (e < cells.size())
           check_shape(e, thickness[e]);
@@ -202,8 +161,8 @@ namespace birdstrike
     std::size_t e        = b * n_lanes;
     const auto  is_sound = [this](const std::size_t element) {
       double sum = 0.;
-      for (const auto corner : corner_of_element[element])
-        for (const double f : corner_force[corner].value)
+      for (const auto &corner : batches[element / n_lanes].corner)
+        for (const double f : corner_force[corner[element % n_lanes]].value)
           sum += f;
       return std::isfinite(sum) && geometry(element).area > 0.;
     };

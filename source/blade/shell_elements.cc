@@ -41,25 +41,28 @@ namespace birdstrike
     for (const auto node : nodes)
       {
         my.symmetry.at(node).push_back(plane_normal.normalized());
-        my.diagonals[node]                   = {node, node, node, node};
+        std::find_if(my.entering.begin(), my.entering.end(), [node](const auto &entry) {
+          return entry.node == node;
+        })->diagonals                        = {node, node, node, node};
         Point3::Map(my.records[node].normal) = my.compute_normal(node, position.data());
       }
-    my.irregular.insert(my.irregular.end(), nodes.begin(), nodes.end());
-    std::sort(my.irregular.begin(), my.irregular.end());
-    my.irregular.erase(std::unique(my.irregular.begin(), my.irregular.end()), my.irregular.end());
+    my.list_irregular();
   }
 
   void ShellElements::compute_internal_forces(const double *position, const double *increment, const double dt,
                                               double *force)
   {
     Implementation &my = *implementation;
-    my.update_nodes(position, increment);
-    const auto body = [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c)
-        my.update_chunk(c, dt);
-    };
-    my.pool.parallel_for(my.chunks.size(), 1, std::cref(body));
-    my.gather_forces(force);
+    for (const auto &block : my.blocks)
+      {
+        my.update_nodes(block, position, increment);
+        const auto body = [&](const std::size_t begin, const std::size_t end) {
+          for (std::size_t c = begin; c < end; ++c)
+            my.update_chunk(block.chunk_begin + c, dt);
+        };
+        my.pool.parallel_for(block.chunk_end - block.chunk_begin, 1, std::cref(body));
+        my.gather_forces(block, force);
+      }
   }
 
   double ShellElements::largest_stable_step() const

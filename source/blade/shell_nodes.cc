@@ -33,19 +33,28 @@ namespace birdstrike
     return normal * (square > 0. ? inverse_root(square) : 0.);
   }
 
-  /// Nodes [begin, begin + n_lanes) of [0, n_nodes). `last`: four numbers, the position of the last node, so that four
-  /// can be read of every node.
-  void ShellElements::Implementation::update_group(const std::size_t begin, const double *position,
-                                                   const double *increment, const double *last)
+  void ShellElements::Implementation::update_irregular(const std::size_t node, const double *position)
+  {
+    // the diagonals are nothing: so far the new normal is zero, and the mean half of the old one
+    const Point3 normal = compute_normal(node, position);
+    for (int c = 0; c < 3; ++c)
+      {
+        records[node].normal[c] = normal[c];
+        records[node].midpoint_normal[c] += 0.5 * normal[c];
+      }
+  }
+
+  /// Up to n_lanes nodes. `last`: four numbers, the position of the last node, so that four can be read of every node.
+  void ShellElements::Implementation::update_group(const EnteringNode *nodes, const std::size_t n,
+                                                   const double *position, const double *increment, const double *last)
   {
     alignas(64) double normal[n_lanes][4], square[n_lanes];
-    const std::size_t  n     = std::min(n_lanes, n_nodes - begin);
     const auto         point = [&](const std::uint32_t node, Four &x) {
       read(node + 1 == n_nodes ? last : position + 3 * node, x);
     };
     for (std::size_t k = 0; k < n_lanes; ++k)
       {
-        const Diagonals &d = diagonals[begin + std::min(k, n - 1)];
+        const Diagonals &d = nodes[std::min(k, n - 1)].diagonals;
         Four             x[4];
         for (int i = 0; i < 4; ++i)
           point(d[i], x[i]);
@@ -56,9 +65,10 @@ namespace birdstrike
     store(select(s > Lanes(0.), inverse_root(s), Lanes(0.)), square);
     for (std::size_t k = 0; k < n; ++k)
       {
-        NodeRecord &record = records[begin + k];
-        std::memcpy(record.position, position + 3 * (begin + k), sizeof record.position);
-        std::memcpy(record.increment, increment + 6 * (begin + k), sizeof record.increment + sizeof record.rotation);
+        const std::size_t node   = nodes[k].node;
+        NodeRecord       &record = records[node];
+        std::memcpy(record.position, position + 3 * node, sizeof record.position);
+        std::memcpy(record.increment, increment + 6 * node, sizeof record.increment + sizeof record.rotation);
         Four unit, old;
         read(normal[k], unit);
         read(record.normal, old);
@@ -68,53 +78,47 @@ namespace birdstrike
       }
   }
 
-  void ShellElements::Implementation::update_nodes(const double *position, const double *increment)
+  void ShellElements::Implementation::update_nodes(const Block &block, const double *position, const double *increment)
   {
     const double *const tail    = position + 3 * (n_nodes - 1);
     const double        last[4] = {tail[0], tail[1], tail[2], 0.};
     const auto          body    = [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t n = begin; n < end; n += n_lanes)
-        update_group(n, position, increment, last);
-      const auto first = std::lower_bound(irregular.begin(), irregular.end(), begin);
-      for (auto node = first; node != irregular.end() && *node < end; ++node)
-        {
-          // their diagonals are nothing: so far the new normal is zero, and the mean half of the old one
-          const Point3 normal = compute_normal(*node, position);
-          for (int c = 0; c < 3; ++c)
-            {
-              records[*node].normal[c] = normal[c];
-              records[*node].midpoint_normal[c] += 0.5 * normal[c];
-            }
-        }
+      for (std::size_t k = begin; k < end; k += n_lanes)
+        update_group(&entering[block.entering_begin + k], std::min(n_lanes, end - k), position, increment, last);
+      const auto first = std::lower_bound(irregular.begin(), irregular.end(), block.entering_begin + begin);
+      for (auto k = first; k != irregular.end() && *k < block.entering_begin + end; ++k)
+        update_irregular(entering[*k].node, position);
     };
-    pool.parallel_for(n_nodes, nodes_per_chunk, std::cref(body));
+    pool.parallel_for(block.entering_end - block.entering_begin, nodes_per_chunk, std::cref(body));
   }
 
-  void ShellElements::Implementation::gather_forces(double *force)
+  void ShellElements::Implementation::gather_forces(const Block &block, double *force)
   {
-    const auto body = [&](const std::size_t begin, const std::size_t end) {
+    const std::size_t n    = block.leaving_end - block.leaving_begin;
+    const auto        body = [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t chunk = begin; chunk < end; ++chunk)
         {
           Eight work_of_chunk;
-          read(work[chunk].value, work_of_chunk);
-          for (std::size_t n = chunk * nodes_per_chunk; n < std::min(n_nodes, (chunk + 1) * nodes_per_chunk); ++n)
+          read(work[block.work_begin + chunk].value, work_of_chunk);
+          for (std::size_t i = chunk * nodes_per_chunk; i < std::min(n, (chunk + 1) * nodes_per_chunk); ++i)
             {
+              const auto [node, first, n_corners] = leaving[block.leaving_begin + i];
               Eight f{}, row, old, u;
-              for (std::size_t k = corner_begin[n]; k < corner_begin[n + 1]; ++k)
+              for (std::size_t k = first; k < first + n_corners; ++k)
                 {
                   read(corner_force[k].value, row);
                   f += row;
                 }
-              read(node_force[n].value, old);
-              read(records[n].increment, u); // and rotation; what follows meets zeros
+              read(node_force[node].value, old);
+              read(records[node].increment, u); // and rotation; what follows meets zeros
               work_of_chunk += 0.5 * (old + f) * u;
-              write(f, node_force[n].value);
+              write(f, node_force[node].value);
               f = -f;
-              std::memcpy(force + 6 * n, &f, 6 * sizeof(double));
+              std::memcpy(force + 6 * node, &f, 6 * sizeof(double));
             }
-          write(work_of_chunk, work[chunk].value);
+          write(work_of_chunk, work[block.work_begin + chunk].value);
         }
     };
-    pool.parallel_for(work.size(), 1, std::cref(body));
+    pool.parallel_for((n + nodes_per_chunk - 1) / nodes_per_chunk, 1, std::cref(body));
   }
 } // namespace birdstrike

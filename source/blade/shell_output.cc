@@ -47,7 +47,7 @@ namespace birdstrike
     const Implementation &my = *implementation;
 
     std::size_t sum = bytes_of(my.cells) + bytes_of(my.mass) + bytes_of(my.corner_begin) + bytes_of(my.corners) +
-                      bytes_of(my.corner_of_element) + bytes_of(my.diagonals) + bytes_of(my.irregular) +
+                      bytes_of(my.blocks) + bytes_of(my.irregular) + bytes_of(my.entering) + bytes_of(my.leaving) +
                       bytes_of(my.records) + bytes_of(my.corner_force) + bytes_of(my.node_force) + bytes_of(my.work) +
                       bytes_of(my.batches) + bytes_of(my.chunks) + bytes_of(my.points);
     for (const auto &of_batch : my.points)

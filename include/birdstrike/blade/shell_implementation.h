@@ -11,7 +11,9 @@ namespace birdstrike
   ///
   /// A step is three loops, each writing only what it owns, so that nothing depends on the number of threads:
   /// nodes (records with normals), batches (a row of force for every corner), nodes (sums over the corners, which lie
-  /// side by side in a fixed order, and their work).
+  /// side by side in a fixed order, and their work). Large meshes take them block by block of some thousand elements:
+  /// nodes enter with the first of their elements and leave with the last, their rows are used again by those that
+  /// come, and so records and rows stay in the cache between the loops.
   class ShellElements::Implementation
   {
   public:
@@ -30,8 +32,18 @@ namespace birdstrike
     };
 
     /// The normal of a node: (x_0 - x_1) x (x_2 - x_3), of four nodes, is the sum of the normals of its elements there
-    /// where up to four of them close a ring or up to two a fan; of other nodes it is summed over their corners.
+    /// where up to four of them close a ring or up to two a fan; other nodes, and those on planes of symmetry, have
+    /// four times themselves here, and are summed over their corners.
     using Diagonals = std::array<std::uint32_t, 4>;
+    struct EnteringNode
+    {
+      std::uint32_t node;
+      Diagonals     diagonals;
+    };
+    struct LeavingNode
+    {
+      std::uint32_t node, row, n_corners; ///< where its rows begin
+    };
 
     /// Two neighbours of a node within one element: (next - node) x (previous - node) is the normal there.
     struct Corner
@@ -54,12 +66,19 @@ namespace birdstrike
       Lanes plastic = 0., hourglass = 0.; ///< J, cumulative
       Lanes eigenvalue = 0.;              ///< largest of the chunk
     };
+    /// Of the lists below: chunks of batches, nodes that enter with them, nodes that leave after them, sums of work.
+    struct Block
+    {
+      std::uint32_t chunk_begin, chunk_end, entering_begin, entering_end, leaving_begin, leaving_end, work_begin;
+    };
     static constexpr std::size_t batches_per_chunk = 16, nodes_per_chunk = 512;
+    static constexpr std::size_t elements_per_block = 8192;
 
-    void update_nodes(const double *position, const double *increment);
+    void update_nodes(const Block &block, const double *position, const double *increment);
     void promote(std::size_t batch);
     void update_chunk(std::size_t chunk, double dt);
-    void gather_forces(double *force);
+    void list_irregular();
+    void gather_forces(const Block &block, double *force);
     void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: quarters
 
     std::size_t           n_elements_of(std::size_t batch) const;
@@ -77,12 +96,13 @@ namespace birdstrike
     std::vector<double>                       mass;         ///< [n_elements], kg
     std::vector<std::uint32_t>                corner_begin; ///< [n_nodes + 1]
     std::vector<Corner>                       corners;
-    std::vector<std::array<std::uint32_t, 4>> corner_of_element; ///< where the corners' forces go
-    std::vector<Diagonals>                    diagonals;
-    std::vector<std::uint32_t>                irregular; ///< nodes that have no diagonals, or symmetry planes
+    std::vector<Block>                        blocks;
+    std::vector<EnteringNode>                 entering;  ///< by block
+    std::vector<LeavingNode>                  leaving;   ///< by block
+    std::vector<std::uint32_t>                irregular; ///< which of those that enter have no diagonals
     std::vector<std::vector<Point3>>          symmetry;  ///< [n_nodes], normals of symmetry planes; empty without any
     AlignedVector<NodeRecord>                 records;
-    AlignedVector<Row>                        corner_force; ///< [n_corners + 1]: force and moment, of a node together
+    AlignedVector<Row>                        corner_force; ///< force and moment on the corners, a node's together
     AlignedVector<Row>                        node_force;   ///< [n_nodes], of the last step
     AlignedVector<Row>                        work;         ///< [chunks of nodes], J by component, cumulative
     AlignedVector<Batch>                      batches;
@@ -90,11 +110,15 @@ namespace birdstrike
     std::vector<AlignedVector<ShellPoint<Lanes>>> points; ///< [n_batches], empty while elastic
 
   private:
-    void build_corners();
-    void build_diagonals();
-    void check_shape(std::size_t element, double thickness);
-    void build_batches(const std::vector<double> &thickness);
-    void update_group(std::size_t begin, const double *position, const double *increment, const double *last);
+    void                       build_corners();
+    void                       check_shape(std::size_t element, double thickness);
+    void                       build_batches(const std::vector<double> &thickness, std::vector<std::uint32_t> next_row);
+    void                       build_blocks();
+    std::vector<std::uint32_t> assign_rows(); ///< where each node's begin
+    Diagonals                  find_diagonals(std::uint32_t node) const;
+    void update_group(const EnteringNode *nodes, std::size_t n, const double *position, const double *increment,
+                      const double *last);
+    void update_irregular(std::size_t node, const double *position);
     template <bool physical>
     void              update_batch(std::size_t batch, double dt, Chunk &chunk);
     ShellWork<Lanes>  update_points(std::size_t batch, const ShellVector<Lanes> &strain, double dt);

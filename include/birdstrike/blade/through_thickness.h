@@ -4,6 +4,8 @@
 #include <birdstrike/blade/thickness_points.h>
 #include <birdstrike/material/plane_stress_return.h>
 
+#include <limits>
+
 namespace birdstrike
 {
   /// Plasticity at points through the thickness of a shell, and the mean and linear stress that they carry.
@@ -14,7 +16,7 @@ namespace birdstrike
     ThicknessPoints rule;
 
     /// Of a yielding section: means over the thickness of the tangent ratio and its square moment, and of the yield
-    /// stress (Pa).
+    /// stress (Pa; without limit while no point has flowed).
     template <class Number>
     struct Tangent
     {
@@ -46,6 +48,7 @@ namespace birdstrike
                                   ShellPoint<Number> *points, Number &plastic_work) const
     {
       Tangent<Number> tangent{Number(0.), Number(0.), Number(0.)};
+      Number          plastic_strain = Number(0.); // sum over the points
       for (int c = 0; c < 3; ++c)
         s.mean[c] = s.outer[c] = Number(0.);
       for (unsigned int k = 0; k < rule.n; ++k)
@@ -69,12 +72,15 @@ namespace birdstrike
           tangent.membrane += w * ratio;
           tangent.bending += 3. * w * z * z * ratio;
           tangent.yield += w * point.yield;
+          plastic_strain += point.plastic_strain;
           for (int c = 0; c < 3; ++c)
             {
               s.mean[c] += w * point.stress[c];
               s.outer[c] += 3. * w * z * point.stress[c];
             }
         }
+      // lanes that hold points for their neighbours' sake alone do what they would without
+      tangent.yield = select(plastic_strain > Number(0.), tangent.yield, std::numeric_limits<double>::max());
       return tangent;
     }
 

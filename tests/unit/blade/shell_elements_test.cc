@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 using namespace shell_harness;
 
 namespace
@@ -297,6 +300,27 @@ TEST(ShellElements, ThreadsDoNotChangeABit)
   EXPECT_GT(one.second, 0.);
   EXPECT_TRUE(one.first == two.first && one.first == three.first);
   EXPECT_EQ(one.second, two.second);
+}
+
+TEST(ShellElements, AnyOrderOfCellsGivesTheSameForces)
+{
+  // more than one block of elements; shuffled, nodes enter in one block and leave in any other
+  const Mesh ordered  = warped_mesh(130, 90);
+  Mesh       shuffled = ordered;
+  std::shuffle(shuffled.cells.begin(), shuffled.cells.end(), std::mt19937(11));
+  const auto run = [](const Mesh &mesh, const std::size_t n_threads) {
+    Model           model(mesh, 0.01, titanium(HardeningLaw::linear, 1e9), n_threads);
+    Eigen::VectorXd f;
+    for (unsigned int step = 0; step < 3; ++step)
+      f = model.move(some_motion(model, 3e-5, step), 1e-6);
+    return std::pair(f, model.elements.elastic_energy());
+  };
+  const auto a = run(ordered, 1), b = run(shuffled, 1), c = run(shuffled, 2);
+  EXPECT_GT(a.second, 0.);
+  EXPECT_LT((a.first - b.first).cwiseAbs().maxCoeff(), 1e-11 * a.first.cwiseAbs().maxCoeff());
+  EXPECT_NEAR(b.second / a.second, 1., 1e-12);
+  EXPECT_TRUE(b.first == c.first);
+  EXPECT_EQ(b.second, c.second);
 }
 
 TEST(ShellElements, RefusesWhatCannotBe)
