@@ -1,21 +1,70 @@
 #include <birdstrike/bird/bird.h>
 
-#include <numeric>
-
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
 /// What the bird says about itself: views, votes, balances, fields.
 namespace birdstrike
 {
-  double Bird::sum(const std::function<double(std::size_t)> &term) const
+  namespace
   {
-    return pool.ordered_sum(particles.size(), [&](const std::size_t begin, const std::size_t end) {
-      double total = 0.;
-      for (std::size_t p = begin; p < end; ++p)
-        total += term(p);
-      return total;
-    });
-  }
+    /// Sums of a chunk: whole registers and, at its end, single particles.
+    template <std::size_t n>
+    struct RegisterSums
+    {
+      std::array<Lanes, n>  whole{};
+      std::array<double, n> rest{};
+
+      void add(const std::size_t k, const Lanes &term)
+      {
+        whole[k] += term;
+      }
+      void add(const std::size_t k, const double term)
+      {
+        rest[k] += term;
+      }
+    };
+
+    /// Sums over particles in one pass: term(Number(), p, sums) adds those of particles p, p + 1, ... of a register.
+    template <std::size_t n, class Term>
+    std::array<double, n> sum_particles(ThreadPool &pool, const std::size_t n_particles, const Term &term)
+    {
+      return pool.ordered_sums<n>(n_particles, [&](const std::size_t begin, const std::size_t end) {
+        RegisterSums<n> sums;
+        sweep(begin, end, [&](const auto &number, const std::size_t p) { term(number, p, sums); });
+        for (std::size_t k = 0; k < n; ++k)
+          sums.rest[k] += stdx::reduce(sums.whole[k]);
+        return sums.rest;
+      });
+    }
+
+    double find_largest(const double *values, const std::size_t begin, const std::size_t end)
+    {
+      constexpr std::size_t       n_chains = 4; // comparisons in flight, latency 4 cycles
+      std::array<Lanes, n_chains> largest;
+      largest.fill(Lanes(-std::numeric_limits<double>::infinity()));
+      std::size_t p = begin;
+      for (; p + n_chains * n_lanes <= end; p += n_chains * n_lanes)
+        for (std::size_t k = 0; k < n_chains; ++k)
+          largest[k] = max(largest[k], load<Lanes>(values + p + k * n_lanes));
+      double result = stdx::hmax(max(max(largest[0], largest[1]), max(largest[2], largest[3])));
+      for (; p < end; ++p)
+        result = max(result, values[p]);
+      return result;
+    }
+
+    /// The first of values that is `value`, which is among them.
+    std::size_t find_first(const double *values, const std::size_t n, const double value)
+    {
+      std::size_t p = 0;
+      while (p + n_lanes <= n && !any(load<Lanes>(values + p) == Lanes(value)))
+        p += n_lanes;
+      while (values[p] != value)
+        ++p;
+      return p;
+    }
+  } // namespace
 
   PointsView Bird::points()
   {
@@ -42,13 +91,16 @@ namespace birdstrike
 
   StepLimit Bird::step_limit() const
   {
-    const auto &speed = particles.signal_speed;
-    StepLimit   limit;
-    const auto  fastest = std::max_element(speed.begin(), speed.end());
-    if (fastest == speed.end() || *fastest == 0.)
+    constexpr std::size_t chunk   = 8192; // 1 us, less than waking a thread
+    const double *const   speed   = particles.signal_speed.data();
+    const double          fastest = pool.ordered_max(
+               particles.size(), [&](const std::size_t begin, const std::size_t end) { return find_largest(speed, begin, end); },
+               chunk);
+    StepLimit limit;
+    if (!(fastest > 0.))
       return limit;
-    const std::size_t p = fastest - speed.begin();
-    limit.value         = parameters.courant_number * parameters.smoothing_ratio * packed.spacing / *fastest;
+    const std::size_t p = find_first(speed, particles.size(), fastest);
+    limit.value         = parameters.courant_number * parameters.smoothing_ratio * packed.spacing / fastest;
     limit.reason        = "bird particle, sound and approach speed";
     limit.where         = {"particle", particles.id[p], {{particles.x[0][p], particles.x[1][p], particles.x[2][p]}}};
     return limit;
@@ -58,18 +110,22 @@ namespace birdstrike
   {
     const auto  &v = particles.v, &f = particles.force, &g = particles.contact_force;
     const double m = particles.mass, lag = half_step / m;
-    EnergyReport report;
     // m v^{n-1/2}.v^{n+1/2}/2 = m/2 (|v|^2 - |f dt/2m|^2)
-    report.kinetic      = 0.5 * m * sum([&](const std::size_t p) {
-                       double product = 0.;
-                       for (int d = 0; d < 3; ++d)
-                         {
-                           const double change = lag * (f[d][p] + g[d][p]);
-                           product += v[d][p] * v[d][p] - change * change;
-                         }
-                       return product;
-                     });
-    report.elastic      = sum([&](const std::size_t p) { return particles.internal_energy[p]; });
+    const auto sums = sum_particles<2>(
+      pool, particles.size(), [&]<class Number>(const Number &, const std::size_t p, RegisterSums<2> &total) {
+        Number product = 0.;
+        for (int d = 0; d < 3; ++d)
+          {
+            const Number change = lag * (load<Number>(&f[d][p]) + load<Number>(&g[d][p]));
+            const Number now    = load<Number>(&v[d][p]);
+            product += now * now - change * change;
+          }
+        total.add(0, product);
+        total.add(1, load<Number>(&particles.internal_energy[p]));
+      });
+    EnergyReport report;
+    report.kinetic      = 0.5 * m * sums[0];
+    report.elastic      = sums[1];
     report.retired      = retired_share.energy;
     report.contact_work = contact_work;
     return report;
@@ -77,16 +133,28 @@ namespace birdstrike
 
   MomentumReport Bird::momenta() const
   {
-    const auto    &x = particles.x, &v = particles.v;
+    const auto     sums = sum_particles<6>(pool, particles.size(),
+                                       [&]<class Number>(const Number &, const std::size_t p, RegisterSums<6> &total) {
+                                         std::array<Number, 3> x, v;
+                                         for (int d = 0; d < 3; ++d)
+                                           {
+                                             x[d] = load<Number>(&particles.x[d][p]);
+                                             v[d] = load<Number>(&particles.v[d][p]);
+                                             total.add(d, v[d]);
+                                           }
+                                         for (int d = 0; d < 3; ++d)
+                                           {
+                                             const int a = (d + 1) % 3, b = (d + 2) % 3;
+                                             total.add(3 + d, x[a] * v[b] - x[b] * v[a]);
+                                           }
+                                       });
     MomentumReport report;
     for (int d = 0; d < 3; ++d)
       {
-        const int a = (d + 1) % 3, b = (d + 2) % 3;
-        report.momentum[d] = particles.mass * sum([&](const std::size_t p) { return v[d][p]; });
-        report.angular_momentum[d] =
-          particles.mass * sum([&](const std::size_t p) { return x[a][p] * v[b][p] - x[b][p] * v[a][p]; });
-        report.retired[d]         = retired_share.momentum[d];
-        report.contact_impulse[d] = contact_impulse[d];
+        report.momentum[d]         = particles.mass * sums[d];
+        report.angular_momentum[d] = particles.mass * sums[3 + d];
+        report.retired[d]          = retired_share.momentum[d];
+        report.contact_impulse[d]  = contact_impulse[d];
       }
     return report;
   }

@@ -101,12 +101,11 @@ namespace birdstrike
 #ifdef NDEBUG
     stepper.advance(schedule);
 #else
+    const std::uint64_t   lists = scene.n_list_changes();
     const AllocationGuard guard(n_steps >= warm_up);
     stepper.advance(schedule);
-    const bool allocates = n_steps >= warm_up && guard.count() > 0;
-    if (allocates && has_allocated)
-      throw std::logic_error("Two steps in a row have allocated memory:\n" + AllocationGuard::first_call_sites());
-    has_allocated = allocates;
+    if (n_steps >= warm_up && guard.count() > 0 && scene.n_list_changes() == lists)
+      throw std::logic_error("A step that made no list has allocated memory:\n" + AllocationGuard::first_call_sites());
 #endif
   }
 

@@ -133,6 +133,16 @@ namespace birdstrike
     return symmetry.factor() * birdstrike::compute_reachable_impulse(bird->points(), blade->facets(), horizon);
   }
 
+  std::uint64_t Scene::n_list_changes() const
+  {
+    std::uint64_t n = bird ? bird->n_list_builds() : 0;
+    if (contact)
+      n += contact->report().searches;
+    if (blade)
+      n += blade->census().n_elements_with_points;
+    return n;
+  }
+
   void Scene::drop_bird()
   {
     if (contact)

@@ -79,8 +79,7 @@ namespace birdstrike
     }
 
   private:
-    double sum(const std::function<double(std::size_t)> &term) const;
-    void   book_contact(double dt);
+    void book_contact(double dt);
 
     BirdParameters         parameters;
     EquationOfState        eos;

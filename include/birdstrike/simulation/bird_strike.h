@@ -77,9 +77,8 @@ namespace birdstrike
     std::optional<Recorder> recorder;
     Progress                progress;
 
-    double        now           = 0.; ///< s since first touch
-    unsigned long n_steps       = 0;
-    bool          has_allocated = false; ///< the last step did (debug builds)
+    double        now     = 0.; ///< s since first touch
+    unsigned long n_steps = 0;
     Schedule      schedule;
     std::string   why_ended;
 

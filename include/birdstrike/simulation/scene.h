@@ -6,6 +6,7 @@
 #include <birdstrike/simulation/symmetry.h>
 #include <birdstrike/time_control/schedule.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +59,10 @@ namespace birdstrike
 
     /// Bird and contact are released. What particles are left count as retired; the last reports stay in the balance.
     void drop_bird();
+
+    /// Lists made so far: of neighbours, of contact pairs, of points through the thickness. Only a step that makes one
+    /// may ask for memory, if it is longer than any before.
+    std::uint64_t n_list_changes() const;
 
   private:
     const CaseParameters &parameters;

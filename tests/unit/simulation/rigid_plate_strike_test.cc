@@ -80,8 +80,8 @@ TEST(RigidPlateStrike, ObliqueStrikeIsFrictionless)
 }
 
 // A jet on a free rigid plate of the blade's mass: quasi-steady plate speed v (1 - exp(-m/M)) = 31.0 m/s when the bird
-// is consumed; at 0.7 ms its tail still pushes (0.950), from 1 ms on it has (0.964). A particle bird has a shock, spreads
-// and bulks: 5 % of the quasi-steady value.
+// is consumed; at 0.7 ms its tail still pushes (0.950), from 1 ms on it has (0.964). A particle bird has a shock,
+// spreads and bulks: 5 % of the quasi-steady value.
 TEST(RigidPlateStrike, FreePlateTakesTheMomentumOfAJet)
 {
   const Strike run = strike_rigid_plate(
