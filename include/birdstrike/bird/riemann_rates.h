@@ -1,8 +1,8 @@
 #pragma once
 
 #include <birdstrike/bird/rates.h>
-#include <birdstrike/core/records.h>
 #include <birdstrike/bird/riemann_sums.h>
+#include <birdstrike/core/records.h>
 
 namespace birdstrike
 {
