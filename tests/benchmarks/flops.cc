@@ -76,27 +76,29 @@ namespace birdstrike::benchmarks
     void step_element(const ShellSectionLaw &law, ShellStress<Counted> &stress, ShellPoint<Counted> *points,
                       const double strain)
     {
-      Vectors position, normal, increment, rotation, middle, director;
+      Vectors position, normal, increment, rotation, director;
       set_plate(position, normal, increment, rotation, strain);
-      for (int i = 0; i < 4; ++i)
-        middle[i] = position[i] - Counted(0.5) * increment[i];
-      const auto midpoint = ShellGeometry<Counted>::of_corners(middle, normal);
+      const auto    x = ShellModes<Counted>::of_corners(position), u = ShellModes<Counted>::of_corners(increment);
+      const Counted half = 0.5;
+      const auto    midpoint =
+        ShellGeometry<Counted>::of_modes({x.m0, x.m1 - half * u.m1, x.m2 - half * u.m2, x.m3 - half * u.m3}, normal);
       for (int i = 0; i < 4; ++i)
         director[i] = rotation[i].cross(midpoint.director[i]);
-      const auto strains = physical_shell::compute_strains(midpoint, ShellModes<Counted>::of_corners(increment),
-                                                           ShellModes<Counted>::of_corners(director));
+      const auto strains = physical_shell::compute_strains(midpoint, u, ShellModes<Counted>::of_corners(director));
+      ShellWork<Counted> work;
       if (points == nullptr)
-        law.has_yielded(stress, strains, 880e6);
-      law.update(strains, 0.7e-6, stress, points);
-      const auto          end = ShellGeometry<Counted>::of_corners(position, normal);
+        law.update_elastic(strains, 880e6, stress, work);
+      else
+        law.update_plastic(strains, 0.7e-6, stress, points);
+      const auto          end = ShellGeometry<Counted>::of_modes(x, normal);
       ShellModes<Counted> f, fd;
       Vectors             force, moment;
       physical_shell::compute_mode_forces(end, compute_resultants(stress), f, fd);
-      f.corner_shares(force);
-      fd.corner_shares(director);
+      f.sum_at_corners(force);
+      fd.sum_at_corners(director);
       for (int i = 0; i < 4; ++i)
         moment[i] = end.director[i].cross(director[i]);
-      compute_eigenvalue_bound(end, stress.thickness, Counted(4.7e-4), law);
+      compute_eigenvalue_bound(end, stress.thickness, Counted(1. / 4.7e-4), law);
     }
   } // namespace
 
