@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <cstdint>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -26,10 +25,13 @@ namespace birdstrike
     }
   } // namespace
 
+  /// Every worker has an offer of its own. What a worker has not begun when the caller is done with its own range, the
+  /// caller takes back and does itself: a worker that sleeps, or has no core to run on, is never waited for. Who does
+  /// a range does not change its result.
   class ThreadPool::Workers
   {
   public:
-    explicit Workers(const std::size_t n_threads) : errors(n_threads), task(nullptr)
+    explicit Workers(const std::size_t n_threads) : errors(n_threads), offers(n_threads), task(nullptr)
     {
       for (std::size_t t = 1; t < n_threads; ++t)
         threads.emplace_back([this, t] { work(t); });
@@ -37,44 +39,52 @@ namespace birdstrike
 
     ~Workers()
     {
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        stopping.store(true, std::memory_order_release);
-      }
-      wake.notify_all();
+      for (Offer &offer : offers)
+        offer.state = State::stopping;
+      wake_up();
       for (auto &thread : threads)
         thread.join();
     }
 
     std::size_t size() const
     {
-      return threads.size() + 1;
+      return offers.size();
     }
 
-    /// Calls job(t) for every thread t, the caller being thread 0, and waits for all.
+    /// Calls job(t) for every t below size(), each once, and waits for all.
     void run(const FunctionRef<void(std::size_t)> job)
     {
-      std::fill(errors.begin(), errors.end(), nullptr);
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        task = &job;
-        n_pending.store(threads.size(), std::memory_order_relaxed);
-        generation.fetch_add(1, std::memory_order_release);
-      }
-      wake.notify_all();
+      task = &job;
+      // Sequentially consistent, as is the worker's side: either this thread sees that one is about to sleep, or that
+      // one sees the offer.
+      for (std::size_t t = 1; t < offers.size(); ++t)
+        offers[t].state = State::open;
+      if (n_asleep > 0)
+        wake_up();
       call(0);
-      // On a machine with more work than cores the last worker may not even be running: then give way to it.
-      for (int spin = 0; n_pending.load(std::memory_order_acquire) != 0; ++spin)
-        if (spin < n_spins)
-          relax();
-        else
-          std::this_thread::yield();
-      for (const auto &error : errors)
-        if (error)
-          std::rethrow_exception(error);
+      for (std::size_t t = offers.size() - 1; t > 0; --t)
+        if (State expected = State::open; offers[t].state.compare_exchange_strong(expected, State::none))
+          call(t);
+      for (std::size_t t = 1; t < offers.size(); ++t)
+        wait_for(offers[t]);
+      if (has_failed.exchange(false))
+        rethrow_first();
     }
 
   private:
+    enum class State
+    {
+      none,
+      open,
+      taken,
+      stopping
+    };
+
+    struct alignas(64) Offer // a cache line each
+    {
+      std::atomic<State> state{State::none};
+    };
+
     void call(const std::size_t t)
     {
       try
@@ -83,39 +93,74 @@ namespace birdstrike
         }
       catch (...)
         {
-          errors[t] = std::current_exception();
+          errors[t]  = std::current_exception();
+          has_failed = true;
         }
+    }
+
+    void rethrow_first()
+    {
+      std::exception_ptr first;
+      for (auto &error : errors)
+        {
+          if (!first)
+            first = error;
+          error = nullptr;
+        }
+      std::rethrow_exception(first);
+    }
+
+    void wake_up()
+    {
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+      }
+      wake.notify_all();
+    }
+
+    static void wait_for(const Offer &offer)
+    {
+      // On a machine with more work than cores the worker may have lost its core: then give way to it.
+      for (int spin = 0; offer.state.load(std::memory_order_acquire) == State::taken; ++spin)
+        if (spin < n_spins)
+          relax();
+        else
+          std::this_thread::yield();
     }
 
     void work(const std::size_t t)
     {
-      std::uint64_t seen = 0;
+      std::atomic<State> &state = offers[t].state;
       while (true)
         {
-          for (int spin = 0; spin < n_spins && generation.load(std::memory_order_acquire) == seen &&
-                             !stopping.load(std::memory_order_acquire);
-               ++spin)
+          for (int spin = 0; spin < n_spins && state.load(std::memory_order_acquire) == State::none; ++spin)
             relax();
-          {
-            std::unique_lock<std::mutex> lock(mutex);
-            wake.wait(lock, [&] { return generation.load() != seen || stopping.load(); });
-            if (stopping.load())
-              return;
-            seen = generation.load();
-          }
+          if (state.load(std::memory_order_acquire) == State::none)
+            {
+              std::unique_lock<std::mutex> lock(mutex);
+              ++n_asleep;
+              if (state == State::none)
+                wake.wait(lock); // whatever wakes it: more loops will come
+              --n_asleep;
+            }
+          if (state.load(std::memory_order_acquire) == State::stopping)
+            return;
+          State expected = State::open;
+          if (!state.compare_exchange_strong(expected, State::taken))
+            continue; // taken back
           call(t);
-          n_pending.fetch_sub(1, std::memory_order_acq_rel);
+          state.store(State::none, std::memory_order_release);
         }
     }
 
     std::vector<std::thread>              threads;
-    std::vector<std::exception_ptr>       errors;
+    std::vector<std::exception_ptr>       errors; ///< of each range, all empty between loops
+    std::vector<Offer>                    offers; ///< to each thread; the caller, thread 0, needs none
     const FunctionRef<void(std::size_t)> *task;
     std::mutex                            mutex;
     std::condition_variable               wake;
-    std::atomic<std::uint64_t>            generation{0};
-    std::atomic<std::size_t>              n_pending{0};
-    std::atomic<bool>                     stopping{false};
+    std::atomic<std::size_t>              n_asleep{0};
+    std::atomic<bool>                     has_failed{false};
   };
 
   ThreadPool::ThreadPool(const std::size_t n_threads)
@@ -134,7 +179,7 @@ namespace birdstrike
                                 const FunctionRef<void(std::size_t, std::size_t)> body)
   {
     const std::size_t unit      = std::max<std::size_t>(grain, 1);
-    const std::size_t n_units   = (n + unit - 1) / unit;
+    const std::size_t n_units   = n / unit;
     const std::size_t n_threads = workers->size();
     if (n_units <= 1 || n_threads == 1)
       {
@@ -144,7 +189,7 @@ namespace birdstrike
       }
     workers->run([&](const std::size_t t) {
       const std::size_t begin = n_units * t / n_threads * unit;
-      const std::size_t end   = std::min(n, n_units * (t + 1) / n_threads * unit);
+      const std::size_t end   = t + 1 == n_threads ? n : n_units * (t + 1) / n_threads * unit;
       if (begin < end)
         body(begin, end);
     });
@@ -155,7 +200,7 @@ namespace birdstrike
   {
     const std::size_t unit      = std::max<std::size_t>(grain, 1);
     const std::size_t n_threads = workers->size();
-    if (n <= unit || n_threads == 1)
+    if (n < 2 * unit || n_threads == 1)
       {
         if (n > 0)
           body(0, n);

@@ -25,8 +25,9 @@ namespace birdstrike
 
     std::size_t n_threads() const;
 
-    /// Calls body(begin, end) on disjoint ranges that cover [0, n); range borders are multiples of `grain` (so that
-    /// SIMD batches stay whole). A loop of no more than `grain` entities, or a pool of one thread, runs in the caller.
+    /// Calls body(begin, end) on disjoint ranges that cover [0, n), whose borders are multiples of `grain` (so that
+    /// SIMD batches stay whole) and which hold `grain` entities at least: what is worth a thread, some microseconds of
+    /// work.
     void parallel_for(std::size_t n, std::size_t grain, FunctionRef<void(std::size_t begin, std::size_t end)> body);
 
     /// As above with a cost per entity: prefix[k] is the summed cost of entities [0, k), prefix has n + 1 entries.

@@ -73,3 +73,23 @@ TEST(ThreadPool, RethrowsTheErrorOfTheLowestRange)
     }
   pool.parallel_for(10, 1, [](std::size_t, std::size_t) {});
 }
+
+TEST(ThreadPool, DoesNotWaitForThreadsThatHaveNotBegun)
+{
+  // Many more threads than cores, and loops shorter than a wake-up: every range is done once, by whoever is awake.
+  ThreadPool       pool(16);
+  std::vector<int> visits(64, 0);
+  for (int loop = 0; loop < 5000; ++loop)
+    pool.parallel_for(visits.size(), 1, [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        ++visits[i];
+    });
+  EXPECT_EQ(visits, std::vector<int>(64, 5000));
+}
+
+TEST(ThreadPool, GivesAThreadNoLessThanAGrain)
+{
+  ThreadPool pool(3);
+  for (const std::size_t n : {8, 15, 16, 17, 23, 24, 1000})
+    pool.parallel_for(n, 8, [&](const std::size_t begin, const std::size_t end) { EXPECT_GE(end - begin, 8u) << n; });
+}
