@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <condition_variable>
 #include <exception>
 #include <limits>
@@ -54,6 +55,7 @@ namespace birdstrike
     /// Calls job(t) for every t below size(), each once, and waits for all.
     void run(const FunctionRef<void(std::size_t)> job)
     {
+      assert(!task && "a loop within a loop");
       task = &job;
       // Sequentially consistent, as is the worker's side: either this thread sees that one is about to sleep, or that
       // one sees the offer.
@@ -67,6 +69,7 @@ namespace birdstrike
           call(t);
       for (std::size_t t = 1; t < offers.size(); ++t)
         wait_for(offers[t]);
+      task = nullptr;
       if (has_failed.exchange(false))
         rethrow_first();
     }
