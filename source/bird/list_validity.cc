@@ -68,7 +68,8 @@ namespace birdstrike
     for (auto *column : {&lowest, &highest})
       for (auto &bound : *column)
         {
-          bound.reserve(n_occupied + n_lanes); // whole registers are read at the end of a run
+          if (bound.capacity() < n_occupied + n_lanes) // whole registers are read at the end of a run
+            bound.reserve(n_occupied + n_occupied / 4 + n_lanes);
           bound.resize(n_occupied);
         }
     occupied_before.resize(grid.n_cells() + 1);

@@ -13,6 +13,9 @@ namespace birdstrike
 {
   namespace
   {
+    /// Chunks are what a thread lists at a time. Each holds memory of its own, an eighth more than it needs.
+    constexpr std::size_t chunks_per_thread = 4;
+
     /// Runs of consecutive particles that may be neighbours of the particles of one cell: at most 27 of them.
     struct Runs
     {
@@ -202,7 +205,7 @@ namespace birdstrike
     offset.resize(n);
     prefix.resize(n + 1);
     const auto &occupied = grid.occupied();
-    chunks.resize(pool.n_threads());
+    chunks.resize(pool.n_threads() == 1 ? 1 : chunks_per_thread * pool.n_threads());
     const std::size_t n_chunks = chunks.size();
     const bool        wraps    = cell_period[0] > 0. || cell_period[1] > 0. || cell_period[2] > 0.;
     const auto        border   = [&](const std::size_t c) { // chunks of about equally many particles

@@ -86,8 +86,9 @@ namespace birdstrike
 
     static constexpr std::size_t chunk = 512; ///< nodes
     static constexpr std::size_t block = 24;  ///< entries of four nodes
-    /// Chunks a thread takes at least: waking one costs as much as a kick of some thousand nodes.
-    static constexpr std::size_t grain = 8;
+    /// Chunks a thread takes at least: offering a range to one that is awake costs 1-2 us, as a kick of some hundred
+    /// nodes.
+    static constexpr std::size_t grain = 2;
 
     ThreadPool     &pool;
     ShellMesh       mesh;

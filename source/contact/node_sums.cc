@@ -7,8 +7,8 @@ namespace birdstrike
   namespace
   {
     constexpr std::uint32_t absent = 0xffffffffu;
-    constexpr std::size_t   grain  = 2048; // nodes that are worth a second thread's wake-up, at 5 ns each
-  }                                        // namespace
+    constexpr std::size_t   grain  = 512; // nodes that are worth a second thread, at 5 ns each
+  }                                       // namespace
 
   void NodeSums::set_nodes(const std::vector<CandidateBlock> &blocks, const std::size_t n_nodes)
   {

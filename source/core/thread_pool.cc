@@ -26,13 +26,15 @@ namespace birdstrike
     }
   } // namespace
 
-  /// Every worker has an offer of its own. What a worker has not begun when the caller is done with its own range, the
-  /// caller takes back and does itself: a worker that sleeps, or has no core to run on, is never waited for. Who does
-  /// a range does not change its result.
+  /// A loop is cut into pieces, as many to each thread, whoever does them: a piece's result does not depend on that. A
+  /// thread begins its own from the front and, when none is left, takes those of others from the back. So a worker that
+  /// sleeps, or has lost its core, is waited for at most for the one piece that it has begun.
   class ThreadPool::Workers
   {
   public:
-    explicit Workers(const std::size_t n_threads) : errors(n_threads), offers(n_threads), task(nullptr)
+    static constexpr std::size_t max_pieces = 8; ///< of a thread
+
+    explicit Workers(const std::size_t n_threads) : errors(n_threads * max_pieces), queues(n_threads)
     {
       for (std::size_t t = 1; t < n_threads; ++t)
         threads.emplace_back([this, t] { work(t); });
@@ -40,8 +42,7 @@ namespace birdstrike
 
     ~Workers()
     {
-      for (Offer &offer : offers)
-        offer.state = State::stopping;
+      is_stopping = true;
       wake_up();
       for (auto &thread : threads)
         thread.join();
@@ -49,55 +50,75 @@ namespace birdstrike
 
     std::size_t size() const
     {
-      return offers.size();
+      return queues.size();
     }
 
-    /// Calls job(t) for every t below size(), each once, and waits for all.
-    void run(const FunctionRef<void(std::size_t)> job)
+    /// Calls job(p) for every p below size() n_pieces, each once, and waits for all.
+    void run(const std::size_t n_pieces, const FunctionRef<void(std::size_t)> job)
     {
-      assert(!task && "a loop within a loop");
-      task = &job;
+      assert(!task && n_pieces > 0 && n_pieces <= max_pieces && "a loop within a loop, or too many pieces");
+      task       = &job;
+      per_thread = n_pieces;
+      n_left     = size() * n_pieces;
       // Sequentially consistent, as is the worker's side: either this thread sees that one is about to sleep, or that
-      // one sees the offer.
-      for (std::size_t t = 1; t < offers.size(); ++t)
-        offers[t].state = State::open;
+      // one sees its pieces.
+      for (Queue &queue : queues)
+        queue.open = (1u << n_pieces) - 1;
       if (n_asleep > 0)
         wake_up();
-      call(0);
-      for (std::size_t t = offers.size() - 1; t > 0; --t)
-        if (State expected = State::open; offers[t].state.compare_exchange_strong(expected, State::none))
-          call(t);
-      for (std::size_t t = 1; t < offers.size(); ++t)
-        wait_for(offers[t]);
+      help(0);
+      wait_for_all();
       task = nullptr;
       if (has_failed.exchange(false))
         rethrow_first();
     }
 
   private:
-    enum class State
+    struct alignas(64) Queue // a cache line each
     {
-      none,
-      open,
-      taken,
-      stopping
+      std::atomic<unsigned int> open{0}; ///< one bit for each piece that nobody has begun
     };
 
-    struct alignas(64) Offer // a cache line each
-    {
-      std::atomic<State> state{State::none};
-    };
-
-    void call(const std::size_t t)
+    void call(const std::size_t piece)
     {
       try
         {
-          (*task)(t);
+          (*task)(piece);
         }
       catch (...)
         {
-          errors[t]  = std::current_exception();
-          has_failed = true;
+          errors[piece] = std::current_exception();
+          has_failed    = true;
+        }
+      n_left.fetch_sub(1, std::memory_order_release);
+    }
+
+    /// The number of an open piece that nobody else can take any more, of which pick(open) chooses the bit; -1 if none.
+    template <class Pick>
+    int take(Queue &queue, const Pick &pick)
+    {
+      for (unsigned int open = queue.open.load(std::memory_order_relaxed); open != 0;)
+        {
+          const int          piece = pick(open);
+          const unsigned int bit   = 1u << piece;
+          open                     = queue.open.fetch_and(~bit, std::memory_order_acquire);
+          if (open & bit)
+            return piece;
+        }
+      return -1;
+    }
+
+    void help(const std::size_t t)
+    {
+      const auto lowest  = [](const unsigned int open) { return __builtin_ctz(open); };
+      const auto highest = [](const unsigned int open) { return 31 - __builtin_clz(open); };
+      for (int piece; (piece = take(queues[t], lowest)) >= 0;)
+        call(t * per_thread + static_cast<std::size_t>(piece));
+      for (std::size_t k = 1; k < size(); ++k)
+        {
+          const std::size_t other = (t + k) % size();
+          for (int piece; (piece = take(queues[other], highest)) >= 0;)
+            call(other * per_thread + static_cast<std::size_t>(piece));
         }
     }
 
@@ -121,10 +142,10 @@ namespace birdstrike
       wake.notify_all();
     }
 
-    static void wait_for(const Offer &offer)
+    void wait_for_all() const
     {
-      // On a machine with more work than cores the worker may have lost its core: then give way to it.
-      for (int spin = 0; offer.state.load(std::memory_order_acquire) == State::taken; ++spin)
+      // On a machine with more work than cores a worker may have lost its core: then give way to it.
+      for (int spin = 0; n_left.load(std::memory_order_acquire) > 0; ++spin)
         if (spin < n_spins)
           relax();
         else
@@ -133,37 +154,33 @@ namespace birdstrike
 
     void work(const std::size_t t)
     {
-      std::atomic<State> &state = offers[t].state;
-      while (true)
+      const auto is_idle = [this, t] { return queues[t].open == 0 && !is_stopping; };
+      while (!is_stopping)
         {
-          for (int spin = 0; spin < n_spins && state.load(std::memory_order_acquire) == State::none; ++spin)
+          for (int spin = 0; spin < n_spins && is_idle(); ++spin)
             relax();
-          if (state.load(std::memory_order_acquire) == State::none)
+          if (is_idle())
             {
               std::unique_lock<std::mutex> lock(mutex);
               ++n_asleep;
-              if (state == State::none)
+              if (is_idle())
                 wake.wait(lock); // whatever wakes it: more loops will come
               --n_asleep;
             }
-          if (state.load(std::memory_order_acquire) == State::stopping)
-            return;
-          State expected = State::open;
-          if (!state.compare_exchange_strong(expected, State::taken))
-            continue; // taken back
-          call(t);
-          state.store(State::none, std::memory_order_release);
+          help(t);
         }
     }
 
     std::vector<std::thread>              threads;
-    std::vector<std::exception_ptr>       errors; ///< of each range, all empty between loops
-    std::vector<Offer>                    offers; ///< to each thread; the caller, thread 0, needs none
-    const FunctionRef<void(std::size_t)> *task;
+    std::vector<std::exception_ptr>       errors; ///< of each piece, all empty between loops
+    std::vector<Queue>                    queues; ///< of each thread; the caller is thread 0
+    const FunctionRef<void(std::size_t)> *task       = nullptr;
+    std::size_t                           per_thread = 1;
     std::mutex                            mutex;
     std::condition_variable               wake;
-    std::atomic<std::size_t>              n_asleep{0};
-    std::atomic<bool>                     has_failed{false};
+    alignas(64) std::atomic<std::size_t> n_left{0};
+    alignas(64) std::atomic<std::size_t> n_asleep{0};
+    std::atomic<bool> has_failed{false}, is_stopping{false};
   };
 
   ThreadPool::ThreadPool(const std::size_t n_threads)
@@ -181,18 +198,18 @@ namespace birdstrike
   void ThreadPool::parallel_for(const std::size_t n, const std::size_t grain,
                                 const FunctionRef<void(std::size_t, std::size_t)> body)
   {
-    const std::size_t unit      = std::max<std::size_t>(grain, 1);
-    const std::size_t n_units   = n / unit;
-    const std::size_t n_threads = workers->size();
-    if (n_units <= 1 || n_threads == 1)
+    const std::size_t unit    = std::max<std::size_t>(grain, 1);
+    const std::size_t n_units = n / unit;
+    if (n_units <= 1 || n_threads() == 1)
       {
         if (n > 0)
           body(0, n);
         return;
       }
-    workers->run([&](const std::size_t t) {
-      const std::size_t begin = n_units * t / n_threads * unit;
-      const std::size_t end   = t + 1 == n_threads ? n : n_units * (t + 1) / n_threads * unit;
+    const std::size_t per_thread = pieces_per_thread(n_units), n_pieces = n_threads() * per_thread;
+    workers->run(per_thread, [&](const std::size_t p) {
+      const std::size_t begin = n_units * p / n_pieces * unit;
+      const std::size_t end   = p + 1 == n_pieces ? n : n_units * (p + 1) / n_pieces * unit;
       if (begin < end)
         body(begin, end);
     });
@@ -201,28 +218,33 @@ namespace birdstrike
   void ThreadPool::parallel_for_balanced(const std::size_t n, const std::size_t grain, const std::size_t *prefix,
                                          const FunctionRef<void(std::size_t, std::size_t)> body)
   {
-    const std::size_t unit      = std::max<std::size_t>(grain, 1);
-    const std::size_t n_threads = workers->size();
-    if (n < 2 * unit || n_threads == 1)
+    const std::size_t unit = std::max<std::size_t>(grain, 1);
+    if (n < 2 * unit || n_threads() == 1)
       {
         if (n > 0)
           body(0, n);
         return;
       }
-    const auto border = [&](const std::size_t t) -> std::size_t {
-      if (t == 0)
+    const std::size_t per_thread = pieces_per_thread(n / unit), n_pieces = n_threads() * per_thread;
+    const auto        border = [&](const std::size_t p) -> std::size_t {
+      if (p == 0)
         return 0;
-      if (t == n_threads)
+      if (p == n_pieces)
         return n;
-      const std::size_t target = prefix[n] * t / n_threads;
+      const std::size_t target = prefix[n] * p / n_pieces;
       const std::size_t first  = std::lower_bound(prefix, prefix + n, target) - prefix;
       return std::min(n, (first + unit - 1) / unit * unit);
     };
-    workers->run([&](const std::size_t t) {
-      const std::size_t begin = border(t), end = border(t + 1);
+    workers->run(per_thread, [&](const std::size_t p) {
+      const std::size_t begin = border(p), end = border(p + 1);
       if (begin < end)
         body(begin, end);
     });
+  }
+
+  std::size_t ThreadPool::pieces_per_thread(const std::size_t n_units) const
+  {
+    return std::clamp<std::size_t>(n_units / n_threads(), 1, Workers::max_pieces);
   }
 
   double ThreadPool::ordered_sum(const std::size_t n, const FunctionRef<double(std::size_t, std::size_t)> term,

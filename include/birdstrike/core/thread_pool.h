@@ -10,8 +10,10 @@
 
 namespace birdstrike
 {
-  /// A persistent pool with static partition. Results must not depend on the number of threads: a loop body writes only
-  /// to entities of its own range, and sums go through `ordered_sum`, whose chunks do not depend on the thread count.
+  /// A persistent pool. A loop is cut beforehand into ranges, several to each thread; a thread that is done with its
+  /// own takes ranges that others have not begun. Results must not depend on the number of threads or on who does a
+  /// range: a loop body writes only to entities of its own range, and sums go through `ordered_sum`, whose chunks are
+  /// fixed.
   ///
   /// Nested use is not supported (asserted). An exception thrown by a body is re-thrown in the caller, lowest range
   /// first.
@@ -64,6 +66,9 @@ namespace birdstrike
                        std::size_t chunk = 4096);
 
   private:
+    /// So many that each holds one unit of work at least.
+    std::size_t pieces_per_thread(std::size_t n_units) const;
+
     class Workers;
     std::unique_ptr<Workers> workers;
     std::vector<double>      scratch; ///< results of chunks; one loop at a time
