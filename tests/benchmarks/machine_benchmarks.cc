@@ -13,38 +13,40 @@ namespace birdstrike::benchmarks
     constexpr std::size_t n_rounds = 1 << 12; // 50 us
 
     /// x <- a x + b on registers.
+    template <class Number>
     double multiply_and_add(const double start)
     {
-      Lanes       x[n_chains];
-      const Lanes a = 0.999999, b = 1e-6;
+      using T = typename Number::value_type;
+      Number       x[n_chains];
+      const Number a = T(0.999999), b = T(1e-6);
       for (std::size_t k = 0; k < n_chains; ++k)
-        x[k] = start + static_cast<double>(k);
+        x[k] = static_cast<T>(start) + static_cast<T>(k);
       for (std::size_t round = 0; round < n_rounds; ++round)
 #pragma GCC unroll 12
         for (std::size_t k = 0; k < n_chains; ++k)
           x[k] = a * x[k] + b;
-      Lanes sum = 0.;
-      for (const Lanes &chain : x)
+      Number sum = T(0);
+      for (const Number &chain : x)
         sum += chain;
-      return stdx::reduce(sum);
+      return static_cast<double>(stdx::reduce(sum));
     }
 
-    void add_peak()
+    template <class Number>
+    void add_peak(const std::string &name)
     {
-      add("machine/fma", {{1000, 1, 7}, {1000, 2, 7}},
-          [](benchmark::State &state, const Setting &s, const std::string &) {
-            ThreadPool            pool(s.n_threads);
-            AlignedVector<double> sink(8 * s.n_threads);
-            run_loop(state, [&] {
-              pool.parallel_for(s.n_threads, 1, [&](const std::size_t begin, const std::size_t end) {
-                for (std::size_t t = begin; t < end; ++t)
-                  sink[8 * t] = multiply_and_add(sink[8 * t]);
-              });
-            });
-            benchmark::DoNotOptimize(sink.data());
-            count_work(state, static_cast<double>(s.n_threads * n_chains * n_rounds), "register",
-                       {2. * static_cast<double>(n_lanes), 0.});
+      add(name, {{1000, 1, 7}, {1000, 2, 7}}, [](benchmark::State &state, const Setting &s, const std::string &) {
+        ThreadPool            pool(s.n_threads);
+        AlignedVector<double> sink(8 * s.n_threads);
+        run_loop(state, [&] {
+          pool.parallel_for(s.n_threads, 1, [&](const std::size_t begin, const std::size_t end) {
+            for (std::size_t t = begin; t < end; ++t)
+              sink[8 * t] = multiply_and_add<Number>(sink[8 * t]);
           });
+        });
+        benchmark::DoNotOptimize(sink.data());
+        count_work(state, static_cast<double>(s.n_threads * n_chains * n_rounds), "register",
+                   {2. * static_cast<double>(Number::size()), 0.});
+      });
     }
 
     struct Triad
@@ -82,7 +84,8 @@ namespace birdstrike::benchmarks
 
   void add_machine_benchmarks()
   {
-    add_peak();
+    add_peak<Lanes>("machine/fma/double");
+    add_peak<FloatLanes>("machine/fma/float");
     add_triad("l2", 20 << 10);    // 3 arrays of 160 KiB
     add_triad("memory", 8 << 20); // 3 arrays of 64 MiB
   }

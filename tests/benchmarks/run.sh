@@ -43,7 +43,7 @@ run() {
   done
 }
 run frontal frontal.prm --set "Time/End time=2e-3"
-run frontal_20k frontal.prm --set "Time/End time=0.2e-3" --set "Bird/Particle spacing=0.00174" \
+run frontal_20k frontal.prm --set "Time/End time=0.5e-3" --set "Bird/Particle spacing=0.00174" \
   --set "Blade/Mesh/Elements along span=131" --set "Blade/Mesh/Elements along chord=38"
 run blade blade-impulse.prm
 

@@ -66,12 +66,13 @@ class SpeedTable(unittest.TestCase):
         self.assertIn("| bird: rates | 1.50 s | 75.0 % |", speed_table.shares(measured))
 
     def test_roofline(self):
-        self.write([entry("machine/fma/n:1000/threads:1", 1.0, 1000, flops_per_unit=16.0),
+        self.write([entry("machine/fma/double/n:1000/threads:1", 1.0, 1000, flops_per_unit=16.0),
+                    entry("machine/fma/float/n:1000/threads:1", 1.0, 1000, flops_per_unit=32.0),
                     entry("machine/triad/l2/n:20480/threads:1", 1.0, 1000, flops_per_unit=2.0, bytes_per_unit=24.0),
                     entry("contact/step/n:1000/threads:1", 100.0, 1000, flops_per_unit=500.0, bytes_per_unit=250.0)])
         _, benchmarks = roofline.read_benchmarks(os.path.join(self.folder, "benchmarks.json"))
-        self.assertEqual(roofline.read_ceilings(benchmarks), (16.0, {"l2": 24.0}))
-        self.assertEqual(roofline.read_points(benchmarks), [("contact", 2.0, 5.0)])
+        self.assertEqual(roofline.read_ceilings(benchmarks), ({"double": 16.0, "float": 32.0}, {"l2": 24.0}))
+        self.assertEqual(roofline.read_points(benchmarks), [("contact", "double", 2.0, 5.0)])
         with self.assertRaises(BadInput):
             roofline.read_ceilings({})
 
