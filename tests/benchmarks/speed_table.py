@@ -37,7 +37,7 @@ class Measured:
     def gain(self, name, n):
         """By a second thread: by the clock for both, while one thread's cost is its processor time."""
         one, two = self.entry(name, n, 1), self.entry(name, n, 2)
-        return one["real_time"] / two["real_time"] if one and two else None
+        return one["real_time"] / one["units"] / (two["real_time"] / two["units"]) if one and two else None
 
     def value(self, name, n, key, threads=1):
         entry = self.entry(name, n, threads)
@@ -82,10 +82,10 @@ def machine(m):
     run = m.run("frontal")
     counts = "" if run is None else (f" `frontal.prm` to {1e3 * run['summary']['end']['time']:.0f} ms: {run['summary']['bird']['particles']} "
                                      f"particles, {run['summary']['blade']['elements']} elements, {run['summary']['steps']['bird']} steps.")
-    load = (c.get("load_avg") or [0.0])[0]
-    busy = f" **The machine had other work (load {load:.1f}): runs and second threads are not to be trusted.**" if load > 0.5 else ""
+    probe = m.gain("machine/fma/double", 1000)
+    second = "" if probe is None else f" A second thread's gain on multiply-adds in registers: {probe:.2f}."
     return (f"{c.get('machine', 'unknown machine')}, {c.get('num_cpus', '?')} cores, {c.get('simd_doubles', '?')} doubles a register, "
-            f"{c.get('compiler', '?')} (`{c.get('flags', '')}`), commit {c.get('commit', '?')}.{counts}{busy}\n")
+            f"{c.get('compiler', '?')} (`{c.get('flags', '')}`), commit {c.get('commit', '?')}.{counts}{second}\n")
 
 
 def targets(m):
