@@ -14,13 +14,43 @@ namespace birdstrike
     return peak;
   }
 
-  RootSection::RootSection(const SurfaceMesh &mesh, const std::vector<unsigned int> &root_ids)
-    : nodes(mesh.rim_nodes(root_ids))
-    , origin(Point3::Zero())
-    , span(Point3::Zero())
-    , chord(Point3::Zero())
-    , normal(Point3::Zero())
+  void SectionFrame::make_orthonormal()
   {
+    normal.normalize();
+    span  = (span - span.dot(normal) * normal).normalized();
+    chord = normal.cross(span);
+  }
+
+  RootSectionReport SectionFrame::compute_forces(const double *force, const double *position,
+                                                 const unsigned int n_unknowns) const
+  {
+    RootSectionReport report;
+    Point3            total = Point3::Zero(), moment = Point3::Zero();
+    for (const std::uint32_t n : nodes)
+      {
+        const double *entries = force + n_unknowns * n;
+        const Point3  f(entries[0], entries[1], entries[2]);
+        const Point3  m = n_unknowns == 6 ? Point3(entries[3], entries[4], entries[5]) : Point3::Zero();
+        const Point3  x(position[3 * n], position[3 * n + 1], position[3 * n + 2]);
+        total += f;
+        moment += m + (x - origin).cross(f);
+      }
+    report.normal_force     = total.dot(span);
+    report.transverse_force = total.dot(normal);
+    report.bending_moment   = -moment.dot(chord);
+    return report;
+  }
+
+  double SectionFrame::stress_along(const Point3 &span, const Point3 &surface_normal, const std::array<double, 6> &s)
+  {
+    const Point3 n = (span - span.dot(surface_normal) * surface_normal).normalized();
+    return s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + s[2] * n[2] * n[2] +
+           2. * (s[3] * n[0] * n[1] + s[4] * n[1] * n[2] + s[5] * n[2] * n[0]);
+  }
+
+  RootSection::RootSection(const SurfaceMesh &mesh, const std::vector<unsigned int> &root_ids)
+  {
+    frame.nodes   = mesh.rim_nodes(root_ids);
     double length = 0.;
     for (const auto &edge : mesh.rim)
       if (std::find(root_ids.begin(), root_ids.end(), edge.id) != root_ids.end())
@@ -30,26 +60,24 @@ namespace birdstrike
           const Point3 inwards = mesh.centroid(edge.cell) - middle;
           const Point3 inside  = (inwards - inwards.dot(along) * along).normalized();
           elements_at_root.push_back({edge.cell, 0., inside});
-          origin += (b - a).norm() * middle;
-          span += (b - a).norm() * inside;
-          normal += (b - a).norm() * mesh.area_vector(edge.cell).normalized();
+          frame.origin += (b - a).norm() * middle;
+          frame.span += (b - a).norm() * inside;
+          frame.normal += (b - a).norm() * mesh.area_vector(edge.cell).normalized();
           length += (b - a).norm();
         }
-    if (elements_at_root.empty() || span.norm() < 1e-6 * length || normal.norm() < 1e-6 * length)
+    if (elements_at_root.empty() || frame.span.norm() < 1e-6 * length || frame.normal.norm() < 1e-6 * length)
       {
         // Nothing clamped, or clamped all around: no single section to speak of.
-        nodes.clear();
+        frame = {};
         elements_at_root.clear();
         return;
       }
-    origin /= length;
+    frame.origin /= length;
     if (!mesh.symmetry_nodes.empty())
-      origin[1] = 0.; // the middle of the whole edge
-    normal.normalize();
-    span  = (span - span.dot(normal) * normal).normalized();
-    chord = normal.cross(span);
+      frame.origin[1] = 0.; // the middle of the whole edge
+    frame.make_orthonormal();
     for (auto &element : elements_at_root)
-      element.chord_position = (mesh.centroid(element.index) - origin).dot(chord);
+      element.chord_position = (mesh.centroid(element.index) - frame.origin).dot(frame.chord);
     std::sort(elements_at_root.begin(), elements_at_root.end(),
               [](const Element &a, const Element &b) { return a.chord_position < b.chord_position; });
   }
@@ -57,66 +85,57 @@ namespace birdstrike
   RootSectionReport RootSection::compute_report(const double *force, const double *position,
                                                 const ShellElements &elements) const
   {
-    RootSectionReport report;
-    Point3            total = Point3::Zero(), moment = Point3::Zero();
-    for (const std::uint32_t n : nodes)
-      {
-        const Point3 f(force[6 * n], force[6 * n + 1], force[6 * n + 2]);
-        const Point3 m(force[6 * n + 3], force[6 * n + 4], force[6 * n + 5]);
-        const Point3 x(position[3 * n], position[3 * n + 1], position[3 * n + 2]);
-        total += f;
-        moment += m + (x - origin).cross(f);
-      }
-    report.normal_force     = total.dot(span);
-    report.transverse_force = total.dot(normal);
-    report.bending_moment   = -moment.dot(chord);
-
-    // Normal stress s . sigma . s with the stress in global axes.
-    const auto along = [](const std::array<double, 6> &s, const Point3 &n) {
-      return s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + s[2] * n[2] * n[2] +
-             2. * (s[3] * n[0] * n[1] + s[4] * n[1] * n[2] + s[5] * n[2] * n[0]);
-    };
+    RootSectionReport report = frame.compute_forces(force, position, 6);
     for (const auto &element : elements_at_root)
       {
         report.chord_position.push_back(element.chord_position);
         // The element turns with the blade: its span direction is the reference one without the part out of its plane.
-        const Point3 axis   = elements.state(element.index).axes.col(2);
-        const Point3 inside = (element.span - element.span.dot(axis) * axis).normalized();
-        report.stress_bottom.push_back(along(elements.global_layer_stress(element.index, ShellLayer::bottom), inside));
-        report.stress_top.push_back(along(elements.global_layer_stress(element.index, ShellLayer::top), inside));
+        const Point3 axis = elements.state(element.index).axes.col(2);
+        for (const auto &[layer, stress] :
+             {std::pair(ShellLayer::bottom, &report.stress_bottom), std::pair(ShellLayer::top, &report.stress_top)})
+          stress->push_back(
+            SectionFrame::stress_along(element.span, axis, elements.global_layer_stress(element.index, layer)));
       }
     return report;
   }
 
-  TipRow::TipRow(const SurfaceMesh &mesh, const std::vector<unsigned int> &tip_ids) : normal(Point3::Zero())
+  TipRow::TipRow(const SurfaceMesh &mesh, const std::vector<unsigned int> &tip_ids)
   {
-    const auto row = mesh.rim_nodes(tip_ids);
-    if (row.size() < 2)
-      return;
-    Point3 span = Point3::Zero();
+    Point3 span = Point3::Zero(), mean_normal = Point3::Zero();
     for (const auto &edge : mesh.rim)
       if (std::find(tip_ids.begin(), tip_ids.end(), edge.id) != tip_ids.end())
         {
-          normal += mesh.area_vector(edge.cell);
+          mean_normal += mesh.area_vector(edge.cell);
           span += 0.5 * (mesh.node(edge.nodes[0]) + mesh.node(edge.nodes[1])) - mesh.centroid(edge.cell);
         }
-    normal.normalize();
+    mean_normal.normalize();
     // At the tip "outwards" is the span direction, so that the chord runs as it does at the root.
-    const Point3                                  chord = normal.cross(span).normalized();
+    add_row(mesh.nodes, mesh.rim_nodes(tip_ids), mesh.symmetry_nodes, mean_normal.cross(span).normalized(),
+            mean_normal);
+  }
+
+  void TipRow::add_row(const std::vector<std::array<double, 3>> &nodes, const std::vector<std::uint32_t> &row,
+                       const std::vector<std::uint32_t> &symmetry_nodes, const Point3 &chord, const Point3 &unit_normal)
+  {
+    if (row.size() < 2)
+      return;
+    normal = unit_normal;
     std::vector<std::pair<double, std::uint32_t>> along;
     for (const std::uint32_t n : row)
-      along.emplace_back(mesh.node(n).dot(chord), n);
+      along.emplace_back(Point3(nodes[n].data()).dot(chord), n);
     std::sort(along.begin(), along.end());
-    corners = {along.front().second, along.back().second};
+    Row added;
+    added.corners = {along.front().second, along.back().second};
 
     // Of half a row, mid-chord is on the plane of symmetry and both corners are alike.
-    for (const std::uint32_t plane : mesh.symmetry_nodes)
+    for (const std::uint32_t plane : symmetry_nodes)
       for (const int end : {0, 1})
-        if (corners[end] == plane)
+        if (added.corners[end] == plane)
           {
-            middle  = {{plane, plane}};
-            share   = {{1., 0.}};
-            corners = {corners[1 - end], corners[1 - end]};
+            added.middle  = {{plane, plane}};
+            added.share   = {{1., 0.}};
+            added.corners = {added.corners[1 - end], added.corners[1 - end]};
+            rows.push_back(added);
             return;
           }
     const double centre = 0.5 * (along.front().first + along.back().first);
@@ -124,24 +143,30 @@ namespace birdstrike
     while (k + 2 < along.size() && along[k + 1].first < centre)
       ++k;
     const double weight = (centre - along[k].first) / (along[k + 1].first - along[k].first);
-    middle              = {{along[k].second, along[k + 1].second}};
-    share               = {{1. - weight, weight}};
+    added.middle        = {{along[k].second, along[k + 1].second}};
+    added.share         = {{1. - weight, weight}};
+    rows.push_back(added);
   }
 
   bool TipRow::is_present() const
   {
-    return !corners.empty();
+    return !rows.empty();
   }
 
-  TipDeflection TipRow::compute_deflection(const double *displacement) const
+  TipDeflection TipRow::compute_deflection(const double *displacement, const unsigned int n_unknowns) const
   {
     const auto along_normal = [&](const std::uint32_t n) {
-      return normal[0] * displacement[6 * n] + normal[1] * displacement[6 * n + 1] +
-             normal[2] * displacement[6 * n + 2];
+      const double *u = displacement + n_unknowns * n;
+      return normal[0] * u[0] + normal[1] * u[1] + normal[2] * u[2];
     };
-    if (!is_present())
-      return {};
-    return {share[0] * along_normal(middle[0]) + share[1] * along_normal(middle[1]), along_normal(corners[0]),
-            along_normal(corners[1])};
+    TipDeflection sum;
+    for (const Row &row : rows)
+      {
+        sum.mid_chord += row.share[0] * along_normal(row.middle[0]) + row.share[1] * along_normal(row.middle[1]);
+        sum.leading += along_normal(row.corners[0]);
+        sum.trailing += along_normal(row.corners[1]);
+      }
+    const double n = rows.empty() ? 1. : static_cast<double>(rows.size());
+    return {sum.mid_chord / n, sum.leading / n, sum.trailing / n};
   }
 } // namespace birdstrike

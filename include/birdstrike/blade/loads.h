@@ -9,19 +9,26 @@
 
 namespace birdstrike
 {
-  /// Prescribed loads: a follower pressure p(x, y, z, t) at reference positions, pushing along the present element
-  /// normal,
+  /// Prescribed loads: a follower pressure p(x, y, z, t) at reference positions, pushing along the present normal of
+  /// quadrilaterals,
   ///   f_i = p A n / 4 on each node (A n half the cross product of the diagonals),
-  /// and dead forces and moments on single nodes. Evaluated serially; nothing is stored or looped over when absent.
+  /// dead forces and, on nodes with rotations, moments on single nodes, and the rate of mass-proportional damping.
+  /// Evaluated serially; nothing is stored or looped over when absent.
   class Loads
   {
   public:
-    /// Throws InputError for formulas that cannot be read and for load points farther than an element from any node.
-    Loads(const BladeParameters::Loads &parameters, const SurfaceMesh &mesh);
+    using Quadrilateral = std::array<std::uint32_t, 4>;
 
-    bool is_active() const;
+    /// Pressure acts on `pressed`, quadrilaterals of the mesh's nodes; a node has `n_unknowns`, 3 or 6. Throws
+    /// InputError for formulas that cannot be read, for load points farther than an element from any node, and for
+    /// moments on nodes without rotations.
+    Loads(const BladeParameters::Loads &parameters, const SurfaceMesh &mesh, std::vector<Quadrilateral> pressed,
+          unsigned int n_unknowns);
 
-    /// Adds to force [n_nodes][6] (N, N m) at positions [n_nodes][3] (m) and time (s).
+    bool   is_active() const; ///< anything but damping
+    double damping() const;   ///< 1/s
+
+    /// Adds to force [n_nodes][n_unknowns] (N, N m) at positions [n_nodes][3] (m) and time (s).
     void add_forces(double time, const double *position, double *force) const;
 
   private:
@@ -31,9 +38,13 @@ namespace birdstrike
       Expression    components; ///< fx fy fz mx my mz in t
     };
 
-    std::vector<std::array<std::uint32_t, 4>> cells;
-    std::vector<std::array<double, 3>>        centroids;
-    std::vector<Expression>                   pressure; ///< none or one
-    std::vector<PointLoad>                    point_loads;
+    void add_point_loads(const BladeParameters::Loads &parameters, const SurfaceMesh &mesh);
+
+    unsigned int                       n_unknowns;
+    double                             damping_rate;
+    std::vector<Quadrilateral>         pressed;
+    std::vector<std::array<double, 3>> centroids;
+    std::vector<Expression>            pressure; ///< none or one
+    std::vector<PointLoad>             point_loads;
   };
 } // namespace birdstrike

@@ -9,7 +9,26 @@
 
 namespace birdstrike
 {
-  /// The clamped edge as a beam section: which nodes and elements it has, and the frame in which forces are reported.
+  /// The clamped section as that of a beam: its nodes, and the frame in which forces are reported (RootSectionReport).
+  struct SectionFrame
+  {
+    std::vector<std::uint32_t> nodes;
+    Point3 origin = Point3::Zero(), span = Point3::Zero(), chord = Point3::Zero(), normal = Point3::Zero();
+
+    /// Makes `normal` a unit vector, `span` one perpendicular to it, and `chord` = normal x span.
+    void make_orthonormal();
+
+    /// Force and moment of the nodal forces [n_nodes][n_unknowns] (N, N m) that elements exert at positions
+    /// [n_nodes][3] (m).
+    RootSectionReport compute_forces(const double *force, const double *position, unsigned int n_unknowns) const;
+
+    /// Normal stress (Pa) along the span in a surface that has turned to the unit normal `surface_normal`:
+    /// s . sigma . s, where s is a span direction without its part out of that surface; sigma = xx yy zz xy yz zx in
+    /// global axes.
+    static double stress_along(const Point3 &span, const Point3 &surface_normal, const std::array<double, 6> &stress);
+  };
+
+  /// The clamped edge of a shell.
   class RootSection
   {
   public:
@@ -26,23 +45,31 @@ namespace birdstrike
       double      chord_position; ///< m from the origin
       Point3      span;           ///< unit, in the element's plane, from its root edge inwards
     };
-    std::vector<std::uint32_t> nodes;
-    std::vector<Element>       elements_at_root; ///< by chord position
-    Point3                     origin, span, chord, normal;
+    SectionFrame         frame;
+    std::vector<Element> elements_at_root; ///< by chord position
   };
 
-  /// The tip row: mid-chord and both corners.
+  /// The tip row: mid-chord and both corners. Of a solid, the mean of the rows on both faces: its mid-surface.
   class TipRow
   {
   public:
+    TipRow() = default; ///< absent
     TipRow(const SurfaceMesh &mesh, const std::vector<unsigned int> &tip_ids);
+
+    /// Adds a row of at least two nodes; `chord` and `normal` are unit vectors of the tip.
+    void add_row(const std::vector<std::array<double, 3>> &nodes, const std::vector<std::uint32_t> &row,
+                 const std::vector<std::uint32_t> &symmetry_nodes, const Point3 &chord, const Point3 &normal);
+
     bool          is_present() const;
-    TipDeflection compute_deflection(const double *displacement) const; ///< [n_nodes][6]
+    TipDeflection compute_deflection(const double *displacement, unsigned int n_unknowns) const; ///< [n][n_unknowns]
 
   private:
-    std::vector<std::uint32_t>   corners; ///< none, or leading and trailing
-    std::array<std::uint32_t, 2> middle{};
-    std::array<double, 2>        share{};
-    Point3                       normal;
+    struct Row
+    {
+      std::array<std::uint32_t, 2> corners{}, middle{}; ///< leading and trailing; neighbours of mid-chord
+      std::array<double, 2>        share{};
+    };
+    std::vector<Row> rows;
+    Point3           normal = Point3::Zero();
   };
 } // namespace birdstrike

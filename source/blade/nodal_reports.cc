@@ -1,0 +1,221 @@
+#include "nodal_mechanics.h"
+#include "nodal_sums.h"
+
+#include <birdstrike/blade/expression.h>
+#include <birdstrike/blade/text_lists.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+// What NodalMechanics starts from and what it tells about itself.
+namespace birdstrike
+{
+  template <unsigned int n_unknowns>
+  NodalMechanics<n_unknowns>::NodalMechanics(const std::vector<Node> &nodes, const Masses &masses,
+                                             const Supports &supports, Loads given_loads, ThreadPool &pool)
+    : pool(pool)
+    , loads(std::move(given_loads))
+    , held_dofs(supports.held_dofs)
+    , n_nodes(nodes.size())
+    , n_padded((n_unknowns * n_nodes + block - 1) / block * block)
+    , partial((n_nodes + chunk - 1) / chunk)
+  {
+    for (auto *vector : {&displacement, &velocity, &force, &mass, &inverse_mass, &increment, &contact, &external})
+      vector->assign(n_padded, 0.);
+    reference.resize(3 * n_nodes);
+    for (std::size_t n = 0; n < n_nodes; ++n)
+      {
+        for (unsigned int d = 0; d < 3; ++d)
+          reference[3 * n + d] = nodes[n][d];
+        for (unsigned int c = 0; c < n_unknowns; ++c)
+          {
+            mass[n_unknowns * n + c]         = c < 3 ? masses.translation[n] : masses.rotation[n];
+            inverse_mass[n_unknowns * n + c] = 1. / mass[n_unknowns * n + c];
+          }
+      }
+    position = reference;
+    for (const std::uint32_t dof : held_dofs)
+      inverse_mass[dof] = 0.;
+    for (std::size_t n = 0; n < n_nodes; ++n)
+      {
+        bool is_held = true;
+        for (unsigned int d = 0; d < 3; ++d)
+          is_held = is_held && inverse_mass[n_unknowns * n + d] == 0.;
+        node_inverse_mass.push_back(is_held ? 0. : 1. / masses.translation[n]);
+      }
+    update_loads();
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::initialize_velocity(const BladeParameters::Loads &parameters)
+  {
+    const double origin[3] = {0., 0., 0.};
+    Point3       spin      = Point3::Zero();
+    if (is_present(parameters.initial_spin))
+      {
+        const Expression expression(parameters.initial_spin, 3, "Loads/Initial spin");
+        for (unsigned int d = 0; d < 3; ++d)
+          spin[d] = expression.value(origin, 0., d);
+      }
+    std::vector<Expression> field;
+    if (is_present(parameters.initial_velocity))
+      field.emplace_back(parameters.initial_velocity, 3, "Loads/Initial velocity");
+    for (std::size_t n = 0; n < n_nodes; ++n)
+      {
+        const Point3 turning = spin.cross(Point3(&reference[3 * n]));
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            velocity[n_unknowns * n + d] = turning[d];
+            if constexpr (n_unknowns == 6)
+              velocity[6 * n + 3 + d] = spin[d];
+            for (const auto &expression : field)
+              velocity[n_unknowns * n + d] += expression.value(&reference[3 * n], 0., d);
+          }
+      }
+    for (const std::uint32_t dof : held_dofs)
+      velocity[dof] = 0.;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::watch(const std::string &probes)
+  {
+    for (const auto &[name, where] : parse_pairs(probes, "Probes"))
+      {
+        const auto    x        = parse_numbers(where, 3, "Probes");
+        std::uint32_t nearest  = 0;
+        double        smallest = std::numeric_limits<double>::infinity();
+        for (std::uint32_t n = 0; n < n_nodes; ++n)
+          if (const double d = (Point3(&reference[3 * n]) - Point3(x[0], x[1], x[2])).squaredNorm(); d < smallest)
+            {
+              smallest = d;
+              nearest  = n;
+            }
+        watched.emplace_back(name, nearest);
+      }
+  }
+
+  template <unsigned int n_unknowns>
+  EnergyReport NodalMechanics<n_unknowns>::energies() const
+  {
+    const double  decay = std::exp(-loads.damping() * internal_half);
+    const double *v = velocity.data(), *f = force.data(), *m = mass.data();
+    const double  h = internal_half, h_c = contact_half;
+    const double *f_contact = contact.data(), *f_external = external.data(), *inverse = inverse_mass.data();
+    const double  back   = 1. - 1. / decay;
+    const auto    sums   = sum_components<1>([=](const std::size_t i, Eight *sum) {
+      Eight speed, inner, outer_contact, outer_load, inertia, mobility;
+      read(v + i, speed);
+      read(f + i, inner);
+      read(m + i, inertia);
+      read(f_contact + i, outer_contact);
+      read(f_external + i, outer_load);
+      read(inverse + i, mobility);
+      const Eight internal = h * (inner + outer_load) * mobility + back * speed, outer = h_c * outer_contact * mobility;
+      sum[0] += 0.5 * inertia * (speed * speed - internal * internal - outer * outer);
+    });
+    EnergyReport  report = booked;
+    report.kinetic       = std::accumulate(sums[0].begin(), sums[0].end(), 0.);
+    return report;
+  }
+
+  template <unsigned int n_unknowns>
+  MomentumReport NodalMechanics<n_unknowns>::momenta() const
+  {
+    const double  *v = velocity.data(), *m = mass.data(), *x = position.data();
+    const auto     sums       = sum_nodes([=](const std::size_t n, Sums &sum) {
+      const double *p = x + 3 * n, *w = v + n_unknowns * n;
+      const double  inertia = m[n_unknowns * n];
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
+          sum[d] += inertia * w[d];
+          if constexpr (n_unknowns == 6)
+            sum[3 + d] += inertia * (p[e] * w[f] - p[f] * w[e]) + m[6 * n + 3] * w[3 + d];
+          else
+            sum[3 + d] += inertia * (p[e] * w[f] - p[f] * w[e]);
+        }
+    });
+    MomentumReport report = impulses;
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        report.momentum[d]         = sums[d];
+        report.angular_momentum[d] = sums[3 + d];
+      }
+    return report;
+  }
+
+  template <unsigned int n_unknowns>
+  std::array<double, 3> NodalMechanics<n_unknowns>::contact_force() const
+  {
+    const double *f    = contact.data();
+    const auto    sums = sum_components<1>([=](const std::size_t i, Eight *sum) {
+      Eight entries;
+      read(f + i, entries);
+      sum[0] += entries;
+    });
+    return {{sums[0][0], sums[0][1], sums[0][2]}};
+  }
+
+  template <unsigned int n_unknowns>
+  std::vector<ProbeValues> NodalMechanics<n_unknowns>::probes() const
+  {
+    std::vector<ProbeValues> values;
+    for (const auto &[name, n] : watched)
+      {
+        ProbeValues value;
+        value.name = name;
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            value.position[d]     = reference[3 * n + d];
+            value.displacement[d] = displacement[n_unknowns * n + d];
+            value.velocity[d]     = velocity[n_unknowns * n + d];
+          }
+        values.push_back(value);
+      }
+    return values;
+  }
+
+  template <unsigned int n_unknowns>
+  NodeArrays NodalMechanics<n_unknowns>::arrays()
+  {
+    return {n_nodes,         n_unknowns,   reference.data(), position.data(),    displacement.data(),
+            velocity.data(), force.data(), mass.data(),      inverse_mass.data()};
+  }
+
+  template <unsigned int n_unknowns>
+  FacetsView NodalMechanics<n_unknowns>::facets()
+  {
+    FacetsView view;
+    view.n_nodes         = n_nodes;
+    view.position        = position.data();
+    view.velocity        = velocity.data();
+    view.force           = contact.data();
+    view.inverse_mass    = node_inverse_mass.data();
+    view.velocity_stride = n_unknowns;
+    return view;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::add_fields(std::vector<Field> &fields) const
+  {
+    const auto add = [&](const char *name, const char *unit, const double *values) {
+      Field field{name, unit, false, 3, {}};
+      field.values.reserve(3 * n_nodes);
+      for (std::size_t n = 0; n < n_nodes; ++n)
+        field.values.insert(field.values.end(), values + n_unknowns * n, values + n_unknowns * n + 3);
+      fields.push_back(std::move(field));
+    };
+    add("displacement", "m", displacement.data());
+    add("velocity", "m/s", velocity.data());
+  }
+
+  template <unsigned int n_unknowns>
+  std::size_t NodalMechanics<n_unknowns>::bytes() const
+  {
+    return sizeof(double) * (8 * n_padded + 7 * n_nodes); // eight vectors of unknowns, two of coordinates, one scalar
+  }
+
+  template class NodalMechanics<3>;
+  template class NodalMechanics<6>;
+} // namespace birdstrike
