@@ -71,10 +71,12 @@ namespace birdstrike
     void declare_element(dealii::ParameterHandler &prm, BladeParameters::Element &p)
     {
       prm.enter_subsection("Element");
-      prm.add_parameter("Formulation", p.formulation,
-                        "One-point shell: with physical stabilisation and warping correction, or plain Belytschko-Tsay "
-                        "with perturbation hourglass control. [-]",
-                        Selection(shell_formulations().selection()));
+      prm.add_parameter(
+        "Formulation", p.formulation,
+        "Shell with one point in its plane: with physical stabilisation and warping correction, or plain "
+        "Belytschko-Tsay with perturbation hourglass control; or fully integrated (2 x 2 points, MITC4), "
+        "the reference for both. [-]",
+        Selection(shell_formulations().selection()));
       prm.add_parameter("Points rule", p.rule,
                         "Integration through the thickness; Lobatto has points on both faces, Gauss is exacter. [-]",
                         Selection(thickness_rules().selection()));

@@ -8,7 +8,8 @@ namespace birdstrike
   inline const NamedChoices<ShellFormulation> &shell_formulations()
   {
     static const NamedChoices<ShellFormulation> choices{{"physical", ShellFormulation::one_point_physical},
-                                                        {"Belytschko-Tsay", ShellFormulation::belytschko_tsay}};
+                                                        {"Belytschko-Tsay", ShellFormulation::belytschko_tsay},
+                                                        {"fully integrated", ShellFormulation::fully_integrated}};
     return choices;
   }
 

@@ -1,4 +1,5 @@
 #include <birdstrike/blade/shell_implementation.h>
+#include <birdstrike/blade/shell_plane_points.h>
 #include <birdstrike/blade/shell_step_bound.h>
 #include <birdstrike/core/errors.h>
 
@@ -31,6 +32,7 @@ namespace birdstrike
     , cells(std::move(cells))
     , records(nodes.size())
     , node_force(nodes.size())
+    , n_in_plane(section.formulation == ShellFormulation::fully_integrated ? full_integration::n_points : 1)
   {
     if (this->cells.empty() || thickness.size() != this->cells.size())
       throw InputError("Shell elements: " + std::to_string(this->cells.size()) + " elements with " +
@@ -70,15 +72,19 @@ namespace birdstrike
   {
     const std::size_t n_batches = (cells.size() + n_lanes - 1) / n_lanes;
     batches.resize(n_batches);
-    points.resize(n_batches);
+    points.resize(n_in_plane * n_batches);
+    stress.assign(n_in_plane == 1 ? n_batches : 0, ShellStress<Lanes>());
+    sections.assign(n_in_plane == 1 ? 0 : n_in_plane * n_batches, SectionStress<Lanes>());
     chunks.resize((n_batches + batches_per_chunk - 1) / batches_per_chunk);
     for (std::size_t e = 0; e < n_batches * n_lanes; ++e)
       {
         Batch            &batch = batches[e / n_lanes];
         const std::size_t k = e % n_lanes, element = std::min(e, cells.size() - 1);
-        if (k == 0)
-          batch.stress = ShellStress<Lanes>();
-        batch.stress.thickness[k] = thickness[element];
+        if (n_in_plane == 1)
+          stress[e / n_lanes].thickness[k] = thickness[element];
+        else
+          for (std::size_t s = 0; s < n_in_plane; ++s)
+            sections[n_in_plane * (e / n_lanes) + s].thickness[k] = thickness[element];
         for (int i = 0; i < 4; ++i)
           {
             batch.record[i][k] = cells[element][i] * (sizeof(NodeRecord) / sizeof(double));
@@ -103,6 +109,10 @@ namespace birdstrike
     if (!(thickness > 0.) || !(g.area > 1e-7 * g.x.m1.squaredNorm()) || !(shortest > 0.))
       throw InputError("Shell " + place(e).text() + ": thickness " + text(thickness) + " m, area " + text(g.area) +
                        " m^2, shortest distance of two nodes " + text(shortest) + " m; all must be positive.");
+    if (!(smallest_area(e) > 0.))
+      throw InputError("Shell " + place(e).text() +
+                       ": not convex, its Jacobian at a point of the full integration is " +
+                       text(smallest_area(e) / g.area) + " of that at the centre; it must be positive.");
     mass.push_back(section.material.density * thickness * g.area);
   }
 
@@ -120,10 +130,9 @@ namespace birdstrike
         double            share = 1.;
         for (const auto n : cells[element])
           share = nodal_masses.empty() ? 1. : std::min(share, nodal_masses[n] / quarters[n]);
-        Batch       &batch   = batches[e / n_lanes];
-        const double inverse = 1. / (share * mass[element]);
-        const double value =
-          compute_eigenvalue_bound(geometry(element), double(batch.stress.thickness[k]), inverse, law);
+        Batch       &batch    = batches[e / n_lanes];
+        const double inverse  = 1. / (share * mass[element]);
+        const double value    = eigenvalue_bound(element, inverse);
         batch.inverse_mass[k] = inverse;
         batch.eigenvalue[k]   = value;
         Chunk &chunk          = chunks[e / n_lanes / batches_per_chunk];
@@ -156,6 +165,22 @@ namespace birdstrike
     return ShellGeometry<double>::of_corners(x, n);
   }
 
+  double ShellElements::Implementation::smallest_area(const std::size_t element) const
+  {
+    const ShellGeometry<double> g = geometry(element);
+    if (n_in_plane == 1)
+      return g.area;
+    return g.area * min(1., full_integration::PlaneGeometry<double>(g, law.elasticity.poisson).smallest_jacobian);
+  }
+
+  double ShellElements::Implementation::eigenvalue_bound(const std::size_t element, const double inverse_mass) const
+  {
+    const ShellGeometry<double> g = geometry(element);
+    const double                t = largest_thickness(element);
+    return n_in_plane == 1 ? compute_eigenvalue_bound<false>(g, t, inverse_mass, law)
+                           : compute_eigenvalue_bound<true>(g, t, inverse_mass, law);
+  }
+
   void ShellElements::Implementation::report_failure(const std::size_t b) const
   {
     std::size_t e        = b * n_lanes;
@@ -164,13 +189,14 @@ namespace birdstrike
       for (const auto &corner : batches[element / n_lanes].corner)
         for (const double f : corner_force[corner[element % n_lanes]].value)
           sum += f;
-      return std::isfinite(sum) && geometry(element).area > 0.;
+      return std::isfinite(sum) && smallest_area(element) > 0.;
     };
     for (std::size_t k = n_elements_of(b); k-- > 0;)
       if (!is_sound(b * n_lanes + k))
         e = b * n_lanes + k;
-    const ShellGeometry<double> g = geometry(e);
-    throw NumericalFailure("Shell " + place(e).text() + ": force or area is not finite (area " + text(g.area) +
-                           " m^2).\nThe step was too large or the element collapsed: reduce the step factor.");
+    throw NumericalFailure("Shell " + place(e).text() + ": force is not finite or area not positive (area " +
+                           text(smallest_area(e)) +
+                           " m^2, fully integrated four times that at the worst point).\n"
+                           "The step was too large or the element collapsed: reduce the step factor.");
   }
 } // namespace birdstrike

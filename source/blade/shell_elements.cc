@@ -8,10 +8,38 @@
 
 namespace birdstrike
 {
-  void ShellElements::Implementation::promote(const std::size_t batch)
+  void ShellElements::Implementation::promote(const std::size_t k)
   {
-    points[batch].resize(law.rule.n);
-    law.promote(batches[batch].stress, points[batch].data());
+    points[k].resize(law.rule.n);
+    law.promote(n_in_plane == 1 ? stress[k] : sections[k], points[k].data());
+  }
+
+  const SectionStress<Lanes> &ShellElements::Implementation::section_of(const std::size_t batch,
+                                                                        const std::size_t k) const
+  {
+    return n_in_plane == 1 ? stress[batch] : sections[n_in_plane * batch + k];
+  }
+
+  const AlignedVector<ShellPoint<Lanes>> &ShellElements::Implementation::points_of(const std::size_t batch,
+                                                                                   const std::size_t k) const
+  {
+    return points[n_in_plane * batch + k];
+  }
+
+  bool ShellElements::Implementation::has_points(const std::size_t batch) const
+  {
+    bool has = false;
+    for (std::size_t k = 0; k < n_in_plane; ++k)
+      has = has || !points_of(batch, k).empty();
+    return has;
+  }
+
+  double ShellElements::Implementation::largest_thickness(const std::size_t element) const
+  {
+    double largest = 0.;
+    for (std::size_t k = 0; k < n_in_plane; ++k)
+      largest = std::max(largest, lane(section_of(element / n_lanes, k).thickness, element % n_lanes));
+    return largest;
   }
 
   double ShellElements::Implementation::sum(Lanes Chunk::*energy) const
@@ -111,7 +139,7 @@ namespace birdstrike
     std::vector<double>   inertia(my.n_nodes, 0.);
     for (std::size_t e = 0; e < my.cells.size(); ++e)
       {
-        const double t = lane(my.batches[e / n_lanes].stress.thickness, e % n_lanes);
+        const double t = my.largest_thickness(e);
         const double r = std::max(t * t / 12., my.geometry(e).area / 8.);
         for (const auto n : my.cells[e])
           inertia[n] += 0.25 * r * my.mass[e];

@@ -29,7 +29,7 @@ namespace birdstrike
   {
     std::size_t n = 0;
     for (std::size_t e = 0; e < n_elements(); ++e)
-      n += !implementation->points[e / n_lanes].empty();
+      n += implementation->has_points(e / n_lanes);
     return n;
   }
 
@@ -49,9 +49,10 @@ namespace birdstrike
     std::size_t sum = bytes_of(my.cells) + bytes_of(my.mass) + bytes_of(my.corner_begin) + bytes_of(my.corners) +
                       bytes_of(my.blocks) + bytes_of(my.irregular) + bytes_of(my.entering) + bytes_of(my.leaving) +
                       bytes_of(my.records) + bytes_of(my.corner_force) + bytes_of(my.node_force) + bytes_of(my.work) +
-                      bytes_of(my.batches) + bytes_of(my.chunks) + bytes_of(my.points);
-    for (const auto &of_batch : my.points)
-      sum += bytes_of(of_batch);
+                      bytes_of(my.batches) + bytes_of(my.chunks) + bytes_of(my.stress) + bytes_of(my.sections) +
+                      bytes_of(my.points);
+    for (const auto &of_section : my.points)
+      sum += bytes_of(of_section);
     return sum;
   }
 
@@ -66,38 +67,45 @@ namespace birdstrike
   ShellState ShellElements::state(const std::size_t element) const
   {
     const Implementation       &my = *implementation;
-    const auto                 &s  = my.batches[element / n_lanes].stress;
-    const std::size_t           k  = element % n_lanes;
     const ShellGeometry<double> g  = my.geometry(element);
-    const double                t  = lane(s.thickness, k);
-    ShellState                  state;
+    const std::size_t           b = element / n_lanes, k = element % n_lanes;
+    const double                share = 1. / double(my.n_in_plane);
+    ShellState                  state{};
     state.axes << g.compute_e1(), g.compute_e2(), g.e3;
-    for (int c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < my.n_in_plane; ++i)
       {
-        state.membrane_force[c] = t * lane(s.mean[c], k);
-        state.moment[c]         = t * t / 6. * lane(s.outer[c], k);
+        const auto  &s = my.section_of(b, i);
+        const double t = lane(s.thickness, k);
+        for (int c = 0; c < 3; ++c)
+          {
+            state.membrane_force[c] += share * t * lane(s.mean[c], k);
+            state.moment[c] += share * t * t / 6. * lane(s.outer[c], k);
+          }
+        for (int c = 0; c < 2; ++c)
+          state.shear_force[c] += share * t * lane(s.shear[c], k);
+        state.thickness += share * t;
+        for (const auto &point : my.points_of(b, i))
+          state.max_plastic_strain = std::max(state.max_plastic_strain, lane(point.plastic_strain, k));
       }
-    for (int c = 0; c < 2; ++c)
-      state.shear_force[c] = t * lane(s.shear[c], k);
-    state.thickness          = t;
-    state.max_plastic_strain = 0.;
-    for (const auto &point : my.points[element / n_lanes])
-      state.max_plastic_strain = std::max(state.max_plastic_strain, lane(point.plastic_strain, k));
     return state;
   }
 
   std::array<double, 3> ShellElements::layer_stress(const std::size_t element, const ShellLayer layer) const
   {
-    const Implementation &my     = *implementation;
-    const auto           &points = my.points[element / n_lanes];
-    const auto           &s      = my.batches[element / n_lanes].stress;
-    const std::size_t     k      = element % n_lanes;
-    std::array<double, 3> result;
-    for (int c = 0; c < 3; ++c)
-      if (points.empty())
-        result[c] = lane(s.mean[c], k) + (int(layer) - 1) * lane(s.outer[c], k);
-      else
-        result[c] = lane(points[point_of(layer, points.size())].stress[c], k);
+    const Implementation &my = *implementation;
+    const std::size_t     b = element / n_lanes, k = element % n_lanes;
+    const double          share = 1. / double(my.n_in_plane);
+    std::array<double, 3> result{};
+    for (std::size_t i = 0; i < my.n_in_plane; ++i)
+      {
+        const auto &points = my.points_of(b, i);
+        const auto &s      = my.section_of(b, i);
+        for (int c = 0; c < 3; ++c)
+          if (points.empty())
+            result[c] += share * (lane(s.mean[c], k) + (int(layer) - 1) * lane(s.outer[c], k));
+          else
+            result[c] += share * lane(points[point_of(layer, points.size())].stress[c], k);
+      }
     return result;
   }
 
@@ -113,17 +121,21 @@ namespace birdstrike
 
   double ShellElements::layer_plastic_strain(const std::size_t element, const ShellLayer layer) const
   {
-    const auto &points = implementation->points[element / n_lanes];
-    return points.empty() ? 0. : lane(points[point_of(layer, points.size())].plastic_strain, element % n_lanes);
+    double largest = 0.;
+    for (std::size_t i = 0; i < implementation->n_in_plane; ++i)
+      if (const auto &points = implementation->points_of(element / n_lanes, i); !points.empty())
+        largest = std::max(largest, lane(points[point_of(layer, points.size())].plastic_strain, element % n_lanes));
+    return largest;
   }
 
   ShellElements::MaxPlasticStrain ShellElements::max_plastic_strain() const
   {
     MaxPlasticStrain result;
     for (std::size_t e = 0; e < n_elements(); ++e)
-      for (const auto &point : implementation->points[e / n_lanes])
-        if (lane(point.plastic_strain, e % n_lanes) > result.value)
-          result = {lane(point.plastic_strain, e % n_lanes), e};
+      for (std::size_t i = 0; i < implementation->n_in_plane; ++i)
+        for (const auto &point : implementation->points_of(e / n_lanes, i))
+          if (lane(point.plastic_strain, e % n_lanes) > result.value)
+            result = {lane(point.plastic_strain, e % n_lanes), e};
     return result;
   }
 } // namespace birdstrike

@@ -16,7 +16,8 @@ namespace birdstrike
   enum class ShellFormulation
   {
     one_point_physical, ///< covariant one-point quadrilateral with physical stabilisation (default)
-    belytschko_tsay     ///< Belytschko, Lin & Tsay (1984) with perturbation hourglass control
+    belytschko_tsay,    ///< Belytschko, Lin & Tsay (1984) with perturbation hourglass control
+    fully_integrated    ///< 2 x 2 points, MITC4 shear, assumed membrane strain: the reference
   };
 
   enum class ThicknessRule
@@ -37,7 +38,8 @@ namespace birdstrike
     bool             has_thinning          = true;    ///< the thickness follows the plane-stress strain
   };
 
-  /// State of one element for output, in its frame (axes in the columns of `axes`, third the normal).
+  /// State of one element for output, in its frame (axes in the columns of `axes`, third the normal). With several
+  /// points in the plane: means, and the largest plastic strain.
   struct ShellState
   {
     Matrix3<double>       axes;
@@ -58,9 +60,9 @@ namespace birdstrike
   /// All shell elements of a blade: their strain increments, stresses, internal forces and energies.
   ///
   /// Reissner-Mindlin kinematics, 3 displacements and 3 global rotation increments a node, finite rotations; the theory
-  /// stands in shell_kernel.h. Strains are taken on the midpoint geometry x - dx/2, forces on the end geometry.
-  /// The stiffness against drilling is zero; the moment on a node has no component along the averaged normal there
-  /// (default formulation), and the rotation about it has no effect.
+  /// stands in shell_kernel.h, of full integration in shell_full_integration.h. Strains are taken on the midpoint
+  /// geometry x - dx/2, forces on the end geometry. The stiffness against drilling is zero; the moment on a node has no
+  /// component along the averaged normal there (not so with Belytschko-Tsay), and the rotation about it has no effect.
   ///
   /// Not here: mass, supports, loads, time. Throws InputError for a degenerate element or an impossible section,
   /// NumericalFailure when an element collapses or a force is not finite.
@@ -101,11 +103,12 @@ namespace birdstrike
     std::size_t n_promoted() const; ///< elements that store points because an outer fibre met the yield stress
     std::size_t bytes() const;      ///< counted, of all that these elements hold
     ShellState  state(std::size_t element) const;
-    /// sxx, syy, sxy (Pa) in the element frame.
+    /// sxx, syy, sxy (Pa) in the element frame; the mean of the points in the plane.
     std::array<double, 3> layer_stress(std::size_t element, ShellLayer layer) const;
     /// sxx, syy, szz, sxy, syz, szx (Pa) in global axes.
     std::array<double, 6> global_layer_stress(std::size_t element, ShellLayer layer) const;
-    double                layer_plastic_strain(std::size_t element, ShellLayer layer) const;
+    /// The largest of the points in the plane.
+    double layer_plastic_strain(std::size_t element, ShellLayer layer) const;
 
     struct MaxPlasticStrain
     {

@@ -53,11 +53,10 @@ namespace birdstrike
 
     struct Batch
     {
-      ShellStress<Lanes> stress;
-      Lanes              inverse_mass;       ///< 1/kg, of the least mass that the nodes carry for the element
-      Lanes              eigenvalue;         ///< bound of omega^2, 1/s^2
-      std::uint32_t      record[4][n_lanes]; ///< where the corners' records begin, in doubles
-      std::uint32_t      corner[4][n_lanes]; ///< where the corners' forces go, see `corner_force`
+      Lanes         inverse_mass;       ///< 1/kg, of the least mass that the nodes carry for the element
+      Lanes         eigenvalue;         ///< bound of omega^2, 1/s^2
+      std::uint32_t record[4][n_lanes]; ///< where the corners' records begin, in doubles
+      std::uint32_t corner[4][n_lanes]; ///< where the corners' forces go, see `corner_force`
     };
 
     /// Batches of one chunk belong to one thread; sums over chunks do not depend on the number of threads.
@@ -75,12 +74,20 @@ namespace birdstrike
     static constexpr std::size_t elements_per_block = 8192;
 
     void update_nodes(const Block &block, const double *position, const double *increment);
-    void promote(std::size_t batch);
+    void promote(std::size_t section); ///< number in `points`
     void update_chunk(std::size_t chunk, double dt);
     void list_irregular();
     void gather_forces(const Block &block, double *force);
     void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: quarters
 
+    /// Section k < n_in_plane of a batch, and its points through the thickness.
+    const SectionStress<Lanes>             &section_of(std::size_t batch, std::size_t k) const;
+    const AlignedVector<ShellPoint<Lanes>> &points_of(std::size_t batch, std::size_t k) const;
+    bool                                    has_points(std::size_t batch) const;          ///< any of its sections
+    double                                  largest_thickness(std::size_t element) const; ///< m, of its sections
+    /// Area, and at the points of a fully integrated element four times theirs: the smallest of them (m^2).
+    double                smallest_area(std::size_t element) const;
+    double                eigenvalue_bound(std::size_t element, double inverse_mass) const;
     std::size_t           n_elements_of(std::size_t batch) const;
     ShellGeometry<double> geometry(std::size_t element) const;
     double                sum(Lanes Chunk::*energy) const;
@@ -107,7 +114,10 @@ namespace birdstrike
     AlignedVector<Row>                        work;         ///< [chunks of nodes], J by component, cumulative
     AlignedVector<Batch>                      batches;
     AlignedVector<Chunk>                      chunks;
-    std::vector<AlignedVector<ShellPoint<Lanes>>> points; ///< [n_batches], empty while elastic
+    std::size_t                               n_in_plane; ///< sections of an element: one, or four fully integrated
+    AlignedVector<ShellStress<Lanes>>         stress;     ///< [n_batches] of one-point elements
+    AlignedVector<SectionStress<Lanes>>       sections;   ///< [4 n_batches] of fully integrated ones
+    std::vector<AlignedVector<ShellPoint<Lanes>>> points; ///< [n_in_plane n_batches], empty while elastic
 
   private:
     void                       build_corners();
@@ -122,6 +132,8 @@ namespace birdstrike
     template <bool physical>
     void              update_batch(std::size_t batch, double dt, Chunk &chunk);
     ShellWork<Lanes>  update_points(std::size_t batch, const ShellVector<Lanes> &strain, double dt);
+    void              update_fully_integrated(std::size_t batch, double dt, Chunk &chunk);
+    Lanes             update_section(std::size_t section, const SectionVector<Lanes> &strain, double dt);
     [[noreturn]] void report_failure(std::size_t batch) const;
   };
 } // namespace birdstrike

@@ -1,23 +1,10 @@
 #pragma once
 
 #include <birdstrike/blade/shell_geometry.h>
+#include <birdstrike/blade/shell_vector.h>
 
 namespace birdstrike
 {
-  /// Strain increments of a one-point shell element, or the resultants that work on them: power per area is
-  ///   N.membrane + M.curvature + Q.shear, and a third of it for the linear parts (the mean of xi^2 and of eta^2).
-  template <class Number>
-  struct ShellVector
-  {
-    Number membrane[3];  ///< xx, yy, 2xy (strain, -); N_xx, N_yy, N_xy (N/m)
-    Number curvature[3]; ///< 1/m; M, N
-    Number shear[2];     ///< x, y; Q, N/m
-    // linear parts, as physical components along a1 and a2
-    Number linear_membrane[2]; ///< e_11 ~ eta, e_22 ~ xi
-    Number linear_curvature[2];
-    Number linear_shear[2]; ///< g_1 ~ eta, g_2 ~ xi
-  };
-
   /// One-point quadrilateral shell, default formulation.
   ///
   /// Surface x and directors d (along the averaged nodal normals) are bilinear; a node has displacement u and rotation
@@ -35,13 +22,42 @@ namespace birdstrike
   /// coefficient. The strain is 14-dimensional on 20 displacements (drilling apart): 6 rigid modes, no other.
   namespace physical_shell
   {
-    template <class Number>
-    [[gnu::always_inline]] inline void compute_tensor(const ShellGeometry<Number> &g, const Number &k11,
-                                                      const Number &k22, const Number &two_k12, Number (&k)[3])
+    /// From covariant components, with the contravariant base of `g`.
+    template <class Base, class Number>
+    [[gnu::always_inline]] inline void compute_tensor(const Base &g, const Number &k11, const Number &k22,
+                                                      const Number &two_k12, Number (&k)[3])
     {
       k[0] = k11 * g.c1x * g.c1x + k22 * g.c2x * g.c2x + two_k12 * g.c1x * g.c2x;
       k[1] = k11 * g.c1y * g.c1y + k22 * g.c2y * g.c2y + two_k12 * g.c1y * g.c2y;
       k[2] = 2. * (k11 * g.c1x * g.c1y + k22 * g.c2x * g.c2y) + two_k12 * (g.c1x * g.c2y + g.c1y * g.c2x);
+    }
+
+    /// At the centre, and the linear parts less what a constant strain contributes.
+    template <class Number>
+    [[gnu::always_inline]] inline void compute_membrane(const ShellGeometry<Number> &g, const ShellModes<Number> &u,
+                                                        Number (&centre)[3], Number (&linear)[2])
+    {
+      const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2;
+      compute_tensor(g, Number(a1.dot(u.m1)), Number(a2.dot(u.m2)), Number(a1.dot(u.m2) + a2.dot(u.m1)), centre);
+      const Vector3<Number> u_gamma = u.m3 - g.alpha * u.m1 - g.beta * u.m2;
+      linear[0]                     = g.l1 * (a1.dot(u_gamma) + g.warp * g.e3.dot(u.m1));
+      linear[1]                     = g.l2 * (a2.dot(u_gamma) + g.warp * g.e3.dot(u.m2));
+    }
+
+    /// Four times the covariant components that MITC4 ties at the edge midpoints: at the centre, and g_1 ~ eta,
+    /// g_2 ~ xi. (Four: the directors are of the true surface, see ShellModes.)
+    template <class Number>
+    [[gnu::always_inline]] inline void compute_shear(const ShellGeometry<Number> &g, const ShellModes<Number> &u,
+                                                     const ShellModes<Number> &dd, Number (&centre)[2],
+                                                     Number (&linear)[2])
+    {
+      const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
+      const Vector3<Number> &d0 = g.d.m0, &d1 = g.d.m1, &d2 = g.d.m2;
+      const Number           common = a3.dot(dd.m0) + d0.dot(u.m3);
+      centre[0]                     = a1.dot(dd.m0) + a3.dot(dd.m2) + d0.dot(u.m1) + d2.dot(u.m3);
+      centre[1]                     = a2.dot(dd.m0) + a3.dot(dd.m1) + d0.dot(u.m2) + d1.dot(u.m3);
+      linear[0]                     = a1.dot(dd.m2) + d2.dot(u.m1) + common;
+      linear[1]                     = a2.dot(dd.m1) + d1.dot(u.m2) + common;
     }
 
     /// From displacement modes u and director increment modes dd.
@@ -49,38 +65,34 @@ namespace birdstrike
     [[gnu::always_inline]] inline ShellVector<Number>
     compute_strains(const ShellGeometry<Number> &g, const ShellModes<Number> &u, const ShellModes<Number> &dd)
     {
-      const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
-      const Vector3<Number> &d0 = g.d.m0, &d1 = g.d.m1, &d2 = g.d.m2;
-      const Number           quarter = 0.25; // the directors are of the true surface, see ShellModes
+      const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2, &d1 = g.d.m1, &d2 = g.d.m2;
+      const Number           quarter = 0.25;
       ShellVector<Number>    s;
-      compute_tensor(g, Number(a1.dot(u.m1)), Number(a2.dot(u.m2)), Number(a1.dot(u.m2) + a2.dot(u.m1)), s.membrane);
+      compute_membrane(g, u, s.membrane, s.linear_membrane);
       compute_tensor(g, Number(a1.dot(dd.m1) + d1.dot(u.m1)), Number(a2.dot(dd.m2) + d2.dot(u.m2)),
                      Number(a1.dot(dd.m2) + a2.dot(dd.m1) + d1.dot(u.m2) + d2.dot(u.m1)), s.curvature);
-      const Number shear_1 = a1.dot(dd.m0) + a3.dot(dd.m2) + d0.dot(u.m1) + d2.dot(u.m3);
-      const Number shear_2 = a2.dot(dd.m0) + a3.dot(dd.m1) + d0.dot(u.m2) + d1.dot(u.m3);
-      s.shear[0]           = quarter * (shear_1 * g.c1x + shear_2 * g.c2x);
-      s.shear[1]           = quarter * (shear_1 * g.c1y + shear_2 * g.c2y);
-
       const Vector3<Number> u_gamma  = u.m3 - g.alpha * u.m1 - g.beta * u.m2;
       const Vector3<Number> dd_gamma = dd.m3 - g.alpha * dd.m1 - g.beta * dd.m2;
-      const Number          l1 = g.l1, l2 = g.l2;
-      s.linear_membrane[0] = l1 * (a1.dot(u_gamma) + g.warp * g.e3.dot(u.m1));
-      s.linear_membrane[1] = l2 * (a2.dot(u_gamma) + g.warp * g.e3.dot(u.m2));
       s.linear_curvature[0] =
-        l1 * (a1.dot(dd_gamma) + g.warp * g.e3.dot(dd.m1) + d1.dot(u_gamma) + g.d_gamma.dot(u.m1));
+        g.l1 * (a1.dot(dd_gamma) + g.warp * g.e3.dot(dd.m1) + d1.dot(u_gamma) + g.d_gamma.dot(u.m1));
       s.linear_curvature[1] =
-        l2 * (a2.dot(dd_gamma) + g.warp * g.e3.dot(dd.m2) + d2.dot(u_gamma) + g.d_gamma.dot(u.m2));
-      const Number common = a3.dot(dd.m0) + d0.dot(u.m3);
-      s.linear_shear[0]   = quarter * g.g1 * (a1.dot(dd.m2) + d2.dot(u.m1) + common);
-      s.linear_shear[1]   = quarter * g.g2 * (a2.dot(dd.m1) + d1.dot(u.m2) + common);
+        g.l2 * (a2.dot(dd_gamma) + g.warp * g.e3.dot(dd.m2) + d2.dot(u_gamma) + g.d_gamma.dot(u.m2));
+      Number shear[2], linear[2];
+      compute_shear(g, u, dd, shear, linear);
+      s.shear[0]        = quarter * (shear[0] * g.c1x + shear[1] * g.c2x);
+      s.shear[1]        = quarter * (shear[0] * g.c1y + shear[1] * g.c2y);
+      s.linear_shear[0] = quarter * g.g1 * linear[0];
+      s.linear_shear[1] = quarter * g.g2 * linear[1];
       return s;
     }
 
+    /// Area times the contravariant components, with the contravariant base of `g`.
     template <class Number>
     struct Contravariant
     {
       Number n11, n22, n12;
-      Contravariant(const ShellGeometry<Number> &g, const Number (&n)[3])
+      template <class Base>
+      Contravariant(const Base &g, const Number (&n)[3])
         : n11(g.area * (n[0] * g.c1x * g.c1x + n[1] * g.c1y * g.c1y + 2. * n[2] * g.c1x * g.c1y))
         , n22(g.area * (n[0] * g.c2x * g.c2x + n[1] * g.c2y * g.c2y + 2. * n[2] * g.c2x * g.c2y))
         , n12(g.area * (n[0] * g.c1x * g.c2x + n[1] * g.c1y * g.c2y + n[2] * (g.c1x * g.c2y + g.c1y * g.c2x)))

@@ -4,7 +4,7 @@
 
 namespace birdstrike
 {
-  /// Upper bound of the largest eigenvalue omega^2 (1/s^2) of one free element of the default formulation, with a
+  /// Upper bound of the largest eigenvalue omega^2 (1/s^2) of one free element of the covariant formulations, with a
   /// quarter of its mass on each node and inertia m max(t^2/12, A/8); the assembled omega_max is not larger (Irons &
   /// Treharne 1971).
   ///
@@ -16,9 +16,17 @@ namespace birdstrike
   /// and the linear parts with a third of the corresponding values; rows that share a mode are combined by
   /// lambda <= (a + b)/2 + sqrt((a - b)^2/4 + a b cos^2). Warp and initial curvature add a factor.
   ///
+  /// Fully integrated, the same functions of (xi, eta) are split into mean and rest over the area. The membrane strain
+  /// is assumed and its linear parts have not more than a third: the same bound. What varies more is divided by the
+  /// smallest Jacobian j of the points (over that at the centre):
+  ///   hourglass curvature: D/(6 rho j) ((1 - nu) tr S + (1 + nu) S_max),
+  ///   linear shear:        kappa G/(3 rho j) (tr S + max_a (|c^a| + |beta c^1 - alpha c^2|/sqrt(3))^2
+  ///                                                       (|a_a|^2 + 3 |a3|^2)/r),
+  /// both exact for parallelograms.
+  ///
   /// All terms grow with 1/rho: with 1/(least mass that the nodes carry for this element) as `inverse_mass` (1/kg) the
   /// bound holds for other shares than a quarter. Six roots and one division.
-  template <class Number>
+  template <bool is_fully_integrated, class Number>
   [[gnu::always_inline]] inline Number compute_eigenvalue_bound(const ShellGeometry<Number> &g, const Number &thickness,
                                                                 const Number &inverse_mass, const ShellSectionLaw &law)
   {
@@ -56,10 +64,30 @@ namespace birdstrike
 
     const Number shear_scale = law.shear_modulus * inverse_density;
     const Number shear       = shear_scale * (s_max + (one + tilt) * inverse_r);
-    const Number linear_shear =
-      (1. / 3.) * shear_scale * (trace + (max(Number(g.g11 * g.a11), Number(g.g22 * g.a22)) + tilt) * inverse_r);
-    const Number bending = t2 * inverse_r * flat_membrane;
-    const Number bent    = combine(shear, linear_shear + bending, cos2_tilt);
+    Number       linear_shear, bending, shared = cos2_tilt;
+    if constexpr (is_fully_integrated)
+      {
+        const double root_third = 0.57735026918962576;
+        const Number j          = max(Number(one - root_third * (abs(g.alpha) + abs(g.beta))), Number(1e-6));
+        const Number variation  = root_third * root(g.beta * g.beta * g.g11 + g.alpha * g.alpha * g.g22 +
+                                                    2. * g.alpha * g.beta * g.inverse_det * g.inverse_det * g.a12);
+        const Number b1 = g.g1 + variation, b2 = g.g2 + variation, a33 = 3. * g.x.m3.dot(g.x.m3);
+        const Number third_over_j = (1. / 3.) / j;
+        const Number hourglass =
+          (0.5 * plate * inverse_density) * third_over_j * skew_1 * ((1. - nu) * trace + (1. + nu) * s_max);
+        linear_shear =
+          shear_scale * third_over_j *
+          (skew_1 * trace + max(Number(b1 * b1 * (g.a11 + a33)), Number(b2 * b2 * (g.a22 + a33))) * inverse_r);
+        bending = t2 * inverse_r * combine(membrane, hourglass, cos2);
+        shared  = min(Number(cos2 + cos2_tilt), one);
+      }
+    else
+      {
+        linear_shear =
+          (1. / 3.) * shear_scale * (trace + (max(Number(g.g11 * g.a11), Number(g.g22 * g.a22)) + tilt) * inverse_r);
+        bending = t2 * inverse_r * flat_membrane;
+      }
+    const Number bent = combine(shear, linear_shear + bending, shared);
 
     const Number curvature =
       (g.d.m1.dot(g.d.m1) + g.d.m2.dot(g.d.m2) + g.d.m3.dot(g.d.m3)) * ((1. / 16.) * radius2) * s_max;

@@ -4,14 +4,20 @@
 
 namespace birdstrike
 {
-  /// Stress state of a shell element (or of a batch of elements), in its corotational frame.
+  /// Stress state of a section, in the corotational frame of its element (or of a batch of elements).
   template <class Number>
-  struct ShellStress
+  struct SectionStress
   {
-    Number thickness;           ///< m
-    Number mean[3];             ///< Pa, through the thickness: N = t mean
-    Number outer[3];            ///< Pa, linear part at z = +t/2: M = t^2/6 outer
-    Number shear[2];            ///< Pa, mean transverse shear stress: Q = t shear
+    Number thickness; ///< m
+    Number mean[3];   ///< Pa, through the thickness: N = t mean
+    Number outer[3];  ///< Pa, linear part at z = +t/2: M = t^2/6 outer
+    Number shear[2];  ///< Pa, mean transverse shear stress: Q = t shear
+  };
+
+  /// Of a one-point element: its section and its stabilisation.
+  template <class Number>
+  struct ShellStress : SectionStress<Number>
+  {
     Number linear_membrane[2];  ///< Pa, stabilisation, see ShellVector
     Number linear_curvature[2]; ///< Pa, at z = +t/2
     Number linear_shear[2];     ///< Pa
@@ -34,20 +40,31 @@ namespace birdstrike
     Number plastic, hourglass;
   };
 
-  /// Resultants of a stress state (N/m, N).
+  /// Resultants of a section (N/m, N).
   template <class Number>
-  inline ShellVector<Number> compute_resultants(const ShellStress<Number> &s)
+  inline SectionVector<Number> compute_resultants(const SectionStress<Number> &s)
   {
-    ShellVector<Number> r;
-    const Number        t = s.thickness, t2 = t * t / Number(6.);
+    SectionVector<Number> r;
+    const Number          t = s.thickness, t2 = t * t / Number(6.);
     for (int c = 0; c < 3; ++c)
       {
         r.membrane[c]  = t * s.mean[c];
         r.curvature[c] = t2 * s.outer[c];
       }
     for (int c = 0; c < 2; ++c)
+      r.shear[c] = t * s.shear[c];
+    return r;
+  }
+
+  /// The same and those of the stabilisation.
+  template <class Number>
+  inline ShellVector<Number> compute_resultants(const ShellStress<Number> &s)
+  {
+    const SectionStress<Number> &section = s;
+    const Number                 t = s.thickness, t2 = t * t / Number(6.);
+    ShellVector<Number>          r{compute_resultants(section), {}, {}, {}};
+    for (int c = 0; c < 2; ++c)
       {
-        r.shear[c]            = t * s.shear[c];
         r.linear_membrane[c]  = t * s.linear_membrane[c];
         r.linear_curvature[c] = t2 * s.linear_curvature[c];
         r.linear_shear[c]     = t * s.linear_shear[c];

@@ -31,7 +31,7 @@ namespace birdstrike
 
     /// Points of a stress state as it stands.
     template <class Number>
-    void promote(const ShellStress<Number> &s, ShellPoint<Number> *points) const
+    void promote(const SectionStress<Number> &s, ShellPoint<Number> *points) const
     {
       for (unsigned int k = 0; k < rule.n; ++k)
         {
@@ -44,7 +44,7 @@ namespace birdstrike
 
     /// One step of the points; `s` gets their stress.
     template <class Number>
-    Tangent<Number> update_points(const ShellVector<Number> &e, const double dt, ShellStress<Number> &s,
+    Tangent<Number> update_points(const SectionVector<Number> &e, const double dt, SectionStress<Number> &s,
                                   ShellPoint<Number> *points, Number &plastic_work) const
     {
       Tangent<Number> tangent{Number(0.), Number(0.), Number(0.)};
