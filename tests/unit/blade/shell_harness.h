@@ -15,6 +15,19 @@ namespace shell_harness
 {
   using namespace birdstrike;
 
+  /// Those that hold for warped elements and any mesh, and all.
+  inline constexpr ShellFormulation covariant_formulations[] = {ShellFormulation::one_point_physical,
+                                                                ShellFormulation::fully_integrated};
+  inline constexpr ShellFormulation all_formulations[]       = {
+          ShellFormulation::one_point_physical, ShellFormulation::belytschko_tsay, ShellFormulation::fully_integrated};
+
+  inline const char *name_of(const ShellFormulation formulation)
+  {
+    return formulation == ShellFormulation::one_point_physical ? "physical"
+           : formulation == ShellFormulation::belytschko_tsay  ? "Belytschko-Tsay"
+                                                               : "fully integrated";
+  }
+
   struct Mesh
   {
     std::vector<Point3>                       nodes;
