@@ -3,6 +3,7 @@
 #include "counted_number.h"
 
 #include <birdstrike/bird/particles.h>
+#include <birdstrike/blade/shell_full_integration.h>
 #include <birdstrike/blade/shell_kernel.h>
 #include <birdstrike/blade/shell_section.h>
 #include <birdstrike/blade/shell_step_bound.h>
@@ -98,17 +99,71 @@ namespace birdstrike::benchmarks
       fd.sum_at_corners(director);
       for (int i = 0; i < 4; ++i)
         moment[i] = end.director[i].cross(director[i]);
-      compute_eigenvalue_bound(end, stress.thickness, Counted(1. / 4.7e-4), law);
+      compute_eigenvalue_bound<false>(end, stress.thickness, Counted(1. / 4.7e-4), law);
+    }
+
+    /// The same fully integrated (source/blade/shell_full_integration.cc); points of one section after the other.
+    void step_fully_integrated(const ShellSectionLaw &law, SectionStress<Counted> (&stress)[4],
+                               ShellPoint<Counted> *points, const double strain)
+    {
+      Vectors position, normal, increment, rotation, director;
+      set_plate(position, normal, increment, rotation, strain);
+      const auto    x = ShellModes<Counted>::of_corners(position), u = ShellModes<Counted>::of_corners(increment);
+      const Counted half = 0.5;
+      const auto    midpoint =
+        ShellGeometry<Counted>::of_modes({x.m0, x.m1 - half * u.m1, x.m2 - half * u.m2, x.m3 - half * u.m3}, normal);
+      for (int i = 0; i < 4; ++i)
+        director[i] = rotation[i].cross(midpoint.director[i]);
+      const double                             nu = law.elasticity.poisson;
+      full_integration::PlaneGeometry<Counted> plane(midpoint, nu);
+      SectionVector<Counted>                   section[4];
+      compute_point_strains(
+        plane, full_integration::compute_strains(midpoint, u, ShellModes<Counted>::of_corners(director)), section);
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          if (points == nullptr)
+            law.update_elastic(section[k], 880e6, stress[k]);
+          else
+            law.update_plastic(section[k], 0.7e-6, stress[k], points + k * law.rule.n);
+          section[k] = compute_resultants(stress[k]);
+        }
+      const auto end = ShellGeometry<Counted>::of_modes(x, normal);
+      plane          = full_integration::PlaneGeometry<Counted>(end, nu);
+      ShellModes<Counted> f, fd;
+      Vectors             force, moment;
+      full_integration::compute_mode_forces(end, integrate_resultants(plane, section), f, fd);
+      f.sum_at_corners(force);
+      fd.sum_at_corners(director);
+      for (int i = 0; i < 4; ++i)
+        moment[i] = end.director[i].cross(director[i]);
+      compute_eigenvalue_bound<true>(end, stress[0].thickness, Counted(1. / 4.7e-4), law);
+    }
+
+    ShellSectionLaw make_law(const unsigned int n_points)
+    {
+      ShellSection section;
+      section.n_points                   = n_points;
+      section.material.hardening.law     = HardeningLaw::linear;
+      section.material.hardening.modulus = 1.25e9;
+      return ShellSectionLaw(section);
+    }
+
+    /// An element with so many sections in its plane, of so many numbers each, from the flops of its step.
+    Work make_shell_work(const double flops, const double n_sections, const double n_numbers, const double n_points)
+    {
+      // work of the corner forces 4 x 6 x 3 and its booking 6; a node an element: normal from four corners 4 x 18 + 15,
+      // sum of four corners' forces 24
+      constexpr double elsewhere = 72. + 6. + 87. + 24.;
+      // a node: position, increment, force (15), record written and read (2 x 16); an element: corner forces written,
+      // read and gathered (3 x 24), mass, area, bound, works (9), its nodes (2), stress (2 x); a point: 2 x 6
+      const double doubles = 15. + 32. + 72. + 9. + 2. + n_sections * (2. * n_numbers + 12. * n_points);
+      return {flops + elsewhere, 8. * doubles};
     }
   } // namespace
 
   Work shell_work(const bool is_plastic, const unsigned int n_points)
   {
-    ShellSection section;
-    section.n_points                   = n_points;
-    section.material.hardening.law     = HardeningLaw::linear;
-    section.material.hardening.modulus = 1.25e9;
-    const ShellSectionLaw law(section);
+    const ShellSectionLaw law = make_law(n_points);
     ShellStress<Counted>  stress{};
     ShellPoint<Counted>   points[7];
     stress.thickness = 4.27e-3;
@@ -118,14 +173,26 @@ namespace birdstrike::benchmarks
         for (int k = 0; k < 20; ++k)
           step_element(law, stress, points, 1e-3);
       }
-    const double element = count_flops([&] { step_element(law, stress, is_plastic ? points : nullptr, 2e-5); });
-    // work of the corner forces 4 x 6 x 3 and its booking 6; a node an element: normal from four corners 4 x 18 + 15,
-    // sum of four corners' forces 24
-    constexpr double elsewhere = 72. + 6. + 87. + 24.;
-    // a node: position, increment, force (15), record written and read (2 x 16); an element: corner forces written,
-    // read and gathered (3 x 24), stress (2 x 15), mass, area, bound, works (9), its nodes (2); a point: 2 x 6
-    const double doubles = 15. + 32. + 72. + 30. + 9. + 2. + (is_plastic ? 12. * n_points : 0.);
-    return {element + elsewhere, 8. * doubles};
+    const double flops = count_flops([&] { step_element(law, stress, is_plastic ? points : nullptr, 2e-5); });
+    return make_shell_work(flops, 1., 15., is_plastic ? n_points : 0.);
+  }
+
+  Work full_shell_work(const bool is_plastic, const unsigned int n_points)
+  {
+    const ShellSectionLaw  law = make_law(n_points);
+    SectionStress<Counted> stress[4]{};
+    ShellPoint<Counted>    points[4 * 7];
+    for (unsigned int k = 0; k < 4; ++k)
+      stress[k].thickness = 4.27e-3;
+    if (is_plastic)
+      {
+        for (unsigned int k = 0; k < 4; ++k)
+          law.promote(stress[k], points + k * n_points);
+        for (int k = 0; k < 20; ++k)
+          step_fully_integrated(law, stress, points, 1e-3);
+      }
+    const double flops = count_flops([&] { step_fully_integrated(law, stress, is_plastic ? points : nullptr, 2e-5); });
+    return make_shell_work(flops, 4., 9., is_plastic ? n_points : 0.);
   }
 
   // ---- contact ----

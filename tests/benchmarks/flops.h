@@ -16,9 +16,10 @@ namespace birdstrike::benchmarks
     double flops = 0., bytes = 0.;
   };
 
-  Work pair_loop_work(double n_true_neighbors);     ///< Riemann rates, corrected, per particle
-  Work particle_step_work(double n_true_neighbors); ///< with kicks and drift
-  Work particle_motion_work();                      ///< one kick or drift, mean
-  Work shell_work(bool is_plastic, unsigned int n_points);
+  Work pair_loop_work(double n_true_neighbors);                 ///< Riemann rates, corrected, per particle
+  Work particle_step_work(double n_true_neighbors);             ///< with kicks and drift
+  Work particle_motion_work();                                  ///< one kick or drift, mean
+  Work shell_work(bool is_plastic, unsigned int n_points);      ///< default formulation, per element
+  Work full_shell_work(bool is_plastic, unsigned int n_points); ///< fully integrated
   Work contact_work(double n_pairs); ///< per near point with so many candidate facets; half of the points touch
 } // namespace birdstrike::benchmarks

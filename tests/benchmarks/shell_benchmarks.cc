@@ -7,6 +7,19 @@ namespace birdstrike::benchmarks
 {
   namespace
   {
+    Work work_of(const ShellCase &what)
+    {
+      switch (what.formulation)
+        {
+        case ShellFormulation::one_point_physical:
+          return shell_work(what.is_plastic, what.n_points);
+        case ShellFormulation::fully_integrated:
+          return full_shell_work(what.is_plastic, what.n_points);
+        default:
+          return {}; // not counted
+        }
+    }
+
     void add_elements(const std::string &name, const ShellCase &what, const std::size_t largest)
     {
       for (const Setting &setting : make_settings(largest))
@@ -17,10 +30,9 @@ namespace birdstrike::benchmarks
             auto        &shell = keep<ShellWorkload>(key, s.n, s.n_threads, what);
             const double bytes = slot.bytes, n = static_cast<double>(shell.n());
             run_loop(state, [&] { shell.step(); });
-            const bool is_physical              = what.formulation == ShellFormulation::one_point_physical;
             state.counters["promoted_share"]    = static_cast<double>(shell.elements.n_promoted()) / n;
             state.counters["bytes_per_element"] = bytes / n;
-            count_work(state, n, "element", is_physical ? shell_work(what.is_plastic, what.n_points) : Work());
+            count_work(state, n, "element", work_of(what));
           },
           setting.n < 100000 ? 200 : 20);
     }
@@ -112,6 +124,8 @@ namespace birdstrike::benchmarks
     add_elements("physical/plastic_7", {one_point_physical, 7, true}, 10000);
     add_elements("belytschko_tsay/elastic", {belytschko_tsay, 5, false}, 10000);
     add_elements("belytschko_tsay/plastic_5", {belytschko_tsay, 5, true}, 10000);
+    add_elements("fully_integrated/elastic", {fully_integrated, 5, false}, 100000);
+    add_elements("fully_integrated/plastic_5", {fully_integrated, 5, true}, 100000);
     add_blades();
   }
 } // namespace birdstrike::benchmarks

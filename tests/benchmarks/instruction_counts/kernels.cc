@@ -78,6 +78,14 @@ namespace
        [] {
          return make_elements({belytschko_tsay, 5, false});
        }},
+      {"element_fully_integrated",
+       [] {
+         return make_elements({fully_integrated, 5, false});
+       }},
+      {"element_fully_integrated_plastic",
+       [] {
+         return make_elements({fully_integrated, 5, true});
+       }},
       {"near_point", [] { return make_contact(0, false); }},
       {"contact_search", [] { return make_contact(8, true); }}};
     return all;
