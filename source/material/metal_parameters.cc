@@ -1,3 +1,5 @@
+#include "table_entry.h"
+
 #include <birdstrike/core/errors.h>
 #include <birdstrike/material/metal_parameters.h>
 #include <birdstrike/material/metal_table.h>
@@ -6,8 +8,6 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 
 namespace birdstrike
 {
@@ -22,20 +22,6 @@ namespace birdstrike
         {"linear", HardeningLaw::linear},   {"swift", HardeningLaw::swift},
         {"voce", HardeningLaw::voce},       {"johnson-cook", HardeningLaw::johnson_cook}};
       return laws;
-    }
-
-    /// A number in (lowest, highest) that replaces `value`, unless the text is "table".
-    void replace(double &value, const std::string &text, const std::string &entry, const double lowest,
-                 const double highest)
-    {
-      if (text == "table")
-        return;
-      char        *end    = nullptr;
-      const double number = std::strtod(text.c_str(), &end);
-      if (text.empty() || *end != '\0' || !std::isfinite(number) || number < lowest || number > highest)
-        throw InputError("Blade/Material/" + entry + ": '" + text + "' was read.\nAllowed: 'table' or a number from " +
-                         std::to_string(lowest) + " to " + std::to_string(highest) + ".");
-      value = number;
     }
   } // namespace
 
@@ -75,6 +61,7 @@ namespace birdstrike
                       Patterns::Double(0.));
     prm.add_parameter("Melting temperature", melting_temperature, "Temperature at which no strength is left. [K]",
                       Patterns::Double(0.));
+    failure.declare(prm);
   }
 
   void MetalParameters::check() const
@@ -125,6 +112,10 @@ namespace birdstrike
     if (h.law == HardeningLaw::swift && h.exponent > 1.)
       throw InputError("Blade/Material/Hardening exponent: " + std::to_string(h.exponent) +
                        " was read; Swift's law needs one from 0 to 1.");
+    result.failure = failure.failure(result.failure, name);
+    if (result.failure.can_fail() && h.law == HardeningLaw::elastic)
+      throw InputError("Blade/Material/Failure: a metal that never yields never fails.\n"
+                       "Set Hardening to another law than elastic, or Failure = none.");
     return result;
   }
 } // namespace birdstrike

@@ -41,8 +41,15 @@ namespace birdstrike
       make_johnson_cook(ti_64, "Ti-6Al-4V Johnson-Cook 862", {862e6, 331e6, 0.34, 0.012, 0.8});
     static const Metal jc_1098 =
       make_johnson_cook(ti_64, "Ti-6Al-4V Johnson-Cook 1098", {1098e6, 1092e6, 0.93, 0.014, 1.1});
-    static const NamedChoices<Metal> table{{"custom", Metal()}, {ti_811.name, ti_811}, {ti_64.name, ti_64},
-                                           {al.name, al},       {jc_862.name, jc_862}, {jc_1098.name, jc_1098}};
+    static const Metal al_2024 = [] {
+      const Metal data  = make_metal("Al 2024", 2780., {73e9, 0.33}, 369e6);
+      Metal       metal = make_johnson_cook(data, "Al 2024 Johnson-Cook", {369e6, 684e6, 0.73, 0.0083, 1.7});
+      metal.failure.d   = {{0.13, 0.13, -1.5, 0.011, 0.}};
+      return metal;
+    }();
+    static const NamedChoices<Metal> table{{"custom", Metal()},    {ti_811.name, ti_811}, {ti_64.name, ti_64},
+                                           {al.name, al},          {jc_862.name, jc_862}, {jc_1098.name, jc_1098},
+                                           {al_2024.name, al_2024}};
     return table;
   }
 } // namespace birdstrike

@@ -41,4 +41,12 @@ namespace birdstrike
     stress[1] += plate * (elasticity.poisson * strain[0] + strain[1]);
     stress[2] += elasticity.shear_modulus() * strain[2];
   }
+
+  /// Elastic energy (J/m^3) of a plane stress state (sxx, syy, sxy).
+  template <class Number>
+  inline Number plane_stress_energy(const Elasticity &elasticity, const Number (&s)[3])
+  {
+    const double nu = elasticity.poisson;
+    return (s[0] * s[0] + s[1] * s[1] - 2. * nu * s[0] * s[1] + 2. * (1. + nu) * s[2] * s[2]) / (2. * elasticity.young);
+  }
 } // namespace birdstrike

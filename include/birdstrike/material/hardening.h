@@ -82,14 +82,23 @@ namespace birdstrike
     }
   } // namespace internal
 
+  /// T* = (T - T_room)/(T_melt - T_room), cut to [0, 1], of the present temperature T (K); 0 where nothing heats.
+  template <class Number>
+  inline Number homologous_temperature(const Hardening &h, const Number &temperature)
+  {
+    if (h.heat_capacity <= 0.)
+      return Number(0.);
+    const Number ratio = (temperature - h.room_temperature) / (h.melting_temperature - h.room_temperature);
+    return min(max(ratio, Number(0.)), Number(1.));
+  }
+
   /// 1 - T*^m, with T the present temperature (K); 1 where nothing heats.
   template <class Number>
   inline Number thermal_softening(const Hardening &h, const Number &temperature)
   {
     if (h.heat_capacity <= 0.)
       return Number(1.);
-    const Number ratio = (temperature - h.room_temperature) / (h.melting_temperature - h.room_temperature);
-    const Number t     = min(max(ratio, Number(1e-12)), Number(1.));
+    const Number t = max(homologous_temperature(h, temperature), Number(1e-12));
     return Number(1.) - exp(h.softening_exponent * log(t));
   }
 

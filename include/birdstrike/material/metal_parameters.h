@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/material/failure_parameters.h>
 #include <birdstrike/material/metal.h>
 
 #include <string>
@@ -36,6 +37,8 @@ namespace birdstrike
     double      room_temperature    = 293.;    ///< K
     double      melting_temperature = 1873.;   ///< K
     std::string softening_exponent  = "table"; ///< -
+
+    FailureParameters failure;
 
     /// Declares the entries in the section that the caller has entered.
     void declare(dealii::ParameterHandler &prm);

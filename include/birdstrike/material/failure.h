@@ -1,0 +1,77 @@
+#pragma once
+
+#include <birdstrike/core/number.h>
+#include <birdstrike/material/hardening.h>
+
+#include <array>
+
+namespace birdstrike
+{
+  /// What makes a point of metal fail.
+  enum class FailureLaw
+  {
+    none,
+    plastic_strain, ///< the equivalent plastic strain reaches a limit
+    johnson_cook    ///< accumulated damage (Johnson & Cook 1985)
+  };
+
+  /// Constants of a failure law. A point has the damage
+  ///   D = sum dp / e_f,
+  /// with the increments dp of its equivalent plastic strain and the failure strain e_f of the state in which each of
+  /// them happened; at D = 1 it fails and carries no stress from then on. Until then damage does not soften.
+  ///
+  /// Johnson & Cook (Engineering Fracture Mechanics 21, 1985, eq. 5):
+  ///   e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) (1 + D5 T*),
+  /// s* = mean stress / von Mises stress, positive in tension, so that metals have D3 < 0 as the paper prints it (some
+  /// programs print -D3); r* = max(p_dot / reference rate, 1) with the reference rate of the hardening; T* is the
+  /// homologous temperature, zero where nothing heats. The paper gives the law for s* <= 1.5: what lies beyond counts
+  /// as 1.5. Below `smallest_strain` e_f is cut.
+  struct Failure
+  {
+    FailureLaw            law            = FailureLaw::none;
+    double                plastic_strain = 0.2;                    ///< limit, -
+    std::array<double, 5> d              = {{0., 0., 0., 0., 0.}}; ///< D1 ... D5, -
+    double                failed_share   = 1.; ///< of an element's points, at which all of it has failed, -
+
+    static constexpr double smallest_strain = 1e-6, largest_triaxiality = 1.5;
+
+    bool can_fail() const
+    {
+      return law != FailureLaw::none;
+    }
+  };
+
+  /// e_f from s*, r* and T* (all -).
+  template <class Number>
+  inline Number compute_failure_strain(const Failure &f, const Number &triaxiality, const Number &rate,
+                                       const Number &temperature)
+  {
+    if (f.law == FailureLaw::plastic_strain)
+      return Number(f.plastic_strain);
+    const Number bounded = min(triaxiality, Number(Failure::largest_triaxiality));
+    const Number strain  = (f.d[0] + f.d[1] * exp(f.d[2] * bounded)) *
+                          (Number(1.) + f.d[3] * log(max(rate, Number(1.)))) * (Number(1.) + f.d[4] * temperature);
+    return max(strain, Number(Failure::smallest_strain));
+  }
+
+  /// The plastic strain of one step and the state at its end.
+  template <class Number>
+  struct PlasticStep
+  {
+    Number strain;      ///< dp, -
+    Number mean_stress; ///< Pa, tr(s)/3
+    Number von_mises;   ///< Pa
+    Number temperature; ///< K
+    double dt;          ///< s
+  };
+
+  /// What a step adds to D.
+  template <class Number>
+  inline Number compute_damage_increment(const Failure &f, const Hardening &h, const PlasticStep<Number> &step)
+  {
+    const Number tiny(1e-300);
+    return step.strain / compute_failure_strain(f, Number(step.mean_stress / max(step.von_mises, tiny)),
+                                                Number(step.strain / (step.dt * h.reference_rate)),
+                                                homologous_temperature(h, step.temperature));
+  }
+} // namespace birdstrike

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <birdstrike/material/failure.h>
+
+#include <array>
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace birdstrike
+{
+  /// The failure of a metal as the user gives it. Damage constants are texts, since "table" (take them from the named
+  /// metal) stands beside numbers; `failure` refuses any other text.
+  struct FailureParameters
+  {
+    std::string                law            = "none";
+    double                     plastic_strain = Failure().plastic_strain; ///< -
+    std::array<std::string, 5> d              = {{"table", "table", "table", "table", "table"}};
+    double                     failed_share   = Failure().failed_share; ///< -
+
+    /// Declares the entries in the section that the caller has entered.
+    void declare(dealii::ParameterHandler &prm);
+    /// The law that follows, with the constants of a metal of the table and its name; throws InputError.
+    Failure failure(const Failure &table, const std::string &metal) const;
+  };
+} // namespace birdstrike

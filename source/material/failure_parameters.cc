@@ -1,0 +1,77 @@
+#include "table_entry.h"
+
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/named_choices.h>
+#include <birdstrike/material/failure_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    namespace Patterns = dealii::Patterns;
+
+    const NamedChoices<FailureLaw> &failure_laws()
+    {
+      static const NamedChoices<FailureLaw> laws{{"none", FailureLaw::none},
+                                                 {"plastic strain", FailureLaw::plastic_strain},
+                                                 {"Johnson-Cook", FailureLaw::johnson_cook}};
+      return laws;
+    }
+
+    const std::array<const char *, 5> what{{"failure strain at any triaxiality", "factor of the exponential term",
+                                            "exponent of the triaxiality", "factor of the logarithmic strain rate",
+                                            "factor of the homologous temperature"}};
+
+    std::string entry_of(const std::size_t k)
+    {
+      return "Damage D" + std::to_string(k + 1);
+    }
+  } // namespace
+
+  void FailureParameters::declare(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("Failure", law,
+                      "When a point of the metal fails and carries nothing any more: never, at a plastic strain, or at "
+                      "Johnson and Cook's damage, sum dp / e_f = 1 with e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) "
+                      "(1 + D5 T*) and s* the mean over the von Mises stress, positive in tension. [-]",
+                      Patterns::Selection(failure_laws().selection()));
+    prm.add_parameter("Failure strain", plastic_strain,
+                      "Equivalent plastic strain at which a point fails (Failure = plastic strain). [-]",
+                      Patterns::Double(1e-6, 100.));
+    for (std::size_t k = 0; k < d.size(); ++k)
+      prm.add_parameter(entry_of(k), d[k],
+                        std::string("Johnson and Cook's damage: ") + what[k] +
+                          (k == 2 ? ", negative for metals, or 'table'. [-]" : ", or 'table'. [-]"),
+                        Patterns::Anything());
+    prm.add_parameter("Failed share", failed_share,
+                      "Share of an element's points that must have failed before all of it is taken away; 1, the usual "
+                      "choice, waits for the last one. A point on the neutral axis of bending hardly strains: 0.8 does "
+                      "not wait for one of five. [-]",
+                      Patterns::Double(1e-3, 1.));
+  }
+
+  Failure FailureParameters::failure(const Failure &table, const std::string &metal) const
+  {
+    Failure result        = table;
+    result.law            = failure_laws().at(law);
+    result.plastic_strain = plastic_strain;
+    result.failed_share   = failed_share;
+    for (std::size_t k = 0; k < d.size(); ++k)
+      replace(result.d[k], d[k], entry_of(k), k == 0 || k == 2 ? -100. : 0., 100.);
+    const bool has_no_constants = std::all_of(result.d.begin(), result.d.end(), [](const double x) { return x == 0.; });
+    if (result.law == FailureLaw::johnson_cook && has_no_constants)
+      throw InputError("Blade/Material/Failure: Johnson-Cook was read, but the table has no damage constants for '" +
+                       metal + "'.\nGive Damage D1 to D5, or choose a metal that has them: Al 2024 Johnson-Cook.");
+    if (result.law == FailureLaw::johnson_cook)
+      for (const double triaxiality : {-2. / 3., 1. / 3., 2. / 3.})
+        if (result.d[0] + result.d[1] * std::exp(result.d[2] * triaxiality) <= 0.)
+          throw InputError("Blade/Material/Damage D1: with these constants the failure strain at a triaxiality of " +
+                           std::to_string(triaxiality) + " is not positive.\nSign of D3: negative for metals.");
+    return result;
+  }
+} // namespace birdstrike
