@@ -1,6 +1,7 @@
 #include <birdstrike/blade/shell_implementation.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace birdstrike
@@ -25,7 +26,9 @@ namespace birdstrike
 
   ShellElements::Implementation::Diagonals ShellElements::Implementation::find_diagonals(const std::uint32_t n) const
   {
-    std::vector<Corner> rest(corners.begin() + corner_begin[n], corners.begin() + corner_begin[n + 1]);
+    std::vector<Corner> rest; // but those of failed elements, see take_out
+    std::copy_if(corners.begin() + corner_begin[n], corners.begin() + corner_begin[n + 1], std::back_inserter(rest),
+                 [n](const Corner &c) { return c.next != n; });
     // the polygon around the node: from `next` to `previous` of one element after the other
     std::vector<std::uint32_t> polygon;
     const auto                 starts = [&](const std::uint32_t node) {

@@ -30,7 +30,7 @@ namespace birdstrike
     , pool(pool)
     , n_nodes(nodes.size())
     , cells(std::move(cells))
-    , records(nodes.size())
+    , records(nodes.size() + (section.material.failure.can_fail() ? n_resting_records : 0))
     , node_force(nodes.size())
     , n_in_plane(section.formulation == ShellFormulation::fully_integrated ? full_integration::n_points : 1)
   {
@@ -45,6 +45,8 @@ namespace birdstrike
     for (const Block &block : blocks)
       update_nodes(block, nodes[0].data(), still.data());
     build_batches(thickness, std::move(row_begin));
+    if (section.material.failure.can_fail())
+      build_erosion();
   }
 
   void ShellElements::Implementation::build_corners()
@@ -192,7 +194,7 @@ namespace birdstrike
       return std::isfinite(sum) && smallest_area(element) > 0.;
     };
     for (std::size_t k = n_elements_of(b); k-- > 0;)
-      if (!is_sound(b * n_lanes + k))
+      if (!is_failed(b * n_lanes + k) && !is_sound(b * n_lanes + k))
         e = b * n_lanes + k;
     throw NumericalFailure("Shell " + place(e).text() + ": force is not finite or area not positive (area " +
                            text(smallest_area(e)) +

@@ -91,6 +91,8 @@ namespace birdstrike
         my.pool.parallel_for(block.chunk_end - block.chunk_begin, 1, std::cref(body));
         my.gather_forces(block, force);
       }
+    if (my.erosion)
+      my.erode(position);
   }
 
   double ShellElements::largest_stable_step() const

@@ -3,6 +3,8 @@
 #include <birdstrike/blade/shell_full_integration.h>
 #include <birdstrike/blade/shell_step_bound.h>
 
+#include <algorithm>
+
 namespace birdstrike
 {
   using full_integration::PlaneGeometry;
@@ -15,6 +17,8 @@ namespace birdstrike
   {
     if (points[k].empty())
       promote(k);
+    if (erosion)
+      return update_failing_section(k, strain, dt);
     return law.update_plastic(strain, dt, sections[k], points[k].data());
   }
 
@@ -39,6 +43,9 @@ namespace birdstrike
     compute_point_strains(
       plane, full_integration::compute_strains(midpoint, u, ShellModes<Lanes>::of_corners(director)), section_of_point);
 
+    SectionVector<Lanes> strain[n_points]; // kept where something may fail
+    if (erosion)
+      std::copy(section_of_point, section_of_point + n_points, strain);
     Lanes thickness = 0., plastic = 0.;
     for (int k = 0; k < n_points; ++k)
       {
@@ -48,6 +55,14 @@ namespace birdstrike
           plastic += plane.point[k].area * update_section(s, section_of_point[k], dt);
         thickness           = max(thickness, state.thickness);
         section_of_point[k] = compute_resultants(state);
+      }
+    if (erosion && erosion->batches[b].has_new)
+      {
+        const Lanes area[n_points] = {plane.point[0].area, plane.point[1].area, plane.point[2].area,
+                                      plane.point[3].area};
+        release_sections(b, strain, area);
+        for (int k = 0; k < n_points; ++k)
+          section_of_point[k] = compute_resultants(sections[n_points * b + k]);
       }
     chunk.plastic += b + 1 == batches.size() ? first_lanes(plastic, n_elements_of(b)) : plastic;
 

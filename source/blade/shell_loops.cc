@@ -49,10 +49,13 @@ namespace birdstrike
 
   // Apart, so that the elastic path has the registers for itself.
   [[gnu::noinline, gnu::flatten]] ShellWork<Lanes>
-  ShellElements::Implementation::update_points(const std::size_t b, const ShellVector<Lanes> &strain, const double dt)
+  ShellElements::Implementation::update_points(const std::size_t b, const ShellVector<Lanes> &strain, const Lanes &area,
+                                               const double dt)
   {
     if (points[b].empty())
       promote(b);
+    if (erosion)
+      return update_failing_points(b, strain, area, dt);
     return law.update_plastic(strain, dt, stress[b], points[b].data());
   }
 
@@ -72,7 +75,7 @@ namespace birdstrike
       compute_strain_increments<physical>(midpoint, state.thickness, section.hourglass_coefficient, u, nodes);
     ShellWork<Lanes> work;
     if (!points[b].empty() || !law.update_elastic(strain, initial_yield, state, work))
-      work = update_points(b, strain, dt);
+      work = update_points(b, strain, midpoint.area, dt);
 
     const auto end   = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
     batch.eigenvalue = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, law);

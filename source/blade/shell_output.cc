@@ -10,7 +10,7 @@ namespace birdstrike
     for (const Row &sum : implementation->work)
       for (const double part : sum.value)
         work += part;
-    return work - plastic_work() - hourglass_energy();
+    return work - plastic_work() - hourglass_energy() - eroded_energy();
   }
   double ShellElements::plastic_work() const
   {
@@ -53,6 +53,13 @@ namespace birdstrike
                       bytes_of(my.points);
     for (const auto &of_section : my.points)
       sum += bytes_of(of_section);
+    if (my.erosion)
+      {
+        sum += bytes_of(my.erosion->batches) + bytes_of(my.erosion->damage) + bytes_of(my.erosion->entering_of) +
+               bytes_of(my.erosion->n_left);
+        for (const auto &of_section : my.erosion->damage)
+          sum += bytes_of(of_section);
+      }
     return sum;
   }
 
@@ -66,12 +73,17 @@ namespace birdstrike
 
   ShellState ShellElements::state(const std::size_t element) const
   {
-    const Implementation       &my = *implementation;
-    const ShellGeometry<double> g  = my.geometry(element);
-    const std::size_t           b = element / n_lanes, k = element % n_lanes;
-    const double                share = 1. / double(my.n_in_plane);
-    ShellState                  state{};
-    state.axes << g.compute_e1(), g.compute_e2(), g.e3;
+    const Implementation &my = *implementation;
+    const std::size_t     b = element / n_lanes, k = element % n_lanes;
+    const double          share = 1. / double(my.n_in_plane);
+    ShellState            state{};
+    if (my.is_failed(element)) // its nodes may lie anywhere
+      state.axes.setIdentity();
+    else
+      {
+        const ShellGeometry<double> g = my.geometry(element);
+        state.axes << g.compute_e1(), g.compute_e2(), g.e3;
+      }
     for (std::size_t i = 0; i < my.n_in_plane; ++i)
       {
         const auto  &s = my.section_of(b, i);
@@ -111,6 +123,8 @@ namespace birdstrike
 
   std::array<double, 6> ShellElements::global_layer_stress(const std::size_t element, const ShellLayer layer) const
   {
+    if (implementation->is_failed(element))
+      return {};
     const auto                  s  = layer_stress(element, layer);
     const ShellGeometry<double> g  = implementation->geometry(element);
     const Point3                e1 = g.compute_e1(), e2 = g.compute_e2();

@@ -36,14 +36,14 @@ namespace birdstrike
       return true;
     }
 
-    /// One step of a section with points; returns the plastic work per area (J/m^2).
-    template <class Number>
+    /// One step of a section with points; returns the plastic work per area (J/m^2). `failing` as in update_points.
+    template <class Number, class Failing = NeverFails>
     Number update_plastic(const SectionVector<Number> &e, const double dt, SectionStress<Number> &s,
-                          ShellPoint<Number> *points) const
+                          ShellPoint<Number> *points, Failing &&failing = {}) const
     {
       const Number old_trace = s.mean[0] + s.mean[1];
       Number       work      = Number(0.);
-      update_points(e, dt, s, points, work);
+      update_points(e, dt, s, points, work, failing);
       update_shear_and_thickness(e, old_trace, s);
       return work;
     }

@@ -64,6 +64,9 @@ namespace birdstrike
   /// geometry x - dx/2, forces on the end geometry. The stiffness against drilling is zero; the moment on a node has no
   /// component along the averaged normal there (not so with Belytschko-Tsay), and the rotation about it has no effect.
   ///
+  /// Where the metal can fail (material/failure.h), a point with D >= 1 carries nothing from then on, and an element
+  /// whose stated share of points has failed neither (shell_failure.h). Other metals pay nothing for it.
+  ///
   /// Not here: mass, supports, loads, time. Throws InputError for a degenerate element or an impossible section,
   /// NumericalFailure when an element collapses or a force is not finite.
   class ShellElements
@@ -98,6 +101,16 @@ namespace birdstrike
     double elastic_energy() const;
     double plastic_work() const;
     double hourglass_energy() const;
+    /// Elastic energy, and what of the hourglass energy was elastic, that points and elements had when they failed; it
+    /// has left the other three.
+    double eroded_energy() const;
+
+    /// Failed elements carry nothing and have no vote on the step; their nodes keep their masses. Once failed, always.
+    std::size_t n_failed() const;
+    bool        is_failed(std::size_t element) const;
+    double      failed_mass() const;               ///< kg
+    bool        is_free(std::size_t node) const;   ///< all its elements have failed
+    double      damage(std::size_t element) const; ///< largest D of its points; 1 and more: such a point failed
 
     std::size_t n_elements() const;
     std::size_t n_promoted() const; ///< elements that store points because an outer fibre met the yield stress

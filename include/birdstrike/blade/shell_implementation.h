@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/blade/shell_erosion.h>
 #include <birdstrike/blade/shell_section.h>
 #include <birdstrike/core/aligned_vector.h>
 #include <birdstrike/core/lane_rows.h>
@@ -70,6 +71,8 @@ namespace birdstrike
     {
       std::uint32_t chunk_begin, chunk_end, entering_begin, entering_end, leaving_begin, leaving_end, work_begin;
     };
+    static constexpr std::size_t n_resting_records = 4;
+
     static constexpr std::size_t batches_per_chunk = 16, nodes_per_chunk = 512;
     static constexpr std::size_t elements_per_block = 8192;
 
@@ -78,6 +81,8 @@ namespace birdstrike
     void update_chunk(std::size_t chunk, double dt);
     void list_irregular();
     void gather_forces(const Block &block, double *force);
+    void erode(const double *position); ///< after all forces: takes out the elements that have failed
+    bool is_failed(std::size_t element) const;
     void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: quarters
 
     /// Section k < n_in_plane of a batch, and its points through the thickness.
@@ -114,10 +119,11 @@ namespace birdstrike
     AlignedVector<Row>                        work;         ///< [chunks of nodes], J by component, cumulative
     AlignedVector<Batch>                      batches;
     AlignedVector<Chunk>                      chunks;
-    std::size_t                               n_in_plane; ///< sections of an element: one, or four fully integrated
-    AlignedVector<ShellStress<Lanes>>         stress;     ///< [n_batches] of one-point elements
-    AlignedVector<SectionStress<Lanes>>       sections;   ///< [4 n_batches] of fully integrated ones
-    std::vector<AlignedVector<ShellPoint<Lanes>>> points; ///< [n_in_plane n_batches], empty while elastic
+    std::size_t                               n_in_plane;  ///< sections of an element: one, or four fully integrated
+    AlignedVector<ShellStress<Lanes>>         stress;      ///< [n_batches] of one-point elements
+    AlignedVector<SectionStress<Lanes>>       sections;    ///< [4 n_batches] of fully integrated ones
+    std::vector<AlignedVector<ShellPoint<Lanes>>> points;  ///< [n_in_plane n_batches], empty while elastic
+    std::unique_ptr<ShellErosion>                 erosion; ///< null where the metal cannot fail
 
   private:
     void                       build_corners();
@@ -131,9 +137,16 @@ namespace birdstrike
     void update_irregular(std::size_t node, const double *position);
     template <bool physical>
     void              update_batch(std::size_t batch, double dt, Chunk &chunk);
-    ShellWork<Lanes>  update_points(std::size_t batch, const ShellVector<Lanes> &strain, double dt);
+    ShellWork<Lanes>  update_points(std::size_t batch, const ShellVector<Lanes> &strain, const Lanes &area, double dt);
+    ShellWork<Lanes>  update_failing_points(std::size_t batch, const ShellVector<Lanes> &strain, const Lanes &area,
+                                            double dt);
     void              update_fully_integrated(std::size_t batch, double dt, Chunk &chunk);
     Lanes             update_section(std::size_t section, const SectionVector<Lanes> &strain, double dt);
+    Lanes             update_failing_section(std::size_t section, const SectionVector<Lanes> &strain, double dt);
+    void              release_sections(std::size_t batch, const SectionVector<Lanes> *strain, const Lanes *area);
+    void              book_failed(std::size_t batch, const LanesMask &fails, const Lanes &energy);
+    void              build_erosion();
+    void              take_out(std::size_t batch, std::size_t lane, std::vector<std::uint32_t> &nodes);
     [[noreturn]] void report_failure(std::size_t batch) const;
   };
 } // namespace birdstrike

@@ -38,14 +38,14 @@ namespace birdstrike
       return true;
     }
 
-    /// The same in a step of a section with points.
-    template <class Number>
+    /// The same in a step of a section with points; `failing` as in update_points.
+    template <class Number, class Failing = NeverFails>
     ShellWork<Number> update_plastic(const ShellVector<Number> &e, const double dt, ShellStress<Number> &s,
-                                     ShellPoint<Number> *points) const
+                                     ShellPoint<Number> *points, Failing &&failing = {}) const
     {
       ShellWork<Number>     work{Number(0.), Number(0.)};
       const Number          old_trace = s.mean[0] + s.mean[1], floor = Number(smallest_tangent);
-      const Tangent<Number> tangent = update_points(e, dt, s, points, work.plastic);
+      const Tangent<Number> tangent = update_points(e, dt, s, points, work.plastic, failing);
       const Number          one = 1., limit = is_capped ? tangent.yield : Number(std::numeric_limits<double>::max());
       const Number          membrane = elasticity.young * (is_capped ? max(floor, tangent.membrane) : one);
       const Number          bending  = elasticity.young * (is_capped ? max(floor, tangent.bending) : one);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <birdstrike/blade/point_failure.h>
 #include <birdstrike/blade/shell_stress.h>
 #include <birdstrike/blade/thickness_points.h>
 #include <birdstrike/material/plane_stress_return.h>
 
 #include <limits>
+#include <type_traits>
 
 namespace birdstrike
 {
@@ -42,10 +44,10 @@ namespace birdstrike
         }
     }
 
-    /// One step of the points; `s` gets their stress.
-    template <class Number>
+    /// One step of the points; `s` gets their stress. `failing`: FailingPoints, or NeverFails.
+    template <class Number, class Failing = NeverFails>
     Tangent<Number> update_points(const SectionVector<Number> &e, const double dt, SectionStress<Number> &s,
-                                  ShellPoint<Number> *points, Number &plastic_work) const
+                                  ShellPoint<Number> *points, Number &plastic_work, Failing &&failing = {}) const
     {
       Tangent<Number> tangent{Number(0.), Number(0.), Number(0.)};
       Number          plastic_strain = Number(0.); // sum over the points
@@ -60,28 +62,44 @@ namespace birdstrike
                                            e.membrane[2] + arm * e.curvature[2]};
           add_plane_stress(elasticity, strain, point.stress);
           const Number softening = thermal_softening(hardening, adiabatic_temperature(hardening, point.plastic_work));
-          const auto   step =
+          auto         step =
             plane_stress_return(elasticity, hardening, point.plastic_strain, point.yield, softening, dt, point.stress);
+          if constexpr (std::decay_t<Failing>::can_fail)
+            failing.update(k, point, step);
           const auto   yields = step.strain > Number(0.);
           const Number work   = step.stress * step.strain;
           point.plastic_strain += step.strain;
           point.plastic_work += work;
           plastic_work += w * s.thickness * work;
           update_yield(point, dt);
-          const Number ratio = select(yields, step.slope / (elasticity.young + step.slope), Number(1.));
+          Number ratio = select(yields, step.slope / (elasticity.young + step.slope), Number(1.)), flow = point.yield;
+          if constexpr (std::decay_t<Failing>::can_fail)
+            {
+              ratio *= failing.carries;
+              flow *= failing.carries;
+            }
           tangent.membrane += w * ratio;
           tangent.bending += 3. * w * z * z * ratio;
-          tangent.yield += w * point.yield;
+          tangent.yield += w * flow;
           plastic_strain += point.plastic_strain;
-          for (int c = 0; c < 3; ++c)
-            {
-              s.mean[c] += w * point.stress[c];
-              s.outer[c] += 3. * w * z * point.stress[c];
-            }
+          add_stress(k, point, s);
         }
       // lanes that hold points for their neighbours' sake alone do what they would without
       tangent.yield = select(plastic_strain > Number(0.), tangent.yield, std::numeric_limits<double>::max());
       return tangent;
+    }
+
+    /// The share of point k in mean and linear stress.
+    template <class Number>
+    [[gnu::always_inline]] void add_stress(const unsigned int k, const ShellPoint<Number> &point,
+                                           SectionStress<Number> &s) const
+    {
+      const double z = rule.position[k], w = 0.5 * rule.weight[k];
+      for (int c = 0; c < 3; ++c)
+        {
+          s.mean[c] += w * point.stress[c];
+          s.outer[c] += 3. * w * z * point.stress[c];
+        }
     }
 
   private:

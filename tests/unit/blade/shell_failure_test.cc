@@ -1,0 +1,217 @@
+#include "shell_harness.h"
+
+#include <birdstrike/blade/shell_failure.h>
+
+#include <gtest/gtest.h>
+
+using namespace shell_harness;
+
+namespace
+{
+  ShellSection failing_titanium(const double strain, const double share = 1.,
+                                const ShellFormulation formulation = ShellFormulation::one_point_physical)
+  {
+    ShellSection section;
+    section.formulation                     = formulation;
+    section.material.hardening.law          = HardeningLaw::linear;
+    section.material.hardening.modulus      = 1e9;
+    section.material.failure.law            = FailureLaw::plastic_strain;
+    section.material.failure.plastic_strain = strain;
+    section.material.failure.failed_share   = share;
+    return section;
+  }
+
+  Mesh plate(const unsigned int nx, const unsigned int ny)
+  {
+    return make_grid(nx, ny, [=](const double x, const double y) { return Point3(nx * x, ny * y, 0.); });
+  }
+
+  /// u_x = strain x + z-part of a curvature about y, per step
+  Eigen::VectorXd stretch(const Model &model, const double strain, const double curvature = 0.)
+  {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(model.n_dofs());
+    for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n)
+      {
+        u[6 * n]     = strain * model.mesh.nodes[n][0];
+        u[6 * n + 4] = curvature * model.mesh.nodes[n][0];
+      }
+    return u;
+  }
+
+  /// Moves the last node, which only the last element has, until that element has failed.
+  void tear_off_last_element(Model &model)
+  {
+    Eigen::VectorXd u                               = Eigen::VectorXd::Zero(model.n_dofs());
+    u.segment<3>(6 * (model.mesh.nodes.size() - 1)) = Point3(1e-3, 1e-3, 0.);
+    for (int step = 0; step < 1000 && model.elements.n_failed() == 0; ++step)
+      model.move(u, 1e-6);
+    ASSERT_TRUE(model.elements.is_failed(model.mesh.cells.size() - 1));
+    ASSERT_EQ(model.elements.n_failed(), 1u);
+  }
+
+  Eigen::VectorXd some_motion(const std::size_t n_dofs, const double size, const int seed)
+  {
+    Eigen::VectorXd u(n_dofs);
+    for (Eigen::Index d = 0; d < u.size(); ++d)
+      u[d] = size * std::sin(1. + 1.7 * d * (1 + seed) + seed);
+    return u;
+  }
+} // namespace
+
+TEST(ShellFailure, PointsToFailAreAShareRoundedUp)
+{
+  Failure failure;
+  EXPECT_EQ(n_points_to_fail(failure, 5), 5u);
+  failure.failed_share = 0.8;
+  EXPECT_EQ(n_points_to_fail(failure, 5), 4u);
+  failure.failed_share = 0.7;
+  EXPECT_EQ(n_points_to_fail(failure, 5), 4u);
+  failure.failed_share = 1e-3;
+  EXPECT_EQ(n_points_to_fail(failure, 5), 1u);
+}
+
+// A strip pulled apart in plane strain. Elastic energy is the work of the forces less what is booked elsewhere: only if
+// what failure books is right does nothing of it stay behind. 0.2 % is what second-order terms of steps of 1e-4 leave.
+TEST(ShellFailure, AStripPulledApartGivesItsEnergyToTheLedger)
+{
+  for (const auto formulation : {ShellFormulation::one_point_physical, ShellFormulation::belytschko_tsay})
+    {
+      Model       model(plate(5, 2), 0.05, failing_titanium(0.05, 1., formulation));
+      const auto &e    = model.elements;
+      const auto  u    = stretch(model, 1e-4);
+      double      peak = 0., before = 0.;
+      int         step = 0;
+      for (; e.n_failed() == 0; ++step)
+        {
+          ASSERT_LT(step, 1000);
+          EXPECT_EQ(e.eroded_energy(), 0.);
+          before = e.elastic_energy();
+          peak   = std::max(peak, model.move(u, 1e-6).cwiseAbs().maxCoeff());
+        }
+      // all points strain alike: everything fails at once
+      EXPECT_EQ(e.n_failed(), 10u);
+      EXPECT_NEAR(e.failed_mass(), 10. * 0.05 * 4430., 1e-9);
+      EXPECT_NEAR(e.eroded_energy() / before, 1., 0.02) << "less half a step's work";
+      EXPECT_NEAR(e.elastic_energy(), 0., 5e-3 * before);
+      EXPECT_GT(e.plastic_work(), 5. * before) << "plastic work stays where it is";
+      EXPECT_GT(peak, 880e6 * 0.05 * 0.5);
+      const double plastic = e.plastic_work(), elastic = e.elastic_energy();
+      EXPECT_EQ(model.move(u, 1e-6).cwiseAbs().maxCoeff(), 0.) << "nothing pulls any more";
+      EXPECT_EQ(e.plastic_work(), plastic);
+      EXPECT_NEAR(e.elastic_energy(), elastic, 1e-12 * plastic);
+      for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n)
+        EXPECT_TRUE(e.is_free(n));
+      EXPECT_EQ(e.largest_stable_step(), std::numeric_limits<double>::infinity()) << "and nothing limits the step";
+      EXPECT_EQ(e.compute_nodal_masses()[0], 0.25 * 0.05 * 4430.) << "masses stay";
+    }
+}
+
+// Bent and pulled: points fail one by one from the stretched face. A failed point carries nothing while others do; the
+// element goes when three of five have failed.
+TEST(ShellFailure, PointsFailBeforeTheElement)
+{
+  for (const double share : {0.6, 1.})
+    {
+      Model       model(plate(1, 1), 0.05, failing_titanium(0.05, share));
+      const auto &e     = model.elements;
+      const auto  u     = stretch(model, 1e-4, 2e-3); // strains from 0.5e-4 to 1.5e-4
+      int         first = 0, last = 0;
+      double      least = 0., before = 0.;
+      for (int step = 1; e.n_failed() == 0; ++step)
+        {
+          ASSERT_LT(step, 2000);
+          before = e.elastic_energy();
+          model.move(u, 1e-6);
+          least = std::min(least, e.elastic_energy() / std::max(before, 1.));
+          if (first == 0 && e.damage(0) >= 1.)
+            {
+              first = step;
+              EXPECT_EQ(e.n_failed(), 0u);
+              EXPECT_EQ(e.layer_stress(0, ShellLayer::top)[0], 0.) << "stretched most";
+              EXPECT_GT(e.layer_stress(0, ShellLayer::middle)[0], 880e6);
+              EXPECT_GT(e.state(0).membrane_force[0], 0.);
+              EXPECT_LT(e.eroded_energy(), 0.3 * before) << "one point has an eighth of the thickness";
+            }
+          last = step;
+        }
+      EXPECT_GT(least, -1e-3) << "elastic energy never falls below zero";
+      // in plane strain plastic strain 0.05 takes 0.05 sqrt(3)/2 of stretch, and 2/sqrt(3) s_y (1 - nu/2)/E are
+      // elastic; Gauss points at 0, +-0.538, +-0.906 of t/2; lengths grow by 5 %, and with them the steps needed
+      const double needed = (0.05 * std::sqrt(3.) / 2. + 2. / std::sqrt(3.) * 880e6 * 0.829 / 113.8e9) / 1e-4;
+      EXPECT_NEAR(first, needed / (1. + 0.5 * 0.906), 0.06 * first);
+      EXPECT_NEAR(last, needed / (share < 1. ? 1. : 1. - 0.5 * 0.906), 0.06 * last);
+      EXPECT_NEAR(e.elastic_energy(), 0., 5e-3 * e.eroded_energy());
+    }
+}
+
+// The element that has gone leaves no trace: same forces, same normals, same step as if it had never been.
+TEST(ShellFailure, AMeshGoesOnAsIfTheFailedElementHadNeverBeen)
+{
+  for (const unsigned int nx : {3u, 8u}) // one batch; batches beside each other
+    {
+      const ShellSection section = failing_titanium(0.05);
+      Model              torn(plate(nx, 3), 0.05, section);
+      torn.elements.use_nodal_masses(torn.elements.compute_nodal_masses());
+      tear_off_last_element(torn);
+      Mesh rest = torn.mesh;
+      rest.cells.pop_back();
+      Model never(rest, 0.05, section);
+      never.elements.use_nodal_masses(torn.elements.compute_nodal_masses());
+      const std::size_t n_last = torn.n_dofs() - 6;
+      for (int step = 0; step < 5; ++step)
+        {
+          Eigen::VectorXd u = some_motion(torn.n_dofs(), 1e-4, step);
+          if (step == 2) // onto its neighbour: the failed element has no area
+            u.segment<3>(n_last) = Point3(&torn.position[3 * (nx + 1) * 3 - 3]) - Point3(&torn.position[n_last / 2]);
+          const Eigen::VectorXd f = torn.move(u, 1e-6), g = never.move(u, 1e-6);
+          EXPECT_LT((f - g).cwiseAbs().maxCoeff(), 1e-9 * g.cwiseAbs().maxCoeff()) << "step " << step;
+          EXPECT_EQ(f.segment<6>(n_last).norm(), 0.);
+          EXPECT_NEAR(torn.elements.largest_stable_step() / never.elements.largest_stable_step(), 1., 1e-9);
+        }
+      EXPECT_EQ(torn.elements.step_limit().value, torn.elements.largest_stable_step());
+      EXPECT_TRUE(torn.elements.is_free(torn.mesh.nodes.size() - 1));
+      EXPECT_FALSE(torn.elements.is_free(torn.mesh.nodes.size() - 2));
+      EXPECT_EQ(torn.elements.global_layer_stress(torn.mesh.cells.size() - 1, ShellLayer::top),
+                (std::array<double, 6>{}));
+    }
+}
+
+// Elements on a plane of symmetry keep their normals in it when a neighbour fails.
+TEST(ShellFailure, NormalsStayInThePlaneOfSymmetry)
+{
+  Model torn(plate(3, 3), 0.05, failing_titanium(0.05));
+  torn.elements.add_symmetry_plane(std::vector<std::uint32_t>{3, 7, 11, 15}, Point3::UnitX());
+  tear_off_last_element(torn);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(torn.n_dofs());
+  for (std::size_t n = 0; n < torn.mesh.nodes.size(); ++n) // a fold along the plane
+    u[6 * n + 2] = -1e-3 * torn.mesh.nodes[n][0];
+  const auto f = torn.move(u, 1e-6);
+  EXPECT_TRUE(f.allFinite());
+}
+
+TEST(ShellFailure, IsBitwiseTheSameForOneAndTwoThreads)
+{
+  std::vector<Eigen::VectorXd> forces[2];
+  std::size_t                  n_failed[2];
+  double                       eroded[2];
+  for (const std::size_t n_threads : {1, 2})
+    {
+      // several chunks, the last batch not full
+      Model model(make_grid(30, 19, [](const double x, const double y) { return Point3(30. * x, 19. * y, x * y); }),
+                  0.05, failing_titanium(0.02, 0.6), n_threads);
+      for (int step = 0; step < 40; ++step)
+        {
+          Eigen::VectorXd u = some_motion(model.n_dofs(), 2e-2, step);
+          for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) // one end stays whole
+            u.segment<6>(6 * n) *= model.mesh.nodes[n][0] / 30.;
+          forces[n_threads - 1].push_back(model.move(u, 1e-6));
+        }
+      n_failed[n_threads - 1] = model.elements.n_failed();
+      eroded[n_threads - 1]   = model.elements.eroded_energy();
+    }
+  EXPECT_GT(n_failed[0], 20u);
+  EXPECT_LT(n_failed[0], 570u);
+  EXPECT_EQ(n_failed[0], n_failed[1]);
+  EXPECT_EQ(eroded[0], eroded[1]);
+  EXPECT_EQ(forces[0], forces[1]);
+}
