@@ -42,7 +42,7 @@ namespace birdstrike
     if (search.n_near() > 0)
       {
         const double range = topology.max_half_thickness() + 0.5 * memory.max_size();
-        add_block_forces({points, facets, topology, step, range, last.calls, last.calls == 1}, pool);
+        add_block_forces({points, facets, topology, step, range, last.calls, last.calls == 1, is_changed}, pool);
         node_sums.add_to(facets, pool);
       }
     sum_report();
@@ -51,11 +51,12 @@ namespace birdstrike
 
   void Contact::update_candidates(const PointsView &points, const FacetsView &facets, ThreadPool &pool)
   {
-    if (topology.update(facets) && last.calls > 1)
-      {
-        memory.forget_sides();
-        search.forget();
-      }
+    const auto change = topology.update(facets);
+    is_changed        = change != SurfaceTopology::Change::none && last.calls > 1;
+    if (is_changed)
+      search.forget();
+    if (is_changed && change == SurfaceTopology::Change::surface)
+      memory.forget_sides();
     memory.update(points);
     search.update(points, facets, topology.max_half_thickness() + 0.5 * memory.max_size(),
                   parameters.search_margin * points.spacing, pool);

@@ -135,12 +135,16 @@ namespace birdstrike
     side.piece           = piece;
     const double sign    = is_beyond ? 1. : side.sign * seen;
     const double overlap = 0.5 * before.size + pairs.half_thickness[place] - sign * distance;
-    side.reference       = std::max(scene.is_first ? overlap : std::min(side.reference, overlap), 0.);
-    side.is_touching     = overlap > 0.;
-    side.is_through      = side.is_touching && sign < 0.;
-    result.place         = place;
-    result.penetration   = overlap - side.reference;
-    result.normal        = is_degenerate ? Point3((is_beyond ? seen : side.sign) * normal) : offset * (sign / distance);
+    // of a point that did not touch before the facets changed, all that it has not flown in this step is no contact
+    const double inherited = scene.is_first                          ? overlap
+                             : scene.is_changed && !side.is_touching ? overlap - velocity.norm() * scene.step
+                                                                     : std::min(side.reference, overlap);
+    side.reference         = std::max(inherited, 0.);
+    side.is_touching       = overlap > 0.;
+    side.is_through        = side.is_touching && sign < 0.;
+    result.place           = place;
+    result.penetration     = overlap - side.reference;
+    result.normal = is_degenerate ? Point3((is_beyond ? seen : side.sign) * normal) : offset * (sign / distance);
     return result.penetration > 0.;
   }
 

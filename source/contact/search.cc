@@ -57,6 +57,8 @@ namespace birdstrike
 
   void CandidateSearch::set_blocks(const PointsView &points, const FacetsView &facets)
   {
+    const bool has_other_facets =
+      !is_known || facets.revision != facets_revision || facets.n_facets != n_facets || node_parts.empty();
     points_revision = points.revision;
     facets_revision = facets.revision;
     n_facets        = facets.n_facets;
@@ -70,7 +72,8 @@ namespace birdstrike
         all_blocks[b].end        = std::min(points.n, (b + 1) * points_per_block);
         all_blocks[b].is_tracked = false;
       }
-    set_node_parts(facets);
+    if (has_other_facets)
+      set_node_parts(facets);
     is_tracking = false;
   }
 

@@ -4,18 +4,16 @@
 
 namespace birdstrike
 {
-  bool SurfaceTopology::update(const FacetsView &facets)
+  SurfaceTopology::Change SurfaceTopology::update(const FacetsView &facets)
   {
-    const bool is_other =
-      facets.revision != revision || facets.n_facets != pieces.size() || facets.n_nodes != rim_node.size();
-    if (is_other)
-      {
-        revision = facets.revision;
-        find_rim(facets);
-        find_pieces(facets);
-        update_thickness(facets);
-      }
-    return is_other;
+    const bool is_same_surface = facets.n_nodes == rim_node.size();
+    if (is_same_surface && facets.revision == revision && facets.n_facets == pieces.size())
+      return Change::none;
+    revision = facets.revision;
+    find_rim(facets);
+    find_pieces(facets, is_same_surface);
+    update_thickness(facets);
+    return is_same_surface ? Change::facets : Change::surface;
   }
 
   void SurfaceTopology::find_rim(const FacetsView &facets)
@@ -27,29 +25,48 @@ namespace birdstrike
           rim_node[facets.nodes[f][k]] = rim_node[facets.nodes[f][(k + 1) % 4]] = 1;
   }
 
-  void SurfaceTopology::find_pieces(const FacetsView &facets)
+  void SurfaceTopology::find_pieces(const FacetsView &facets, const bool is_same_surface)
   {
     pieces.assign(facets.n_facets, -1);
+    if (!is_same_surface)
+      piece_of_node.assign(facets.n_nodes, -1);
+    std::int32_t n_pieces = 0;
+    for (const std::int32_t piece : piece_of_node)
+      n_pieces = std::max(n_pieces, piece + 1);
+
     std::vector<std::uint32_t> front;
-    std::int32_t               n_pieces = 0;
-    for (std::size_t seed = 0; seed < facets.n_facets; ++seed)
+    for (std::uint32_t f = 0; f < facets.n_facets; ++f)
       {
-        if (pieces[seed] >= 0)
-          continue;
-        pieces[seed] = n_pieces;
-        front.push_back(static_cast<std::uint32_t>(seed));
-        while (!front.empty())
-          {
-            const std::uint32_t f = front.back();
-            front.pop_back();
-            for (unsigned int k = 0; k < 4; ++k)
-              if (const std::int32_t g = facets.neighbor[f][k]; g >= 0 && pieces[g] < 0)
-                {
-                  pieces[g] = n_pieces;
-                  front.push_back(static_cast<std::uint32_t>(g));
-                }
-          }
-        ++n_pieces;
+        for (const std::uint32_t node : facets.nodes[f])
+          pieces[f] = std::max(pieces[f], piece_of_node[node]);
+        if (pieces[f] >= 0)
+          front.push_back(f);
+      }
+    spread_pieces(facets, front);
+    for (std::uint32_t seed = 0; seed < facets.n_facets; ++seed)
+      if (pieces[seed] < 0)
+        {
+          pieces[seed] = n_pieces++;
+          front.push_back(seed);
+          spread_pieces(facets, front);
+        }
+    for (std::size_t f = 0; f < facets.n_facets; ++f)
+      for (const std::uint32_t node : facets.nodes[f])
+        piece_of_node[node] = pieces[f];
+  }
+
+  void SurfaceTopology::spread_pieces(const FacetsView &facets, std::vector<std::uint32_t> &front)
+  {
+    while (!front.empty())
+      {
+        const std::uint32_t f = front.back();
+        front.pop_back();
+        for (unsigned int k = 0; k < 4; ++k)
+          if (const std::int32_t g = facets.neighbor[f][k]; g >= 0 && pieces[g] < 0)
+            {
+              pieces[g] = pieces[f];
+              front.push_back(static_cast<std::uint32_t>(g));
+            }
       }
   }
 

@@ -45,7 +45,13 @@ namespace birdstrike
 
   void CandidateSearch::set_node_parts(const FacetsView &facets)
   {
-    node_parts.resize((facets.n_nodes + nodes_per_part - 1) / nodes_per_part);
+    node_parts.assign((facets.n_nodes + nodes_per_part - 1) / nodes_per_part, NodePart{});
+    is_loose.assign(facets.n_nodes, 1);
+    for (std::size_t f = 0; f < facets.n_facets; ++f)
+      for (const std::uint32_t node : facets.nodes[f])
+        is_loose[node] = 0;
+    for (std::size_t n = 0; n < facets.n_nodes; ++n)
+      node_parts[n / nodes_per_part].has_loose |= is_loose[n] != 0;
   }
 
   void CandidateSearch::watch(const PointsView &points, const FacetsView &facets, ThreadPool &pool)
@@ -57,7 +63,7 @@ namespace birdstrike
     const auto watch_units = [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t u = begin; u < end; ++u)
         if (u < node_parts.size())
-          watch_nodes(facets, shift, u);
+          node_parts[u].has_loose ? watch_facet_nodes(facets, shift, u) : watch_nodes(facets, shift, u);
         else
           watch_points(points, shift, all_blocks[u - node_parts.size()]);
     };
@@ -131,7 +137,7 @@ namespace birdstrike
         }
 
     NodePart &seen = node_parts[part];
-    seen           = {Box(), Point3::Zero()};
+    seen           = {Box(), Point3::Zero(), false};
     const auto add = [&](const std::size_t d, const double x_low, const double x_high, const double dx) {
       seen.box.low[d]                           = std::min(seen.box.low[d], x_low);
       seen.box.high[d]                          = std::max(seen.box.high[d], x_high);
@@ -145,6 +151,24 @@ namespace birdstrike
         const double      x = facets.position[e];
         add(d, x, x, is_tracking ? std::abs(x - old_nodes[e] - shift[static_cast<Eigen::Index>(d)]) : 0.);
         old_nodes[e] = x;
+      }
+  }
+
+  void CandidateSearch::watch_facet_nodes(const FacetsView &facets, const Point3 &shift, const std::size_t part)
+  {
+    NodePart &seen = node_parts[part];
+    seen           = {Box(), Point3::Zero(), true};
+    for (std::size_t n = part * nodes_per_part; n < std::min(facets.n_nodes, (part + 1) * nodes_per_part); ++n)
+      {
+        const Point3       x(facets.position + 3 * n);
+        Eigen::Map<Point3> old(&old_nodes[3 * n]);
+        if (is_loose[n] == 0)
+          {
+            seen.box.add(x.data());
+            if (is_tracking)
+              seen.motion = seen.motion.cwiseMax((x - old - shift).cwiseAbs());
+          }
+        old = x;
       }
   }
 } // namespace birdstrike

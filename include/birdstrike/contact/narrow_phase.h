@@ -24,10 +24,11 @@ namespace birdstrike
     const PointsView      &points;
     const FacetsView      &facets;
     const SurfaceTopology &topology;
-    double                 step;     ///< s
-    double                 range;    ///< m, the largest offset g
-    std::uint64_t          call;     ///< number of this call, one more than that of the last
-    bool                   is_first; ///< penetrations found now become references
+    double                 step;               ///< s
+    double                 range;              ///< m, the largest offset g
+    std::uint64_t          call;               ///< number of this call, one more than that of the last
+    bool                   is_first;           ///< penetrations found now become references
+    bool                   is_changed = false; ///< facets have come or gone: so do those of points that touched nothing
   };
 
   /// Decides which candidates touch, on which side and how deep: signed distance s to the closest point against the

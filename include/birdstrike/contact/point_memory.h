@@ -23,7 +23,7 @@ namespace birdstrike
       std::int8_t  sign        = 0; ///< +1 on the normal's side, -1 on the other, 0 beyond a free edge
       bool         is_touching = false;
       bool         is_through  = false; ///< touching, and beyond the middle surface
-      double       reference   = 0.;    ///< m, penetration at the very first step: carries no force
+      double       reference   = 0.;    ///< m, penetration when the facet was new: carries no force
     };
 
     double              size        = 0.; ///< V^(1/3), m; 0: not yet seen

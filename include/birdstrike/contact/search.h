@@ -17,6 +17,8 @@ namespace birdstrike
   /// the sum over calls of max |dx_points| + max |dx_nodes| in a frame that moves with the first node, has used up the
   /// margin, with the last step once more in reserve: a point is on the list a step before it can touch.
   ///
+  /// Nodes without a facet (whose elements have failed) count for nothing.
+  ///
   /// A block whose box is away from the surface's box has no pairs and no share in that path: its points cost the three
   /// loads of their box. A search is due when one comes within range + margin/2, and takes up all within range + 3/2
   /// margin. While all blocks are away nothing else is done.
@@ -62,13 +64,15 @@ namespace birdstrike
     void   watch(const PointsView &points, const FacetsView &facets, ThreadPool &pool);
     void   watch_points(const PointsView &points, const Point3 &shift, CandidateBlock &block);
     void   watch_nodes(const FacetsView &facets, const Point3 &shift, std::size_t part);
+    void   watch_facet_nodes(const FacetsView &facets, const Point3 &shift, std::size_t part);
     double closest_away() const;
     void   find_pairs(const PointsView &points, const FacetsView &facets, double reach, ThreadPool &pool);
 
     struct NodePart
     {
       Box    box;
-      Point3 motion; // largest of each component, m
+      Point3 motion;            // largest of each component, m
+      bool   has_loose = false; // nodes without a facet
     };
 
     FacetGrid                   grid;
@@ -78,6 +82,7 @@ namespace birdstrike
 
     std::array<AlignedVector<double>, 3> old_points; // positions at the last call, of tracked blocks
     AlignedVector<double>                old_nodes;
+    std::vector<unsigned char>           is_loose; // [n_nodes], without a facet
     std::uint64_t                        points_revision = 0, facets_revision = 0;
     std::size_t                          n_facets = 0;
     Box                                  surface;                     // of all nodes, now

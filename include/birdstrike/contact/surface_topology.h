@@ -9,12 +9,23 @@
 namespace birdstrike
 {
   /// What contact needs to know of a surface besides its positions: rim, connected pieces, thickness at nodes.
+  ///
+  /// Facets that come and go on the same nodes (failed elements) leave the surface what it is: what hung together at
+  /// first counts as one piece for good, so that points remember their sides of it; a facet that appears belongs to the
+  /// piece of its nodes or neighbours.
   class SurfaceTopology
   {
   public:
-    /// Recomputes everything if the facets are others than before, and returns whether they are.
-    bool update(const FacetsView &facets);
-    void update_thickness(const FacetsView &facets);
+    enum class Change
+    {
+      none,
+      facets, ///< others on the same nodes
+      surface ///< other nodes
+    };
+
+    /// Recomputes everything if the facets are others than before.
+    Change update(const FacetsView &facets);
+    void   update_thickness(const FacetsView &facets);
 
     /// Whether the closest point with these weights lies on a free edge or at a node of one.
     bool is_on_rim(const FacetsView &facets, std::uint32_t facet, const std::array<double, 4> &weights) const;
@@ -37,11 +48,13 @@ namespace birdstrike
 
   private:
     void find_rim(const FacetsView &facets);
-    void find_pieces(const FacetsView &facets);
+    void find_pieces(const FacetsView &facets, bool is_same_surface);
+    void spread_pieces(const FacetsView &facets, std::vector<std::uint32_t> &front);
 
     std::uint64_t              revision = 0;
-    std::vector<std::int32_t>  pieces;   // [n_facets]
-    std::vector<unsigned char> rim_node; // [n_nodes]
+    std::vector<std::int32_t>  pieces;        // [n_facets]
+    std::vector<std::int32_t>  piece_of_node; // [n_nodes], -1: of none so far
+    std::vector<unsigned char> rim_node;      // [n_nodes]
     std::vector<double>        nodal_half_thickness;
     std::vector<std::uint32_t> n_facets_of_node;
     double                     largest_half_thickness = 0.;

@@ -29,8 +29,8 @@ TEST(SurfaceTopology, PiecesAreConnected)
   scene.add_plate(3, 2, 1., 0.);
   scene.add_plate(2, 2, 1., 0., Point3(0., 0., 1.));
   SurfaceTopology topology;
-  EXPECT_TRUE(topology.update(scene.facets()));
-  EXPECT_FALSE(topology.update(scene.facets())); // the same facets
+  EXPECT_EQ(topology.update(scene.facets()), SurfaceTopology::Change::surface);
+  EXPECT_EQ(topology.update(scene.facets()), SurfaceTopology::Change::none);
   for (std::uint32_t f = 0; f < 10; ++f)
     EXPECT_EQ(topology.piece(f), f < 6 ? 0 : 1);
 }
