@@ -30,7 +30,7 @@ namespace birdstrike::test
     std::vector<double>                       half_thickness;
     double                                    spacing = 1e-3, hugoniot_slope = 0.;
     bool                                      two_sided       = true;
-    std::uint64_t                             points_revision = 1;
+    std::uint64_t                             points_revision = 1, facets_revision = 0;
 
     /// Facets of a structured patch of nx x ny cells; map(i, j) gives a node.
     template <class Map>
@@ -61,6 +61,18 @@ namespace birdstrike::test
       add_patch(nx, ny, thickness, [&](const unsigned int i, const unsigned int j) {
         return Point3(corner + Point3(i * cell, j * cell, 0.));
       });
+    }
+
+    /// Takes a facet away; its neighbours there have a free edge.
+    void remove_facet(const std::int32_t gone)
+    {
+      facet.erase(facet.begin() + gone);
+      neighbor.erase(neighbor.begin() + gone);
+      half_thickness.erase(half_thickness.begin() + gone);
+      for (auto &neighbors : neighbor)
+        for (std::int32_t &other : neighbors)
+          other = other == gone ? FacetsView::free_edge : other > gone ? other - 1 : other;
+      ++facets_revision;
     }
 
     void add_point(const Point &p)
@@ -127,6 +139,7 @@ namespace birdstrike::test
       view.neighbor        = neighbor.data();
       view.half_thickness  = half_thickness.data();
       view.two_sided       = two_sided;
+      view.revision        = facets_revision;
       return view;
     }
 
