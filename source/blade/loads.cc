@@ -56,6 +56,12 @@ namespace birdstrike
     return damping_rate;
   }
 
+  void Loads::stop_pressing(const std::size_t quadrilateral)
+  {
+    if (!pressed.empty())
+      pressed[quadrilateral].fill(pressed[quadrilateral][0]); // no area
+  }
+
   void Loads::add_forces(const double time, const double *position, double *force) const
   {
     const auto node = [position](const std::uint32_t n) {

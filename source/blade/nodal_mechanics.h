@@ -55,6 +55,12 @@ namespace birdstrike
     void drift(double step);
     void clear_contact_forces();
 
+    /// Takes the pressure off a quadrilateral, by its number in the loads' list.
+    void stop_pressing(const std::size_t quadrilateral)
+    {
+      loads.stop_pressing(quadrilateral);
+    }
+
     /// Forces of the elements for the increment since the last call, and of the loads at the present time.
     template <class Elements>
     void compute_internal_forces(Elements &elements)

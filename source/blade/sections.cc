@@ -94,9 +94,17 @@ namespace birdstrike
         for (const auto &[layer, stress] :
              {std::pair(ShellLayer::bottom, &report.stress_bottom), std::pair(ShellLayer::top, &report.stress_top)})
           stress->push_back(
-            SectionFrame::stress_along(element.span, axis, elements.global_layer_stress(element.index, layer)));
+            elements.is_failed(element.index)
+              ? 0.
+              : SectionFrame::stress_along(element.span, axis, elements.global_layer_stress(element.index, layer)));
       }
     return report;
+  }
+
+  std::size_t RootSection::count_failed(const ShellElements &elements) const
+  {
+    return std::count_if(elements_at_root.begin(), elements_at_root.end(),
+                         [&](const Element &element) { return elements.is_failed(element.index); });
   }
 
   TipRow::TipRow(const SurfaceMesh &mesh, const std::vector<unsigned int> &tip_ids)
@@ -151,6 +159,15 @@ namespace birdstrike
   bool TipRow::is_present() const
   {
     return !rows.empty();
+  }
+
+  bool TipRow::has_any(const FunctionRef<bool(std::uint32_t)> property) const
+  {
+    for (const Row &row : rows)
+      for (const std::uint32_t n : {row.corners[0], row.corners[1], row.middle[0], row.middle[1]})
+        if (property(n))
+          return true;
+    return false;
   }
 
   TipDeflection TipRow::compute_deflection(const double *displacement, const unsigned int n_unknowns) const

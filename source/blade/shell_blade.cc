@@ -27,6 +27,8 @@ namespace birdstrike
   void ShellBlade::compute_internal_forces()
   {
     state->nodes.compute_internal_forces(state->elements);
+    if (state->elements.n_failed() != state->n_failed)
+      state->update_failed();
   }
 
   void ShellBlade::clear_contact_forces()
@@ -36,12 +38,8 @@ namespace birdstrike
 
   FacetsView ShellBlade::facets()
   {
-    const SurfaceMesh &mesh = state->mesh.surface();
-    FacetsView         view = state->nodes.facets();
-    view.n_facets           = mesh.cells.size();
-    view.nodes              = mesh.cells.data();
-    view.neighbor           = mesh.neighbors.data();
-    view.half_thickness     = state->half_thickness.data();
+    FacetsView view = state->nodes.facets();
+    state->surface.offer(view);
     return view;
   }
 

@@ -17,31 +17,33 @@ namespace birdstrike
       return std::sqrt(0.5 * (a * a + b * b + c * c) + 3. * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
     }
 
+    using Cells = std::vector<std::size_t>;
+
     template <class Value>
-    Field cell_scalar(const std::string &name, const std::string &unit, const std::size_t n_cells, const Value &value)
+    Field cell_scalar(const std::string &name, const std::string &unit, const Cells &cells, const Value &value)
     {
       Field field{name, unit, true, 1, {}};
-      field.values.reserve(n_cells);
-      for (std::size_t cell = 0; cell < n_cells; ++cell)
+      field.values.reserve(cells.size());
+      for (const std::size_t cell : cells)
         field.values.push_back(value(cell));
       return field;
     }
 
-    void add_layer_fields(const ShellElements &elements, const unsigned int layer, std::vector<Field> &fields)
+    void add_layer_fields(const ShellElements &elements, const Cells &cells, const unsigned int layer,
+                          std::vector<Field> &fields)
     {
       static const std::array<std::string, 6> components{{"xx", "yy", "zz", "xy", "yz", "zx"}};
-      const std::size_t                       n = elements.n_elements();
-      fields.push_back(cell_scalar("equivalent_plastic_strain_" + layer_names[layer], "-", n, [&](const std::size_t e) {
-        return elements.layer_plastic_strain(e, layers[layer]);
-      }));
-      fields.push_back(cell_scalar("von_mises_stress_" + layer_names[layer], "Pa", n, [&](const std::size_t e) {
+      fields.push_back(
+        cell_scalar("equivalent_plastic_strain_" + layer_names[layer], "-", cells,
+                    [&](const std::size_t e) { return elements.layer_plastic_strain(e, layers[layer]); }));
+      fields.push_back(cell_scalar("von_mises_stress_" + layer_names[layer], "Pa", cells, [&](const std::size_t e) {
         return von_mises(elements.global_layer_stress(e, layers[layer]));
       }));
       if (layer == 1)
         return; // the mid-surface stress follows from both faces
       for (unsigned int c = 0; c < 6; ++c)
         fields.push_back(
-          cell_scalar("stress_" + components[c] + "_" + layer_names[layer], "Pa", n,
+          cell_scalar("stress_" + components[c] + "_" + layer_names[layer], "Pa", cells,
                       [&](const std::size_t e) { return elements.global_layer_stress(e, layers[layer])[c]; }));
     }
   } // namespace
@@ -77,6 +79,7 @@ namespace birdstrike
     report.elastic      = state->elements.elastic_energy();
     report.plastic      = state->elements.plastic_work();
     report.hourglass    = state->elements.hourglass_energy();
+    report.eroded       = state->elements.eroded_energy();
     return report;
   }
 
@@ -121,13 +124,25 @@ namespace birdstrike
     snapshot.dim = 2;
     for (const auto &x : mesh.nodes)
       snapshot.points.insert(snapshot.points.end(), x.begin(), x.end());
-    for (const auto &c : mesh.cells)
-      snapshot.cells.insert(snapshot.cells.end(), {c[0], c[1], c[3], c[2]});
+    Cells left; // failed elements are not shown
+    for (std::size_t e = 0; e < mesh.cells.size(); ++e)
+      if (const auto &c = mesh.cells[e]; !s.elements.is_failed(e))
+        {
+          left.push_back(e);
+          snapshot.cells.insert(snapshot.cells.end(), {c[0], c[1], c[3], c[2]});
+        }
     s.nodes.add_fields(snapshot.fields);
     for (unsigned int layer = 0; layer < 3; ++layer)
-      add_layer_fields(s.elements, layer, snapshot.fields);
-    snapshot.fields.push_back(cell_scalar("thickness", "m", mesh.cells.size(),
-                                          [&](const std::size_t e) { return s.elements.state(e).thickness; }));
+      add_layer_fields(s.elements, left, layer, snapshot.fields);
+    snapshot.fields.push_back(
+      cell_scalar("thickness", "m", left, [&](const std::size_t e) { return s.elements.state(e).thickness; }));
+    if (s.can_fail)
+      {
+        snapshot.fields.push_back(
+          cell_scalar("damage", "-", left, [&](const std::size_t e) { return s.elements.damage(e); }));
+        snapshot.fields.push_back(
+          cell_scalar("element", "-", left, [](const std::size_t e) { return static_cast<double>(e); }));
+      }
     return snapshot;
   }
 
@@ -151,5 +166,25 @@ namespace birdstrike
     const auto   peak = state->elements.max_plastic_strain();
     const Point3 c    = state->mesh.surface().centroid(peak.element);
     return {peak.value, peak.element, {{c[0], c[1], c[2]}}};
+  }
+
+  FailureReport ShellBlade::failure() const
+  {
+    State        &s = *state;
+    FailureReport report;
+    report.can_fail = s.can_fail;
+    if (s.n_failed == 0)
+      return report;
+    report.n_elements = s.n_failed;
+    report.n_at_root  = s.root.count_failed(s.elements);
+    report.mass       = s.elements.failed_mass();
+    for (std::size_t n = 0; n < s.lumped.node.size(); ++n)
+      if (s.elements.is_free(n))
+        {
+          ++report.n_free_nodes;
+          report.free_mass += s.lumped.node[n];
+        }
+    report.has_lost_tip = s.tip.has_any([&](const std::uint32_t n) { return s.elements.is_free(n); });
+    return report;
   }
 } // namespace birdstrike

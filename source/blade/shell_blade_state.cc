@@ -43,6 +43,13 @@ namespace birdstrike
       return mesh;
     }
 
+    std::vector<double> halves(std::vector<double> values)
+    {
+      for (double &value : values)
+        value *= 0.5;
+      return values;
+    }
+
     std::vector<Point3> points_of(const SurfaceMesh &mesh)
     {
       std::vector<Point3> points;
@@ -62,13 +69,22 @@ namespace birdstrike
             Loads(parameters.loads, mesh.surface(), mesh.surface().cells, 6), pool)
     , root(mesh.surface(), supports.root_ids)
     , tip(mesh.surface(), supports.tip_ids)
+    , surface(mesh.surface(), halves(lumped.element_thickness))
+    , can_fail(parameters.material.metal().failure.can_fail())
   {
     elements.use_nodal_masses(lumped.node);
     if (parameters.is_halved)
       elements.add_symmetry_plane(mesh.surface().symmetry_nodes, Point3::UnitY());
     nodes.initialize_velocity(parameters.loads);
     nodes.watch(parameters.probes);
-    for (const double t : lumped.element_thickness)
-      half_thickness.push_back(0.5 * t);
+  }
+
+  void ShellBlade::State::update_failed()
+  {
+    n_failed = elements.n_failed();
+    surface.remove([this](const std::size_t element) { return elements.is_failed(element); });
+    for (std::size_t element = 0; element < elements.n_elements(); ++element)
+      if (elements.is_failed(element))
+        nodes.stop_pressing(element);
   }
 } // namespace birdstrike

@@ -31,6 +31,7 @@ namespace birdstrike
               {"blade_elastic", blade.elastic},
               {"blade_plastic", blade.plastic},
               {"blade_hourglass", blade.hourglass},
+              {"blade_eroded", blade.eroded},
               {"blade_damped", blade.dissipated},
               {"external_work", blade.external_work},
               {"contact_stored", balance.state().contact_stored},
@@ -76,6 +77,12 @@ namespace birdstrike
     summary.plastic.position   = observed.plastic.position;
     summary.plastic.work       = balance.state().blade.plastic;
 
+    summary.failed.elements  = observed.failure.n_elements;
+    summary.failed.at_root   = observed.failure.n_at_root;
+    summary.failed.mass      = observed.failure.mass;
+    summary.failed.free_mass = observed.failure.free_mass;
+    summary.failed.energy    = balance.state().blade.eroded;
+
     summary.energy.initial                     = balance.initial_energy();
     summary.energy.final                       = balance.energy();
     summary.energy.max_relative_error          = balance.max_energy_error();
@@ -116,6 +123,19 @@ namespace birdstrike
         table.add("peak plastic strain",
                   fmt::format("{:.4f} at ({:.4g}, {:.4g}, {:.4g}) m", summary.plastic.max_strain,
                               summary.plastic.position[0], summary.plastic.position[1], summary.plastic.position[2]));
+      }
+    if (observed.failure.can_fail)
+      {
+        table.add_heading("Failure");
+        table.add("failed elements",
+                  fmt::format("{} of {}, {}", format_count(summary.failed.elements),
+                              format_count(summary.blade.elements), format_quantity(summary.failed.mass, "kg")));
+        table.add("mass flying free of all elements", summary.failed.free_mass, "kg");
+        table.add("energy eroded with them", summary.failed.energy, "J");
+        if (summary.failed.at_root > 0)
+          table.add("failed at the root section", format_count(summary.failed.at_root) + ": their stress is zero");
+        if (observed.failure.has_lost_tip)
+          table.add("tip deflection", "of nodes that fly free");
       }
     if (n_particles_at_start > 0 && summary.contact.peak_force > 0.)
       {

@@ -16,6 +16,7 @@ namespace birdstrike
     root    = scene.symmetry.whole(scene.blade->root_section());
     tip     = scene.blade->tip_deflection();
     plastic = scene.blade->peak_plastic_strain();
+    failure = scene.symmetry.whole(scene.blade->failure());
     probes  = scene.blade->probes();
 
     tip_peak.update(time, tip.mid_chord);

@@ -126,6 +126,11 @@ namespace birdstrike
     history.add_column("root_bending_moment", "N m", [this] { return observed.root.bending_moment; });
     history.add_column("root_peak_normal_stress", "Pa", [this] { return observed.root.peak_stress(); });
     history.add_column("max_plastic_strain", "-", [this] { return observed.plastic.value; });
+    if (scene.blade->failure().can_fail)
+      {
+        history.add_column("blade_eroded", "J", [this] { return balance.state().blade.eroded; });
+        history.add_column("failed_elements", "-", [this] { return double(observed.failure.n_elements); });
+      }
     const auto probes = scene.blade->probes();
     for (std::size_t p = 0; p < probes.size(); ++p)
       for (unsigned int c = 0; c < 3; ++c)

@@ -118,13 +118,16 @@ namespace birdstrike
   {
     const FacetsView facets = blade->facets();
     Box3             box{Point3::Constant(INFINITY), Point3::Constant(-INFINITY)};
-    for (std::size_t n = 0; n < facets.n_nodes; ++n)
-      {
-        const Point3 now(facets.position + 3 * n);
-        const Point3 then = now + horizon * Point3(facets.velocity + facets.velocity_stride * n);
-        box.lower         = box.lower.cwiseMin(now).cwiseMin(then);
-        box.upper         = box.upper.cwiseMax(now).cwiseMax(then);
-      }
+    if (facets.n_facets == 0)
+      return 0; // nothing is left to meet: the bird's phase ends by itself
+    for (std::size_t f = 0; f < facets.n_facets; ++f)
+      for (const std::uint32_t n : facets.nodes[f]) // nodes without a facet meet nothing
+        {
+          const Point3 now(facets.position + 3 * n);
+          const Point3 then = now + horizon * Point3(facets.velocity + facets.velocity_stride * n);
+          box.lower         = box.lower.cwiseMin(now).cwiseMin(then);
+          box.upper         = box.upper.cwiseMax(now).cwiseMax(then);
+        }
     return bird->retire(box);
   }
 
@@ -139,7 +142,7 @@ namespace birdstrike
     if (contact)
       n += contact->report().searches;
     if (blade)
-      n += blade->census().n_elements_with_points;
+      n += blade->census().n_elements_with_points + blade->failure().n_elements;
     return n;
   }
 

@@ -32,6 +32,15 @@ namespace birdstrike
     return root;
   }
 
+  FailureReport Symmetry::whole(FailureReport failure) const
+  {
+    for (std::size_t *count : {&failure.n_elements, &failure.n_at_root, &failure.n_free_nodes})
+      *count *= factor();
+    for (double *mass : {&failure.mass, &failure.free_mass})
+      *mass *= factor();
+    return failure;
+  }
+
   SystemState Symmetry::whole(SystemState state) const
   {
     return {whole(state.bird), whole(state.blade), whole(state.bird_momentum), whole(state.blade_momentum),

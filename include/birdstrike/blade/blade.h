@@ -60,6 +60,11 @@ namespace birdstrike
     /// Section forces at the support; empty lists where nothing is clamped.
     virtual RootSectionReport root_section() const        = 0;
     virtual TipDeflection     tip_deflection() const      = 0;
-    virtual PeakPlasticStrain peak_plastic_strain() const = 0;
+    virtual PeakPlasticStrain peak_plastic_strain() const = 0; ///< of failed elements too
+
+    virtual FailureReport failure() const
+    {
+      return {};
+    }
   };
 } // namespace birdstrike

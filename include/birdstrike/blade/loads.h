@@ -28,6 +28,9 @@ namespace birdstrike
     bool   is_active() const; ///< anything but damping
     double damping() const;   ///< 1/s
 
+    /// From now on nothing presses on this one of the `pressed` (its element has failed).
+    void stop_pressing(std::size_t quadrilateral);
+
     /// Adds to force [n_nodes][n_unknowns] (N, N m) at positions [n_nodes][3] (m) and time (s).
     void add_forces(double time, const double *position, double *force) const;
 

@@ -24,6 +24,20 @@ namespace birdstrike
     double                bytes_per_snapshot     = 0.;
   };
 
+  /// What has failed of a blade so far. Failed elements carry nothing; their mass stays on their nodes, and nodes
+  /// without any element left fly on freely. The root section loses the forces and stresses (zero from then on) of
+  /// those of its elements that fail; the tip is followed as long as its nodes exist, also when they fly freely.
+  struct FailureReport
+  {
+    bool        can_fail     = false; ///< whether the metal has a failure law
+    std::size_t n_elements   = 0;     ///< failed
+    std::size_t n_at_root    = 0;     ///< of these, at the root section
+    std::size_t n_free_nodes = 0;
+    double      mass         = 0.;    ///< kg, of failed elements
+    double      free_mass    = 0.;    ///< kg, on free nodes
+    bool        has_lost_tip = false; ///< a watched node of the tip row is free
+  };
+
   /// Force and moment that the blade exerts on its clamped edge, and the stress that carries them.
   ///
   /// Frame: `span` points from the edge into the blade, `normal` is the mean surface normal there, `chord` = normal x

@@ -3,6 +3,7 @@
 #include <birdstrike/blade/reports.h>
 #include <birdstrike/blade/shell_elements.h>
 #include <birdstrike/blade/supports.h>
+#include <birdstrike/core/function_ref.h>
 
 #include <cstdint>
 #include <vector>
@@ -37,6 +38,7 @@ namespace birdstrike
     /// From the nodal forces [n_nodes][6] that elements exert (N, N m) at positions [n_nodes][3], and the layer
     /// stresses.
     RootSectionReport compute_report(const double *force, const double *position, const ShellElements &elements) const;
+    std::size_t       count_failed(const ShellElements &elements) const; ///< of the elements at the edge
 
   private:
     struct Element
@@ -61,6 +63,7 @@ namespace birdstrike
                  const std::vector<std::uint32_t> &symmetry_nodes, const Point3 &chord, const Point3 &normal);
 
     bool          is_present() const;
+    bool          has_any(FunctionRef<bool(std::uint32_t)> property) const; ///< of the nodes it watches
     TipDeflection compute_deflection(const double *displacement, unsigned int n_unknowns) const; ///< [n][n_unknowns]
 
   private:

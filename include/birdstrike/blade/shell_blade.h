@@ -13,7 +13,7 @@ namespace birdstrike
   /// displacements and three rotations and move as source/blade/nodal_mechanics.h says; damping, held unknowns and the
   /// kinetic energy are explained there.
   ///
-  /// Not here: erosion, spin of the hub, several ranks.
+  /// Not here: spin of the hub, several ranks.
   class ShellBlade : public Blade
   {
   public:
@@ -45,6 +45,7 @@ namespace birdstrike
     RootSectionReport        root_section() const override;
     TipDeflection            tip_deflection() const override;
     PeakPlasticStrain        peak_plastic_strain() const override;
+    FailureReport            failure() const override;
 
     NodeArrays nodes(); ///< for initial states and checks
 

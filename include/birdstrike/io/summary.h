@@ -76,6 +76,14 @@ namespace birdstrike
     } plastic;
     struct
     {
+      std::size_t elements  = 0;
+      std::size_t at_root   = 0;  ///< of these, at the root section
+      double      mass      = 0.; ///< kg, of failed elements
+      double      free_mass = 0.; ///< kg, on nodes without any element left
+      double      energy    = 0.; ///< J, eroded
+    } failed;
+    struct
+    {
       double                        initial                     = 0.; ///< J
       double                        final                       = 0.; ///< J
       double                        max_relative_error          = 0.;

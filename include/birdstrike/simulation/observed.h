@@ -18,6 +18,7 @@ namespace birdstrike
     RootSectionReport        root;
     TipDeflection            tip;
     PeakPlasticStrain        plastic;
+    FailureReport            failure;
     std::vector<ProbeValues> probes;
     std::array<double, 3>    force{}; ///< N, of contact on the blade
 

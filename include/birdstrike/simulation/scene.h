@@ -60,8 +60,8 @@ namespace birdstrike
     /// Bird and contact are released. What particles are left count as retired; the last reports stay in the balance.
     void drop_bird();
 
-    /// Lists made so far: of neighbours, of contact pairs, of points through the thickness. Only a step that makes one
-    /// may ask for memory, if it is longer than any before.
+    /// Lists made so far: of neighbours, of contact pairs, of points through the thickness, of facets left. Only a step
+    /// that makes one may ask for memory, if it is longer than any before.
     std::uint64_t n_list_changes() const;
 
   private:

@@ -35,6 +35,7 @@ namespace birdstrike
     EnergyReport          whole(EnergyReport energy) const;
     MomentumReport        whole(MomentumReport momentum) const;
     RootSectionReport     whole(RootSectionReport root) const; ///< forces and moment; stresses as they are
+    FailureReport         whole(FailureReport failure) const;
     SystemState           whole(SystemState state) const;
 
   private:

@@ -1,7 +1,6 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/material/metal_parameters.h>
 #include <birdstrike/material/plane_stress_return.h>
-#include <birdstrike/material/radial_return.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -108,16 +107,6 @@ TEST(Failure, LanesDoWhatOneNumberDoes)
   const auto still =
     compute_damage_increment(f, h, PlasticStep<Lanes>{Lanes(0.), Lanes(0.), Lanes(0.), Lanes(293.), 1e-6});
   EXPECT_TRUE(all(still == Lanes(0.))) << "an unstressed point neither fails nor is it not a number";
-}
-
-// The same uniaxial tension in plane stress and in three dimensions: s* = 1/3 in both.
-TEST(Failure, PlaneAndSpatialStressHaveTheSameTriaxiality)
-{
-  const double    plane[3] = {500e6, 0., 0.};
-  Matrix3<double> spatial  = Matrix3<double>::Zero();
-  spatial(0, 0)            = 500e6;
-  EXPECT_NEAR((plane[0] + plane[1]) / 3. / von_mises_plane(plane), 1. / 3., 1e-15);
-  EXPECT_NEAR(spatial.trace() / 3. / von_mises(spatial), 1. / 3., 1e-15);
 }
 
 // Uniaxial: s^2/(2E); pure shear: s^2/(2G)
