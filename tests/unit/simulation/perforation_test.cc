@@ -31,9 +31,11 @@ TEST(Perforation, TheBirdGoesThroughAndTheBalanceHolds)
   EXPECT_LT(summary.failed.elements, 900u / 4);
   EXPECT_GT(summary.failed.energy, 0.);
   EXPECT_EQ(summary.energy.parts.at("blade_eroded"), summary.failed.energy);
-  // the plate takes some of the bird's momentum, m v = 25.1 N s; what goes through keeps most of it
+  // what goes through keeps most of its momentum, m v = 30.15 N s; the plate takes at least what its plug has now
   EXPECT_GT(summary.contact.impulse[2], 1.);
-  EXPECT_LT(summary.contact.impulse[2], 0.7 * 25.1);
+  EXPECT_LT(summary.contact.impulse[2], 0.3 * 30.15);
+  const auto &plate = run.curves.at("blade_momentum_z");
+  EXPECT_GT(plate.back(), 0.) << "the plug flies on";
   const auto &failed = run.curves.at("failed_elements");
   EXPECT_TRUE(std::is_sorted(failed.begin(), failed.end())) << "what has failed stays failed";
   const auto &dissipated = run.curves.at("contact_dissipated");
@@ -48,11 +50,18 @@ TEST(Perforation, IsBitwiseTheSameForOneAndTwoThreads)
   EXPECT_EQ(one.curves, two.curves);
 }
 
-// The other half is the mirror image; the packings differ, and with them the hole by some elements.
+// The other half is the mirror image; packings differ by no particle in the plane. Measured: the same number of
+// elements, impulse 0.1 % apart; on meshes of half as many elements a crack may run otherwise.
 TEST(Perforation, HalfOfItTellsOfTheWhole)
 {
-  const Strike whole = run_coarse(), half = run_coarse({"Case/Symmetry plane=y"});
-  EXPECT_NEAR(half.summary.contact.impulse[2] / whole.summary.contact.impulse[2], 1., 0.1);
-  EXPECT_LT(half.summary.energy.max_relative_error, 5e-3);
-  EXPECT_GT(half.summary.failed.elements, 10u);
+  const std::vector<std::string> finer{"Bird/Particle spacing=0.003", "Blade/Mesh/Elements along span=40",
+                                       "Blade/Mesh/Elements along chord=40", "Time/End time=0.15e-3"};
+  std::vector<std::string>       halved = finer;
+  halved.push_back("Case/Symmetry plane=y");
+  const Summary whole = run_coarse(finer).summary, half = run_coarse(halved).summary;
+  EXPECT_GT(whole.failed.elements, 20u);
+  EXPECT_NEAR(double(half.failed.elements) / whole.failed.elements, 1., 0.1);
+  EXPECT_NEAR(half.failed.mass / whole.failed.mass, 1., 0.1);
+  EXPECT_NEAR(half.contact.impulse[2] / whole.contact.impulse[2], 1., 0.01);
+  EXPECT_LT(half.energy.max_relative_error, 5e-3);
 }
