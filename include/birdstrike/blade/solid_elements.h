@@ -1,0 +1,94 @@
+#pragma once
+
+#include <birdstrike/core/number.h>
+#include <birdstrike/core/step_limit.h>
+#include <birdstrike/core/thread_pool.h>
+#include <birdstrike/material/metal.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace birdstrike
+{
+  enum class SolidFormulation
+  {
+    one_point, ///< mean gradient and assumed-strain (physical) stabilisation; bends right with one layer (default)
+    b_bar      ///< 2 x 2 x 2 points with mean dilatation: the reference, which locks in the bending of thin bricks
+  };
+
+  /// What all solid elements of a blade share.
+  struct SolidSection
+  {
+    SolidFormulation formulation = SolidFormulation::one_point;
+    Metal            material;
+    double           linear_viscosity    = 0.06; ///< b1, share of critical damping at the highest frequency, -
+    double           quadratic_viscosity = 1.2;  ///< b2, in compression only, -
+  };
+
+  /// State of one element for output.
+  struct SolidState
+  {
+    std::array<double, 6> stress;             ///< xx, yy, zz, xy, yz, zx, Pa, global axes, mean of the element
+    double                plastic_strain;     ///< equivalent, mean of the element, -
+    double                max_plastic_strain; ///< largest of its points, -
+    double                volume;             ///< m^3
+  };
+
+  /// All 8-node bricks of a blade: their strain increments, stresses, internal forces and energies.
+  ///
+  /// Strains are taken on the midpoint geometry x - dx/2, forces on the end geometry; stresses are rotated by Hughes &
+  /// Winget (1980). The theory stands in solid_one_point.h and solid_b_bar.h, plasticity in solid_law.h.
+  ///
+  /// Not here: mass of nodes, supports, loads, time. Throws InputError for a degenerate element or an impossible
+  /// section, NumericalFailure when an element is turned inside out or a force is not finite.
+  class SolidElements
+  {
+  public:
+    /// Nodes of a cell in lexicographic order (deal.II's): 0 (0,0,0), 1 (1,0,0), 2 (0,1,0), 3 (1,1,0), 4..7 the same at
+    /// z = 1; positive volume. The pool must outlive this.
+    SolidElements(std::vector<Point3> nodes, std::vector<std::array<std::uint32_t, 8>> cells,
+                  const SolidSection &section, ThreadPool &pool);
+    ~SolidElements();
+    SolidElements(SolidElements &&) noexcept;
+
+    /// position [n_nodes][3] at t^{n+1} (m); increment [n_nodes][3] of displacement (m) since the last call, which took
+    /// dt (s); force [n_nodes][3] is overwritten with what the elements exert on the nodes, -f_int (N).
+    void compute_internal_forces(const double *position, const double *increment, double dt, double *force);
+
+    /// The largest dt for which central differences are stable: 2/omega_max by a bound on the largest eigenvalue of
+    /// every element, shortened by the bulk viscosity, for nodal masses that are not smaller than those of
+    /// compute_nodal_masses. No safety factor.
+    StepLimit step_limit() const;
+    double    largest_stable_step() const; ///< s, the value of the same without its words: nothing is searched
+    /// Masses (kg) that the nodes really carry, [n_nodes]: the bound then allows for shares other than an eighth.
+    void use_nodal_masses(std::span<const double> mass);
+    /// An eighth of each element's mass to each of its nodes (kg), [n_nodes].
+    std::vector<double> compute_nodal_masses() const;
+
+    /// Cumulative energies (J), trapezoidal in time; their sum is the work of the nodal forces to round-off.
+    double elastic_energy() const;
+    double plastic_work() const;
+    double hourglass_energy() const; ///< of the stabilisation, which bends: with one layer not an error but the bending
+    double viscous_energy() const;   ///< of the bulk viscosity
+
+    std::size_t n_elements() const;
+    std::size_t bytes() const; ///< counted, of all that these elements hold
+    SolidState  state(std::size_t element) const;
+    /// xx, yy, zz, xy, yz, zx (Pa) in global axes at a corner (0..7): the mean and what varies within the element.
+    std::array<double, 6> corner_stress(std::size_t element, unsigned corner) const;
+
+    struct MaxPlasticStrain
+    {
+      double      value   = 0.;
+      std::size_t element = 0;
+    };
+    MaxPlasticStrain max_plastic_strain() const;
+
+  private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace birdstrike
