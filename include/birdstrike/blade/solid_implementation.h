@@ -1,0 +1,97 @@
+#pragma once
+
+#include <birdstrike/blade/element_blocks.h>
+#include <birdstrike/blade/solid_law.h>
+#include <birdstrike/core/aligned_vector.h>
+
+namespace birdstrike
+{
+  /// Data and loops behind SolidElements. Elements lie in batches of n_lanes consecutive ones (the last batch is filled
+  /// up with copies of the last element, whose forces and energies are never read).
+  ///
+  /// A step is three loops, each writing only what it owns, so that nothing depends on the number of threads: nodes
+  /// (records), batches (half a row of force for every corner), nodes (sums over the corners, which lie side by side in
+  /// a fixed order, and their work); block by block of some thousand elements, see ElementBlocks.
+  class SolidElements::Implementation
+  {
+  public:
+    Implementation(std::vector<Point3> nodes, std::vector<std::array<std::uint32_t, 8>> cells,
+                   const SolidSection &section, ThreadPool &pool);
+
+    /// Position at t^{n+1} (m), increment (m), two unused: what a batch needs of a node, one cache line.
+    using NodeRecord = Row;
+    /// Force (N) on a corner or a node; the fourth number is zero.
+    struct alignas(32) Force
+    {
+      double value[4];
+    };
+
+    struct Batch
+    {
+      Lanes         inverse_mass;       ///< 1/kg, of the least mass that the nodes carry for the element
+      Lanes         frequency;          ///< bound of 2/dt, 1/s
+      Lanes         viscous_pressure;   ///< Pa
+      std::uint32_t record[8][n_lanes]; ///< where the corners' records begin, in doubles
+      std::uint32_t corner[8][n_lanes]; ///< which rows the corners' forces go to
+    };
+    using Stabilisation = one_point_solid::Stabilisation<Lanes>;
+
+    /// Batches of one chunk belong to one thread; sums over chunks do not depend on the number of threads.
+    struct Chunk
+    {
+      Lanes plastic = 0., hourglass = 0., viscous = 0.; ///< J, cumulative
+      Lanes frequency = 0.;                             ///< largest of the chunk
+    };
+    static constexpr std::size_t batches_per_chunk = 16, nodes_per_chunk = 512;
+    static constexpr std::size_t elements_per_block = 8192;
+
+    void update_nodes(const ElementBlocks::Block &block, const double *position, const double *increment);
+    void update_chunk(std::size_t chunk, double dt);
+    void gather_forces(const ElementBlocks::Block &block, double *force);
+    void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: eighths
+
+    std::size_t           n_elements_of(std::size_t batch) const;
+    SolidModes<double>    modes(std::size_t element) const; ///< of its geometry
+    std::size_t           n_points() const;                 ///< of an element
+    double                sum(Lanes Chunk::*energy) const;
+    EntityPlace           place(std::size_t element) const; ///< its middle
+    std::array<double, 6> point_stress(std::size_t element, std::size_t point) const;
+
+    SolidSection                              section;
+    SolidLaw                                  law;
+    ThreadPool                               &pool;
+    std::size_t                               n_nodes;
+    std::vector<std::array<std::uint32_t, 8>> cells;
+    ElementBlocks                             blocks;
+    std::vector<double>                       mass;       ///< [n_elements], kg
+    std::vector<std::uint32_t>                work_begin; ///< [blocks], first of their sums in `work`
+    AlignedVector<NodeRecord>                 records;
+    AlignedVector<Force>                      corner_force; ///< a node's together
+    AlignedVector<Force>                      node_force;   ///< [n_nodes], of the last step
+    AlignedVector<Force>                      work;         ///< [chunks of nodes], J by component, cumulative
+    AlignedVector<Batch>                      batches;
+    AlignedVector<Chunk>                      chunks;
+    AlignedVector<SolidPoint<Lanes>>          points;        ///< [n_batches][n_points]
+    AlignedVector<Stabilisation>              stabilisation; ///< [n_batches], one point only
+
+  private:
+    using Corners = Vector3<Lanes>[8];
+    /// What the end of a step takes from its strains.
+    struct Step
+    {
+      Lanes            midpoint_volume; ///< m^3
+      Lanes            dilatation;      ///< trace of the mean strain increment
+      Lanes            drag, pressure;  ///< of the bulk viscosity, m^2/s and Pa
+      SolidWork<Lanes> work;            ///< J
+    };
+
+    void check_shape(std::size_t element);
+    void build_batches();
+    void update_viscosity(const SolidGeometry<Lanes> &midpoint, const Matrix3<Lanes> &gradient, double dt, Step &step);
+    void update_one_point(std::size_t batch, double dt, Chunk &chunk);
+    void update_b_bar(std::size_t batch, double dt, Chunk &chunk);
+    void finish(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &force, const Step &step,
+                Chunk &chunk);
+    [[noreturn]] void report_failure(std::size_t batch) const;
+  };
+} // namespace birdstrike

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <birdstrike/blade/solid_law.h>
+
+namespace birdstrike
+{
+  /// Upper bound of 2/dt (1/s) of one free brick with an eighth of its mass on each node; the assembled one is not
+  /// larger (Irons & Treharne 1971).
+  ///
+  /// In the modes of SolidGeometry the mass is m on each, and the mean gradient is sum u_m b_m^T with S = sum b b^T, b
+  /// = 8 c/D. The eigenvalues of its stiffness are those of lambda d d^T + 2 G diag(d^2), d^2 the principal values of
+  /// S, and no shear exceeds them: the largest root of a cubic x^3 - a x^2 + b x - ..., a = (lambda + 2 G) tr S, b = 4
+  /// G (G
+  /// + lambda) I_2(S), with three real roots is not above (a + 2 sqrt(a^2 - 3 b))/3, and equal to it for a cube and in
+  /// the limit of a thin brick (0.734 L/c for the cube with nu = 0.3, where V/A_max/c is 1 and Flanagan & Belytschko's
+  /// bound 0.577).
+  ///
+  /// What the mean gradient does not see is, for a parallelepiped, in other modes and less (stabilisation: 2/3 E/(1 -
+  /// nu) S_max at most; 2 x 2 x 2 points: 4/3 G S_max). A distorted brick mixes them: with the distortion D = sum h.S.h
+  /// of the twist and last modes h of the geometry the two are combined by lambda <= (a + b)/2 + sqrt((a - b)^2/4 + a b
+  /// cos^2), cos^2 = min(1, 2 D), and the second grows with (1 + sqrt D)^2.
+  ///
+  /// With a drag on the dilatation (see SolidLaw::compute_viscous_pressure), which acts half a step late, dt solves
+  /// omega^2 dt^2 + 2 beta dt = 4. `inverse_mass`: 1/(least mass that the nodes carry for the element, kg).
+  template <class Number>
+  [[gnu::always_inline]] inline Number compute_frequency_bound(const SolidGeometry<Number> &g,
+                                                               const Number &inverse_mass, const Number &drag,
+                                                               const SolidLaw &law, const SolidFormulation formulation)
+  {
+    const double shear = law.elasticity.shear_modulus(), young = law.elasticity.young;
+    const double lambda = std::max(0., law.elasticity.bulk_modulus() - 2. / 3. * shear);
+    const double rest =
+      formulation == SolidFormulation::b_bar ? 4. / 3. * shear : 2. / 3. * young / (1. - law.elasticity.poisson);
+    const Number zero = 0., one = 1., half = 0.5;
+
+    const auto root = [](const Number &a)
+                        [[gnu::always_inline]] { return Number(a * inverse_root(max(a, Number(1e-300)))); };
+    // S/64, and with modes that are eight times too long D needs no factor
+    const Number square = g.inverse_det * g.inverse_det;
+    const auto   metric = [&](const int r, const int c) [[gnu::always_inline]] {
+      Number sum = g.linear[0][r] * g.linear[0][c];
+      for (int k = 0; k < 3; ++k)
+        sum += (k > 0 ? g.linear[k][r] * g.linear[k][c] : zero) + g.twist[k][r] * g.twist[k][c];
+      return Number(square * sum);
+    };
+    const Number xx = metric(0, 0), yy = metric(1, 1), zz = metric(2, 2);
+    const Number xy = metric(0, 1), yz = metric(1, 2), zx = metric(2, 0);
+    const Number first  = xx + yy + zz;
+    const Number second = xx * yy + yy * zz + zz * xx - xy * xy - yz * yz - zx * zx;
+    const auto   norm   = [&](const Vector3<Number> &h) [[gnu::always_inline]] {
+      return Number(xx * h[0] * h[0] + yy * h[1] * h[1] + zz * h[2] * h[2] +
+                        2. * (xy * h[0] * h[1] + yz * h[1] * h[2] + zx * h[2] * h[0]));
+    };
+    const Number distortion = norm(g.x.twist[0]) + norm(g.x.twist[1]) + norm(g.x.twist[2]) + norm(g.x.last);
+
+    const Number scale  = g.det * inverse_mass; // 64/density
+    const Number a      = (lambda + 2. * shear) * first;
+    const Number b      = (4. * shear * (shear + lambda)) * second;
+    const Number mean   = (1. / 3.) * (a + 2. * root(max(Number(a * a - 3. * b), zero)));
+    const Number s_max  = (1. / 3.) * (first + 2. * root(max(Number(first * first - 3. * second), zero)));
+    const Number growth = one + root(distortion);
+    const Number other  = rest * s_max * growth * growth;
+    const Number cos2 = min(Number(2. * distortion), one), difference = mean - other;
+    const Number omega2 =
+      scale * (half * (mean + other + root(Number(difference * difference + 4. * mean * other * cos2))));
+    const Number beta = law.density * drag * scale * first;
+    return half * (beta + root(Number(beta * beta + 4. * omega2)));
+  }
+} // namespace birdstrike

@@ -1,0 +1,232 @@
+#include "registers.h"
+
+#include <birdstrike/blade/solid_b_bar.h>
+#include <birdstrike/blade/solid_implementation.h>
+#include <birdstrike/blade/solid_step_bound.h>
+
+#include <cstring>
+#include <functional>
+
+namespace birdstrike
+{
+  namespace
+  {
+    using Corners = Vector3<Lanes>[8];
+
+    /// Modes of position and increment of a batch.
+    struct BatchModes
+    {
+      SolidModes<Lanes> position, increment;
+
+      [[gnu::always_inline]] BatchModes(const double *records, const std::uint32_t (&begin)[8][n_lanes])
+      {
+        Corners x, u;
+#pragma GCC unroll 8
+        for (int i = 0; i < 8; ++i)
+          {
+            Lanes a[8];
+            load_rows(records, begin[i], a);
+            x[i] << a[0], a[1], a[2];
+            u[i] << a[3], a[4], a[5];
+          }
+        position  = SolidModes<Lanes>::of_corners(x);
+        increment = SolidModes<Lanes>::of_corners(u);
+      }
+    };
+
+    /// Two corners' forces in the components of whole rows, of which each goes to its own place.
+    template <class Force>
+    [[gnu::always_inline]] inline void store_half_rows(const Lanes (&component)[8], const std::uint32_t *first,
+                                                       const std::uint32_t *second, Force *rows)
+    {
+      constexpr std::size_t part = n_lanes < 4 ? n_lanes : 4;
+#pragma GCC unroll 8
+      for (std::size_t block = 0; block < 8; block += n_lanes)
+        {
+          internal::Rows<double> m;
+#pragma GCC unroll 8
+          for (std::size_t k = 0; k < n_lanes; ++k)
+            m.row[k] = std::bit_cast<internal::LaneVector<double>>(component[block + k]);
+          m = internal::transpose(m);
+#pragma GCC unroll 8
+          for (std::size_t r = 0; r < n_lanes; ++r)
+#pragma GCC unroll 2
+            for (std::size_t k = 0; k < n_lanes; k += part)
+              {
+                const std::size_t c = block + k;
+                std::memcpy(rows[c < 4 ? first[r] : second[r]].value + c % 4,
+                            reinterpret_cast<const char *>(&m.row[r]) + k * sizeof(double), part * sizeof(double));
+              }
+        }
+    }
+
+    template <class Force>
+    [[gnu::always_inline]] inline void store_corner_forces(const Corners &f, const std::uint32_t (&corner)[8][n_lanes],
+                                                           Force         *rows)
+    {
+      const Lanes zero = 0.;
+#pragma GCC unroll 4
+      for (int i = 0; i < 8; i += 2)
+        {
+          const Lanes row[8] = {f[i][0], f[i][1], f[i][2], zero, f[i + 1][0], f[i + 1][1], f[i + 1][2], zero};
+          store_half_rows(row, corner[i], corner[i + 1], rows);
+        }
+    }
+
+    [[gnu::always_inline]] inline void add_pressure(const Lanes &pressure, Lanes (&stress)[6])
+    {
+      for (int c = 0; c < 3; ++c)
+        stress[c] -= pressure;
+    }
+  } // namespace
+
+  [[gnu::always_inline]] inline void
+  SolidElements::Implementation::update_viscosity(const SolidGeometry<Lanes> &midpoint, const Matrix3<Lanes> &gradient,
+                                                  const double dt, Step &step)
+  {
+    step.midpoint_volume = midpoint.volume();
+    step.dilatation      = gradient(0, 0) + gradient(1, 1) + gradient(2, 2);
+    step.pressure =
+      law.compute_viscous_pressure(Lanes(step.dilatation * (1. / dt)), midpoint.compute_height(), step.drag);
+  }
+
+  // One body each, although long: all of it works on the same registers. Without `flatten` GCC leaves the vector
+  // operations of Eigen as calls with their operands in memory.
+  [[gnu::flatten]] void SolidElements::Implementation::update_one_point(const std::size_t b, const double dt,
+                                                                        Chunk &chunk)
+  {
+    using namespace one_point_solid;
+    const BatchModes           nodes(records[0].value, batches[b].record);
+    const SolidGeometry<Lanes> midpoint(compute_midpoint_modes(nodes.position, nodes.increment));
+    const Matrix3<Lanes>       gradient = midpoint.compute_mean_gradient(nodes.increment);
+    const Axes<Lanes>          axes(midpoint.x);
+    const auto                 strain = compute_strains(midpoint.x, axes, gradient, nodes.increment);
+
+    Step step;
+    update_viscosity(midpoint, gradient, dt, step);
+    step.work = law.update_one_point(gradient, axes, strain, dt, points[b], stabilisation[b]);
+    step.work.plastic *= step.midpoint_volume;
+    step.work.hourglass *= step.midpoint_volume;
+
+    const SolidGeometry<Lanes> end(nodes.position);
+    Lanes                      stress[6];
+    std::copy(points[b].stress, points[b].stress + 6, stress);
+    add_pressure(step.pressure, stress);
+    finish(b, end, compute_mode_forces(end, stress, stabilisation[b]), step, chunk);
+  }
+
+  [[gnu::flatten]] void SolidElements::Implementation::update_b_bar(const std::size_t b, const double dt, Chunk &chunk)
+  {
+    using namespace b_bar_solid;
+    const BatchModes           nodes(records[0].value, batches[b].record);
+    const SolidModes<Lanes>    x = compute_midpoint_modes(nodes.position, nodes.increment), &u = nodes.increment;
+    const SolidGeometry<Lanes> midpoint(x), end(nodes.position);
+
+    Step step;
+    update_viscosity(midpoint, midpoint.compute_mean_gradient(u), dt, step);
+    step.work              = {Lanes(0.), Lanes(0.)};
+    const auto        zero = Vector3<Lanes>::Constant(Lanes(0.));
+    SolidModes<Lanes> force{{zero, zero, zero}, {zero, zero, zero}, zero};
+    Lanes             pressure = 0., smallest = end.det;
+    for (int p = 0; p < b_bar_solid::n_points; ++p)
+      {
+        SolidPoint<Lanes>    &point = points[b * b_bar_solid::n_points + p];
+        const Jacobian<Lanes> at_midpoint(Derivatives<Lanes>(x, p)), at_end(Derivatives<Lanes>(nodes.position, p));
+        const Lanes           work =
+          law.update_point(at_midpoint.compute_gradient(Derivatives<Lanes>(u, p), step.dilatation), dt, point);
+        step.work.plastic += (1. / 512.) * at_midpoint.det * work;
+        add_point_forces(at_end, point.stress, p, force, pressure);
+        smallest = min(smallest, at_end.det);
+      }
+    // the determinants add up to 8 D
+    const Lanes          mean = pressure * end.inverse_det * 0.125 - step.pressure, scaled = (1. / 64.) * mean;
+    const Lanes          none = select(smallest > Lanes(0.), Lanes(0.), Lanes(std::nan(""))); // reported in `finish`
+    const Matrix3<Lanes> volumetric = Vector3<Lanes>::Constant(Lanes(scaled + none)).asDiagonal();
+    end.add_mean_forces(volumetric, force);
+    finish(b, end, force, step, chunk);
+  }
+
+  [[gnu::always_inline]] inline void SolidElements::Implementation::finish(const std::size_t           b,
+                                                                           const SolidGeometry<Lanes> &end,
+                                                                           const SolidModes<Lanes>    &force,
+                                                                           const Step &step, Chunk &chunk)
+  {
+    Batch &batch    = batches[b];
+    batch.frequency = compute_frequency_bound(end, batch.inverse_mass, step.drag, law, section.formulation);
+    chunk.frequency = max(chunk.frequency, batch.frequency);
+    Corners corner;
+    force.sum_at_corners(corner);
+    store_corner_forces(corner, batch.corner, corner_force.data());
+
+    Lanes counts = 1.;
+    if (b + 1 == batches.size()) // copies of the last element do not count
+      counts =
+        select(Lanes([](const auto k) { return double(k); }) < Lanes(double(n_elements_of(b))), counts, Lanes(0.));
+    chunk.plastic += counts * step.work.plastic;
+    chunk.hourglass += counts * step.work.hourglass;
+    chunk.viscous -= counts * (0.5 * (batch.viscous_pressure + step.pressure) * step.dilatation * step.midpoint_volume);
+    batch.viscous_pressure = step.pressure;
+
+    const Lanes total =
+      force.linear[0].sum() + force.linear[1].sum() + force.linear[2].sum() + force.last.sum() + batch.frequency;
+    if (!all((total - total == Lanes(0.)) && (end.det > Lanes(0.))))
+      report_failure(b);
+  }
+
+  void SolidElements::Implementation::update_chunk(const std::size_t c, const double dt)
+  {
+    const std::size_t last  = std::min(batches.size(), (c + 1) * batches_per_chunk);
+    Chunk            &chunk = chunks[c];
+    chunk.frequency         = Lanes(0.);
+    for (std::size_t b = c * batches_per_chunk; b < last; ++b)
+      if (section.formulation == SolidFormulation::one_point)
+        update_one_point(b, dt, chunk);
+      else
+        update_b_bar(b, dt, chunk);
+  }
+
+  void SolidElements::Implementation::update_nodes(const ElementBlocks::Block &block, const double *position,
+                                                   const double *increment)
+  {
+    const auto body = [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t k = block.entering_begin + begin; k < block.entering_begin + end; ++k)
+        {
+          const std::size_t node = blocks.entering[k];
+          std::memcpy(records[node].value, position + 3 * node, 3 * sizeof(double));
+          std::memcpy(records[node].value + 3, increment + 3 * node, 3 * sizeof(double));
+        }
+    };
+    pool.parallel_for(block.entering_end - block.entering_begin, nodes_per_chunk, std::cref(body));
+  }
+
+  void SolidElements::Implementation::gather_forces(const ElementBlocks::Block &block, double *force)
+  {
+    const std::size_t n     = block.leaving_end - block.leaving_begin;
+    const std::size_t first = work_begin[std::size_t(&block - blocks.blocks.data())];
+    const auto        body  = [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t chunk = begin; chunk < end; ++chunk)
+        {
+          Four sum;
+          read(work[first + chunk].value, sum);
+          for (std::size_t i = chunk * nodes_per_chunk; i < std::min(n, (chunk + 1) * nodes_per_chunk); ++i)
+            {
+              const auto [node, row, n_corners] = blocks.leaving[block.leaving_begin + i];
+              Four f{}, part, old, u;
+              for (std::size_t k = row; k < row + n_corners; ++k)
+                {
+                  read(corner_force[k].value, part);
+                  f += part;
+                }
+              read(node_force[node].value, old);
+              read(records[node].value + 3, u); // and a number that meets zeros
+              sum += 0.5 * (old + f) * u;
+              write(f, node_force[node].value);
+              f = -f;
+              std::memcpy(force + 3 * node, &f, 3 * sizeof(double));
+            }
+          write(sum, work[first + chunk].value);
+        }
+    };
+    pool.parallel_for((n + nodes_per_chunk - 1) / nodes_per_chunk, 1, std::cref(body));
+  }
+} // namespace birdstrike

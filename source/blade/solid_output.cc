@@ -1,0 +1,86 @@
+#include <birdstrike/blade/solid_b_bar.h>
+#include <birdstrike/blade/solid_implementation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  std::array<double, 6> SolidElements::Implementation::point_stress(const std::size_t element,
+                                                                    const std::size_t point) const
+  {
+    const auto           &s = points[element / n_lanes * n_points() + point].stress;
+    std::array<double, 6> result;
+    for (int c = 0; c < 6; ++c)
+      result[c] = lane(s[c], element % n_lanes);
+    return result;
+  }
+
+  SolidState SolidElements::state(const std::size_t element) const
+  {
+    const Implementation       &my = *implementation;
+    const SolidModes<double>    x  = my.modes(element);
+    const SolidGeometry<double> g(x);
+    SolidState                  state{{}, 0., 0., g.volume()};
+    for (std::size_t p = 0; p < my.n_points(); ++p)
+      {
+        double share = 1.;
+        if (my.n_points() > 1)
+          share = b_bar_solid::Jacobian<double>(b_bar_solid::Derivatives<double>(x, int(p))).det / (8. * g.det);
+        const double strain = lane(my.points[element / n_lanes * my.n_points() + p].plastic_strain, element % n_lanes);
+        const auto   stress = my.point_stress(element, p);
+        for (int c = 0; c < 6; ++c)
+          state.stress[c] += share * stress[c];
+        state.plastic_strain += share * strain;
+        state.max_plastic_strain = std::max(state.max_plastic_strain, strain);
+      }
+    return state;
+  }
+
+  std::array<double, 6> SolidElements::corner_stress(const std::size_t element, const unsigned corner) const
+  {
+    const Implementation       &my = *implementation;
+    const std::array<double, 3> xi = {corner & 1 ? 1. : -1., corner & 2 ? 1. : -1., corner & 4 ? 1. : -1.};
+    std::array<double, 6>       result{};
+    if (my.section.formulation == SolidFormulation::one_point)
+      {
+        one_point_solid::Stabilisation<double> s;
+        const auto                            &of_batch = my.stabilisation[element / n_lanes];
+        for (int k = 0; k < 3; ++k)
+          {
+            s.last[k] = lane(of_batch.last[k], element % n_lanes);
+            for (int c = 0; c < 3; ++c)
+              s.linear[k][c] = lane(of_batch.linear[k][c], element % n_lanes);
+          }
+        result                            = my.point_stress(element, 0);
+        const Matrix3<double> rest        = one_point_solid::compute_stress_at(my.modes(element), s, xi);
+        constexpr int         pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
+        for (int c = 0; c < 6; ++c)
+          result[c] += rest(pairs[c][0], pairs[c][1]);
+        return result;
+      }
+    // the trilinear field through the points, which lie at 1/sqrt(3)
+    for (int p = 0; p < b_bar_solid::n_points; ++p)
+      {
+        double shape = 1.;
+        for (int k = 0; k < 3; ++k)
+          shape *= 0.5 * (1. + 3. * xi[k] * b_bar_solid::coordinate(p, k));
+        const auto stress = my.point_stress(element, std::size_t(p));
+        for (int c = 0; c < 6; ++c)
+          result[c] += shape * stress[c];
+      }
+    return result;
+  }
+
+  SolidElements::MaxPlasticStrain SolidElements::max_plastic_strain() const
+  {
+    const Implementation &my = *implementation;
+    MaxPlasticStrain      result;
+    for (std::size_t e = 0; e < n_elements(); ++e)
+      for (std::size_t p = 0; p < my.n_points(); ++p)
+        if (const double strain = lane(my.points[e / n_lanes * my.n_points() + p].plastic_strain, e % n_lanes);
+            strain > result.value)
+          result = {strain, e};
+    return result;
+  }
+} // namespace birdstrike
