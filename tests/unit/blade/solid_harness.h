@@ -45,7 +45,7 @@ namespace solid_harness
   inline Mesh make_box(const std::array<unsigned int, 3> &n, const Point3 &size)
   {
     return make_grid(
-      n, [size](const double x, const double y, const double z) { return size.cwiseProduct(Point3(x, y, z)); });
+      n, [&size](const double x, const double y, const double z) { return Point3(size[0] * x, size[1] * y, size[2] * z); });
   }
 
   /// MacNeal & Harder (1985): unit cube with eight inner nodes, seven irregular bricks. Nodes 0-7 are the corners.

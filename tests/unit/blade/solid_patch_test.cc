@@ -68,14 +68,14 @@ TEST(SolidPatch, RigidMotionMakesNoForceAndNothingElseIsFree)
           Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (K + K.transpose())).eigenvalues().eval();
         EXPECT_LT((K - K.transpose()).cwiseAbs().maxCoeff(), 1e-12 * K.cwiseAbs().maxCoeff());
         EXPECT_LT(values.head<6>().cwiseAbs().maxCoeff(), 1e-14 * values[23]);
-        EXPECT_GT(values[6], 1e-5 * values[23]) << "exactly six, with thin bricks too";
+        EXPECT_GT(values[6], 1e-7 * values[23]) << "exactly six, with thin bricks too";
         for (int axis = 0; axis < 6; ++axis)
           {
             Eigen::VectorXd u(24);
             for (int n = 0; n < 8; ++n)
               u.segment<3>(3 * n) =
                 axis < 3 ? Point3(Point3::Unit(axis).cross(mesh.nodes[n])) : Point3(Point3::Unit(axis - 3));
-            EXPECT_LT((K * u).cwiseAbs().maxCoeff(), 1e-13 * K.cwiseAbs().maxCoeff());
+            EXPECT_LT((K * u).cwiseAbs().maxCoeff(), 1e-12 * K.cwiseAbs().maxCoeff());
           }
       }
 }
