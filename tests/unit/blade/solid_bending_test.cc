@@ -27,15 +27,15 @@ namespace
   {
     Model             model(make_box(n, size), make_section(1e9, nu, formulation));
     std::vector<bool> held(model.n_dofs(), false);
-    Eigen::VectorXd   load = Eigen::VectorXd::Zero(model.n_dofs());
-    double            tip  = 0.;
+    Eigen::VectorXd   load  = Eigen::VectorXd::Zero(model.n_dofs());
+    double            tip   = 0.;
     std::size_t       n_tip = (n[1] + 1) * (n[2] + 1);
     for (std::size_t k = 0; k < model.mesh.nodes.size(); ++k)
       {
         const Point3 &x = model.mesh.nodes[k];
         if (x[0] < 1e-9)
           {
-            held[3 * k] = true; // free to contract
+            held[3 * k]     = true; // free to contract
             held[3 * k + 1] = x[1] < 1e-9;
             held[3 * k + 2] = x[2] < 1e-9;
           }

@@ -44,8 +44,9 @@ namespace solid_harness
 
   inline Mesh make_box(const std::array<unsigned int, 3> &n, const Point3 &size)
   {
-    return make_grid(
-      n, [&size](const double x, const double y, const double z) { return Point3(size[0] * x, size[1] * y, size[2] * z); });
+    return make_grid(n, [&size](const double x, const double y, const double z) {
+      return Point3(size[0] * x, size[1] * y, size[2] * z);
+    });
   }
 
   /// MacNeal & Harder (1985): unit cube with eight inner nodes, seven irregular bricks. Nodes 0-7 are the corners.
@@ -54,11 +55,11 @@ namespace solid_harness
     Mesh mesh;
     for (int i = 0; i < 8; ++i)
       mesh.nodes.emplace_back(i & 1 ? 1. : 0., i & 2 ? 1. : 0., i & 4 ? 1. : 0.);
-    for (const Point3 &x : {Point3(.249, .342, .192), Point3(.826, .288, .288), Point3(.273, .750, .230),
-                            Point3(.850, .649, .263), Point3(.320, .186, .643), Point3(.677, .305, .683),
-                            Point3(.165, .745, .702), Point3(.788, .693, .644)})
+    for (const Point3 &x :
+         {Point3(.249, .342, .192), Point3(.826, .288, .288), Point3(.273, .750, .230), Point3(.850, .649, .263),
+          Point3(.320, .186, .643), Point3(.677, .305, .683), Point3(.165, .745, .702), Point3(.788, .693, .644)})
       mesh.nodes.push_back(x);
-    mesh.cells = {{8, 9, 10, 11, 12, 13, 14, 15}, {0, 8, 2, 10, 4, 12, 6, 14}, {9, 1, 11, 3, 13, 5, 15, 7},
+    mesh.cells = {{8, 9, 10, 11, 12, 13, 14, 15}, {0, 8, 2, 10, 4, 12, 6, 14},  {9, 1, 11, 3, 13, 5, 15, 7},
                   {0, 1, 8, 9, 4, 5, 12, 13},     {10, 11, 2, 3, 14, 15, 6, 7}, {0, 1, 2, 3, 8, 9, 10, 11},
                   {12, 13, 14, 15, 4, 5, 6, 7}};
     return mesh;
@@ -136,7 +137,7 @@ namespace solid_harness
           color[n] = int(std::find(taken.begin(), taken.end(), false) - taken.begin());
           n_colors = std::max(n_colors, color[n] + 1);
         }
-      const double                        small = 1e-14 * (mesh.nodes.back() - mesh.nodes.front()).norm();
+      const double                          small = 1e-14 * (mesh.nodes.back() - mesh.nodes.front()).norm();
       std::map<std::pair<int, int>, double> entries;
       for (int k = 0; k < n_colors; ++k)
         for (int c = 0; c < 3; ++c)
@@ -185,7 +186,7 @@ namespace solid_harness
             }
       SparseMatrix matrix(K.rows(), K.cols());
       matrix.setFromTriplets(entries.begin(), entries.end());
-      const SparseMatrix                   symmetric = 0.5 * (matrix + SparseMatrix(matrix.transpose()));
+      const SparseMatrix                  symmetric = 0.5 * (matrix + SparseMatrix(matrix.transpose()));
       Eigen::SimplicialLDLT<SparseMatrix> solver(symmetric);
       return solver.solve(right);
     }

@@ -32,7 +32,7 @@ TEST(SolidPatch, IsExactInAnyAttitude)
         Eigen::VectorXd   exact(model.n_dofs());
         for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
           {
-            const Point3 x         = straight.nodes[n];
+            const Point3 x          = straight.nodes[n];
             exact.segment<3>(3 * n) = R * (0.5e-3 * (x + Point3::Constant(x.sum())));
             for (int c = 0; c < 3; ++c)
               held[3 * n + c] = n < 8;
@@ -59,12 +59,12 @@ TEST(SolidPatch, RigidMotionMakesNoForceAndNothingElseIsFree)
   for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar})
     for (const double aspect : {1., 0.05})
       {
-        const Mesh  mesh = make_grid({1, 1, 1}, [aspect](const double x, const double y, const double z) {
+        const Mesh mesh = make_grid({1, 1, 1}, [aspect](const double x, const double y, const double z) {
           return Point3(x + 0.2 * y * z + 0.1 * x * y, y - 0.15 * x * z, aspect * (z + 0.3 * x * y + 0.2 * x * y * z));
         });
-        Model       model(mesh, make_section(1., 0.3, formulation));
-        const auto  K = Eigen::MatrixXd(model.compute_stiffness());
-        const auto  values =
+        Model      model(mesh, make_section(1., 0.3, formulation));
+        const auto K = Eigen::MatrixXd(model.compute_stiffness());
+        const auto values =
           Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (K + K.transpose())).eigenvalues().eval();
         EXPECT_LT((K - K.transpose()).cwiseAbs().maxCoeff(), 1e-12 * K.cwiseAbs().maxCoeff());
         EXPECT_LT(values.head<6>().cwiseAbs().maxCoeff(), 1e-14 * values[23]);

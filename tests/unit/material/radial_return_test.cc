@@ -2,75 +2,171 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace birdstrike;
 
 namespace
 {
   const Elasticity titanium{113.8e9, 0.342};
   const Hardening  perfect; // 880 MPa
+
+  struct Point
+  {
+    double stress[6] = {}, plastic_strain = 0.;
+
+    PlasticIncrement<double> strain(const Hardening &h, const double (&increment)[6], const double dt = 1.)
+    {
+      const double yield = compute_flow_stress(h, plastic_strain, 0., dt, 1.).value;
+      add_elastic_stress(titanium, increment, stress);
+      const auto step = radial_return(titanium, h, plastic_strain, yield, 1., dt, stress);
+      plastic_strain += step.strain;
+      return step;
+    }
+  };
 } // namespace
 
 TEST(RadialReturn, UniaxialStrain)
 {
-  Matrix3<double> stress = Matrix3<double>::Zero(), strain = Matrix3<double>::Zero();
-  strain(0, 0) = 1.03775e-2;
-  add_elastic_stress(titanium, strain, stress);
-  EXPECT_NEAR(stress(0, 0), 1832.405e6, 2e4) << "Hugoniot elastic limit, strain given to six digits";
-  stress.setZero();
-  strain(0, 0) = 0.02 / 40;
-  double p     = 0.;
+  Point point;
+  point.strain(perfect, {1.03775e-2, 0., 0., 0., 0., 0.});
+  EXPECT_NEAR(point.stress[0], 1832.405e6, 2e4) << "Hugoniot elastic limit, strain given to six digits";
+  point = Point();
   for (int i = 0; i < 40; ++i)
-    {
-      add_elastic_stress(titanium, strain, stress);
-      p += radial_return(titanium, perfect, p, 880e6, 1., stress).strain;
-    }
-  EXPECT_NEAR(stress(0, 0), 2987.5105e6, 2987.5e6 * 1e-6);
-  EXPECT_NEAR(stress(1, 1), 2107.5105e6, 2107.5e6 * 1e-6);
+    point.strain(perfect, {0.02 / 40, 0., 0., 0., 0., 0.});
+  EXPECT_NEAR(point.stress[0], 2987.5105e6, 2987.5e6 * 1e-6);
+  EXPECT_NEAR(point.stress[1], 2107.5105e6, 2107.5e6 * 1e-6);
 }
 
-TEST(RadialReturn, MeetsTheHardeningCurve)
+TEST(RadialReturn, UniaxialStress)
+{
+  // H = 1.2 GPa: E_t = 1.187478 GPa; at 5 % of strain 930.191304 MPa and a plastic strain of 0.04182609
+  Hardening linear;
+  linear.law     = HardeningLaw::linear;
+  linear.modulus = 1.2e9;
+  Point     point;
+  const int n = 50;
+  for (int i = 0; i < n; ++i)
+    {
+      // the lateral strain that leaves no lateral stress, by secants
+      double lateral[2] = {-0.342 * 0.05 / n, -0.5 * 0.05 / n}, stress[2];
+      Point  trial[2];
+      for (int k = 0; k < 30; ++k)
+        {
+          for (int side = k == 0 ? 0 : 1; side < 2; ++side)
+            {
+              trial[side] = point;
+              trial[side].strain(linear, {0.05 / n, lateral[side], lateral[side], 0., 0., 0.});
+              stress[side] = trial[side].stress[1];
+            }
+          if (std::abs(stress[1]) < 1e-3)
+            break;
+          const double next = lateral[1] - stress[1] * (lateral[1] - lateral[0]) / (stress[1] - stress[0]);
+          lateral[0]        = lateral[1];
+          stress[0]         = stress[1];
+          lateral[1]        = next;
+        }
+      point = trial[1];
+    }
+  EXPECT_NEAR(point.stress[0] / 930.191304e6, 1., 1e-6);
+  EXPECT_NEAR(point.plastic_strain / 0.04182609, 1., 1e-6);
+}
+
+TEST(RadialReturn, ShearYieldsAtTheFlowStressOverRootThree)
+{
+  Point point;
+  point.strain(perfect, {0., 0., 0., 0.05, 0., 0.});
+  EXPECT_NEAR(point.stress[3], 508.068e6, 508.068e6 * 1e-6);
+  EXPECT_EQ(point.stress[0], 0.);
+}
+
+TEST(RadialReturn, MeetsEveryHardeningCurve)
 {
   Hardening h;
-  h.law                  = HardeningLaw::voce;
+  h.yield                = 880e6;
   h.modulus              = 200e6;
-  h.exponent             = 15.;
-  Matrix3<double> stress = Matrix3<double>::Zero(), strain;
-  strain << 0.01, 0.004, -0.002, 0.004, -0.003, 0.001, -0.002, 0.001, 0.02;
-  add_elastic_stress(titanium, strain, stress);
-  const auto step = radial_return(titanium, h, 0., 880e6, 1., stress);
-  EXPECT_NEAR(von_mises(stress) / (880e6 + 200e6 * (1. - std::exp(-15. * step.strain))), 1., 1e-12);
+  h.exponent             = 0.3;
+  h.strain               = 0.01;
+  const double strain[6] = {0.01, -0.003, 0.02, 0.004, 0.001, -0.002};
+  for (const auto law : {HardeningLaw::linear, HardeningLaw::swift, HardeningLaw::voce, HardeningLaw::johnson_cook})
+    for (const double rate_factor : {0., 0.03})
+      {
+        h.law         = law;
+        h.rate_factor = rate_factor;
+        Point        point;
+        const double dt   = 1e-5;
+        const auto   step = point.strain(h, strain, dt);
+        const double p    = step.strain;
+        const double q    = law == HardeningLaw::linear  ? 880e6 + 200e6 * p
+                            : law == HardeningLaw::swift ? 880e6 * std::pow(1. + p / 0.01, 0.3)
+                            : law == HardeningLaw::voce  ? 880e6 + 200e6 * (1. - std::exp(-0.3 * p))
+                                                         : 880e6 + 200e6 * std::pow(p, 0.3);
+        EXPECT_GT(p, 0.01);
+        EXPECT_NEAR(von_mises(point.stress) / (q * (1. + rate_factor * std::log(p / dt))), 1., 1e-12) << int(law);
+      }
+}
+
+TEST(RadialReturn, LanesThatDoNotYieldKeepTheirStress)
+{
+  Lanes stress[6]    = {0., 0., 0., 0., 0., 0.};
+  stress[0]          = Lanes([](const auto k) { return k % 2 == 0 ? 500e6 : 1500e6; });
+  const Lanes before = stress[0];
+  const auto  step   = radial_return(titanium, perfect, Lanes(0.), Lanes(880e6), Lanes(1.), 1., stress);
+  for (std::size_t k = 0; k < n_lanes; ++k)
+    if (k % 2 == 0)
+      {
+        EXPECT_EQ(lane(step.strain, k), 0.);
+        EXPECT_EQ(lane(stress[0], k), lane(before, k));
+      }
+    else
+      {
+        double alone[6] = {lane(before, k), 0., 0., 0., 0., 0.};
+        EXPECT_EQ(lane(step.strain, k), radial_return(titanium, perfect, 0., 880e6, 1., 1., alone).strain);
+        EXPECT_NEAR(lane(von_mises(stress), k) / 880e6, 1., 1e-14);
+      }
 }
 
 TEST(HughesWinget, AFullTurnGivesTheStressBack)
 {
-  Matrix3<double> stress, w = Matrix3<double>::Zero();
-  stress << 3., 1., -2., 1., 5., 0.5, -2., 0.5, -1.;
-  const Matrix3<double> start = stress;
+  double       stress[6] = {3., 5., -1., 1., 0.5, -2.};
+  const double start[6]  = {3., 5., -1., 1., 0.5, -2.};
   // the midpoint displacement gradient of a turn by a is antisymmetric with 2 tan(a/2)
-  const double t = 2. * std::tan(0.5 * 10. * std::acos(-1.) / 180.);
-  w(0, 1)        = -t;
-  w(1, 0)        = t;
+  Matrix3<double>       w    = Matrix3<double>::Zero();
+  const Vector3<double> axis = Vector3<double>(1., 2., -2.) / 3. * 2. * std::tan(0.5 * 10. * std::acos(-1.) / 180.);
+  w << 0., -axis[2], axis[1], axis[2], 0., -axis[0], -axis[1], axis[0], 0.;
+  const Vector3<double> spin = compute_half_spin(w);
   for (int i = 0; i < 36; ++i)
-    stress = rotate_hughes_winget(w, stress);
-  EXPECT_LT((stress - start).cwiseAbs().maxCoeff(), 1e-12 * start.norm());
+    {
+      double strain[6];
+      compute_turned_strain(w, spin, strain);
+      for (const double e : strain)
+        EXPECT_EQ(e, 0.);
+      rotate_hughes_winget(spin, stress);
+    }
+  for (int c = 0; c < 6; ++c)
+    EXPECT_NEAR(stress[c], start[c], 1e-12);
 }
 
-TEST(HughesWinget, ElasticSimpleShearIsJaumanns)
+TEST(HughesWinget, ElasticSimpleShearIsJaumannsToSecondOrder)
 {
-  // midpoint gradients: second order in the increment; exact G sin(gamma), G (1 - cos(gamma))
-  const double    G      = titanium.shear_modulus();
-  Matrix3<double> stress = Matrix3<double>::Zero(), d = Matrix3<double>::Zero(), w = d;
-  const int       n = 1000;
-  d(0, 1) = d(1, 0) = 0.5 / n;
-  w(0, 1)           = 1. / n;
-  w(1, 0)           = -1. / n;
-  w *= 0.5;
-  for (int i = 0; i < n; ++i)
+  // G sin(gamma), G (1 - cos(gamma))
+  const double G     = titanium.shear_modulus();
+  const auto   error = [G](const int n, const double gamma) {
+    double          stress[6] = {}, strain[6];
+    Matrix3<double> gradient  = Matrix3<double>::Zero();
+    gradient(0, 1)            = gamma / n;
+    const auto spin           = compute_half_spin(gradient);
+    for (int i = 0; i < n; ++i)
+      {
+        compute_turned_strain(gradient, spin, strain);
+        rotate_hughes_winget(spin, stress);
+        add_elastic_stress(titanium, strain, stress);
+      }
+    return std::hypot(stress[3] / G - std::sin(gamma), stress[0] / G - (1. - std::cos(gamma)));
+  };
+  for (const double gamma : {0.5, 1., std::acos(-1.)})
     {
-      stress = rotate_hughes_winget(Matrix3<double>(0.5 * w), stress);
-      add_elastic_stress(titanium, d, stress);
-      stress = rotate_hughes_winget(Matrix3<double>(0.5 * w), stress);
+      EXPECT_LT(error(1000, gamma), 1e-6);
+      EXPECT_NEAR(error(50, gamma) / error(100, gamma), 4., 0.1);
     }
-  EXPECT_NEAR(stress(0, 1) / G, 0.841471, 1e-6);
-  EXPECT_NEAR(stress(0, 0) / G, 0.459698, 1e-6);
 }
