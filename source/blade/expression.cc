@@ -1,12 +1,11 @@
-#include <birdstrike/blade/expression.h>
-#include <birdstrike/core/errors.h>
+#include "parsed_formula.h"
 
-#include <deal.II/base/function_parser.h>
-#include <deal.II/base/numbers.h>
+#include <birdstrike/blade/expression.h>
+
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 namespace birdstrike
 {
@@ -21,28 +20,6 @@ namespace birdstrike
     std::string               text, entry;
   };
 
-  namespace
-  {
-    /// deal.II prints muparser's complaint to std::cerr before it throws; the user gets our sentence instead.
-    class QuietErrors
-    {
-    public:
-      QuietErrors() : kept(std::cerr.rdbuf(nullptr))
-      {
-      }
-      ~QuietErrors()
-      {
-        std::cerr.rdbuf(kept);
-        std::cerr.clear();
-      }
-      QuietErrors(const QuietErrors &)            = delete;
-      QuietErrors &operator=(const QuietErrors &) = delete;
-
-    private:
-      std::streambuf *kept;
-    };
-  } // namespace
-
   Expression::Expression(const std::string &text, const unsigned int n_components, const std::string &entry)
     : parser(std::make_unique<Parser>(text, n_components, entry))
   {
@@ -50,18 +27,7 @@ namespace birdstrike
                                 " formula(s) in x, y, z, t separated by ';', e.g. '1e6*exp(-t/1e-4)'.";
     if (std::count(text.begin(), text.end(), ';') + 1 != n_components)
       throw InputError("Blade/" + entry + ": '" + text + "' has the wrong number of formulas" + allowed);
-    try
-      {
-        const QuietErrors quiet;
-        parser->function.initialize("x,y,z,t", text, {{"pi", dealii::numbers::PI}}, true);
-        // muparser compiles at the first evaluation, and only then finds what is wrong.
-        for (unsigned int c = 0; c < n_components; ++c)
-          parser->function.value(dealii::Point<3>(0.1, 0.1, 0.1), c);
-      }
-    catch (const std::exception &)
-      {
-        throw InputError("Blade/" + entry + ": '" + text + "' is not a formula" + allowed);
-      }
+    compile(parser->function, "x,y,z,t", text, true, "Blade/" + entry + ": '" + text + "' is not a formula" + allowed);
   }
 
   Expression::~Expression()                      = default;
@@ -75,6 +41,39 @@ namespace birdstrike
       throw InputError("Blade/" + parser->entry + ": '" + parser->text + "' is not finite at (" +
                        std::to_string(position[0]) + ", " + std::to_string(position[1]) + ", " +
                        std::to_string(position[2]) + "), t = " + std::to_string(time) + " s.");
+    return value;
+  }
+
+  struct SpanLaw::Parser
+  {
+    dealii::FunctionParser<1> function;
+    std::string               text, entry;
+    double                    smallest, largest;
+  };
+
+  SpanLaw::SpanLaw(const std::string &text, const std::string &entry, const double smallest, const double largest)
+    : parser(new Parser{dealii::FunctionParser<1>(1), text, entry, smallest, largest})
+  {
+    compile(parser->function, "s", text, false,
+            "Blade/" + entry + ": '" + text +
+              "' is not a formula in s.\nAllowed: one formula in the normalised span s (0 root, 1 tip), e.g. "
+              "'35+22*s'.");
+    constexpr unsigned int n_samples = 200;
+    for (unsigned int k = 0; k <= n_samples; ++k)
+      (*this)(double(k) / n_samples);
+  }
+
+  SpanLaw::~SpanLaw()                   = default;
+  SpanLaw::SpanLaw(SpanLaw &&) noexcept = default;
+
+  double SpanLaw::operator()(const double s) const
+  {
+    const auto   number = [](const double x) { return dealii::Utilities::to_string(x); };
+    const double value  = parser->function.value(dealii::Point<1>(s));
+    if (!(value >= parser->smallest && value <= parser->largest))
+      throw InputError("Blade/" + parser->entry + ": '" + parser->text + "' is " + number(value) +
+                       " at s = " + number(s) + ".\nAllowed: " + number(parser->smallest) + " to " +
+                       number(parser->largest) + " for 0 <= s <= 1.");
     return value;
   }
 

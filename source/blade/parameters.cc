@@ -1,3 +1,4 @@
+#include "mesh_parameters.h"
 #include "section_choices.h"
 
 #include <birdstrike/blade/parameters.h>
@@ -27,45 +28,6 @@ namespace birdstrike
         const auto numbers = parse_numbers(given, 3, entry);
         std::copy(numbers.begin(), numbers.end(), member.begin());
       });
-    }
-
-    void declare_mesh(dealii::ParameterHandler &prm, BladeParameters::Mesh &p)
-    {
-      prm.enter_subsection("Mesh");
-      prm.add_parameter(
-        "Generator", p.generator,
-        "Where the mid-surface comes from: the built-in plate (x span, y chord, z normal; boundary ids 0 "
-        "root, 1 tip, 2 leading edge, 3 trailing edge) or a file. [-]",
-        Selection("flat plate|file"));
-      prm.add_parameter("Length", p.length, "Span of the built-in plate, from the root at x = 0. [m]", Double(tiny));
-      prm.add_parameter("Chord", p.chord, "Chord of the built-in plate, centred on y = 0. [m]", Double(tiny));
-      prm.add_parameter("Elements along span", p.n_span, "Number of elements of the built-in plate along x. [-]",
-                        Integer(1, 100000));
-      prm.add_parameter("Elements along chord", p.n_chord, "Number of elements of the built-in plate along y. [-]",
-                        Integer(1, 100000));
-      prm.add_parameter("Span grading", p.span_grading,
-                        "Length of the last element at the tip over the first at the root, geometric between them. [-]",
-                        Double(1e-3, 1e3));
-      prm.add_parameter("Chord grading", p.chord_grading,
-                        "Width of the last element at the trailing edge over the first at the leading edge. [-]",
-                        Double(1e-3, 1e3));
-      prm.add_parameter("File", p.file,
-                        "Quadrilateral surface mesh: .msh (Gmsh 2 or 4), .inp (UCD) or .vtk; physical lines become "
-                        "boundary ids (unlabelled edges: 0), physical surfaces material ids. [-]",
-                        Anything());
-      prm.add_parameter("File scale", p.file_scale, "Metres per length unit of the file, e.g. 0.001. [m]",
-                        Double(tiny));
-      prm.leave_subsection();
-    }
-
-    void declare_thickness(dealii::ParameterHandler &prm, BladeParameters::Thickness &p)
-    {
-      prm.enter_subsection("Thickness");
-      prm.add_parameter("Value", p.value, "Thickness, a number or a formula in x, y, z. [m]", Anything());
-      prm.add_parameter(
-        "By material", p.by_material,
-        "Thickness of the cells with a material id, which replaces the value: '1: 0.004; 2: 0.003'. [m]", Anything());
-      prm.leave_subsection();
     }
 
     void declare_element(dealii::ParameterHandler &prm, BladeParameters::Element &p)
@@ -196,6 +158,7 @@ namespace birdstrike
                 "Rigid/Normal: the normal has no length.\nAllowed: any three numbers that are not all zero.");
         return;
       }
+    check_mesh(*this);
     require(element.n_points == 3 || element.n_points == 5 || element.n_points == 7,
             "Element/Points through thickness: " + std::to_string(element.n_points) + " was read.\nAllowed: 3, 5, 7.");
     material.check();

@@ -1,29 +1,12 @@
 #include "shell_blade_state.h"
 #include "section_choices.h"
 
-#include <birdstrike/blade/expression.h>
-#include <birdstrike/blade/text_lists.h>
-
-#include <map>
-#include <memory>
+#include <birdstrike/blade/thickness_law.h>
 
 namespace birdstrike
 {
   namespace
   {
-    ShellMesh::ThicknessLaw make_thickness(const BladeParameters::Thickness &parameters)
-    {
-      std::map<unsigned int, double> by_material;
-      for (const auto &[key, value] : parse_pairs(parameters.by_material, "Thickness/By material"))
-        for (const unsigned int id : parse_ids(key, "Thickness/By material"))
-          by_material[id] = parse_numbers(value, 1, "Thickness/By material")[0];
-      const auto expression = std::make_shared<Expression>(parameters.value, 1, "Thickness/Value");
-      return [by_material, expression](const double *position, const unsigned int material_id) {
-        const auto found = by_material.find(material_id);
-        return found != by_material.end() ? found->second : expression->value(position, 0.);
-      };
-    }
-
     ShellSection make_section(const BladeParameters &parameters)
     {
       ShellSection section;
@@ -62,7 +45,7 @@ namespace birdstrike
   ShellBlade::State::State(const BladeParameters &parameters, ThreadPool &pool)
     : mesh(parameters.mesh, parameters.is_halved)
     , supports(parameters.supports, with_dofs(mesh).surface())
-    , lumped(mesh.compute_mass(parameters.material.metal().density, make_thickness(parameters.thickness)))
+    , lumped(mesh.compute_mass(parameters.material.metal().density, make_thickness_law(parameters)))
     , elements(points_of(mesh.surface()), mesh.surface().cells, lumped.element_thickness, make_section(parameters),
                pool)
     , nodes(mesh.surface().nodes, {lumped.node, lumped.rotary}, supports,

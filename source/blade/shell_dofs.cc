@@ -1,13 +1,10 @@
 #include "shell_mesh_grid.h"
 
-#include <birdstrike/core/errors.h>
-
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
-#include <string>
 
 namespace birdstrike
 {
@@ -48,12 +45,8 @@ namespace birdstrike
         for (const unsigned int q : values.quadrature_point_indices())
           {
             const dealii::Point<3> p = values.quadrature_point(q);
-            const double           t = thickness(&p[0], cell->material_id());
-            if (!(t > 0.))
-              throw InputError("Blade/Thickness: the thickness at (" + std::to_string(p[0]) + ", " +
-                               std::to_string(p[1]) + ", " + std::to_string(p[2]) + ") is " + std::to_string(t) +
-                               " m.\nAllowed: positive everywhere on the blade.");
-            const double m = density * t * values.JxW(q);
+            const double           t = thickness_at(thickness, &p[0], cell->material_id());
+            const double           m = density * t * values.JxW(q);
             area += values.JxW(q);
             element_mass += m;
             for (unsigned int k = 0; k < 4; ++k)

@@ -25,6 +25,25 @@ namespace birdstrike
     std::unique_ptr<Parser> parser;
   };
 
+  /// A formula of the user in the normalised span s, 0 at the root and 1 at the tip, e.g. "35+22*s-4*s^2" or
+  /// "if(s<0.5, 1, 1.5-s)". The constant pi is known. Not thread-safe.
+  class SpanLaw
+  {
+  public:
+    /// Throws InputError, naming the entry, if the text is no formula or leaves [smallest, largest] on a sample of
+    /// 0 <= s <= 1.
+    SpanLaw(const std::string &text, const std::string &entry, double smallest, double largest);
+    ~SpanLaw();
+    SpanLaw(SpanLaw &&) noexcept;
+
+    /// Throws InputError if the value is not finite or outside the range.
+    double operator()(double s) const;
+
+  private:
+    struct Parser;
+    std::unique_ptr<Parser> parser;
+  };
+
   /// False for an empty text and for plain zeros: nothing needs evaluating.
   bool is_present(const std::string &expression);
 } // namespace birdstrike

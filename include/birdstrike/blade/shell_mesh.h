@@ -2,8 +2,8 @@
 
 #include <birdstrike/blade/parameters.h>
 #include <birdstrike/blade/surface_mesh.h>
+#include <birdstrike/blade/thickness_law.h>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,9 +18,6 @@ namespace birdstrike
   class ShellMesh
   {
   public:
-    /// Thickness (m) at a position (m) of a cell with a material id.
-    using ThicknessLaw = std::function<double(const double *position, unsigned int material_id)>;
-
     /// Lumped mass of the nodes and what the elements need of the thickness.
     struct Mass
     {
@@ -51,7 +48,7 @@ namespace birdstrike
     void extract(const std::vector<std::uint32_t> &node_of_vertex);
 
     std::unique_ptr<Grid> grid;
-    bool                  is_halved, has_flat_plate;
+    bool                  is_halved, is_generated;
     SurfaceMesh           plain;
   };
 } // namespace birdstrike

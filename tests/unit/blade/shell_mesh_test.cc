@@ -18,7 +18,7 @@ namespace birdstrike
   {
     const std::string plate_file = std::string(BIRDSTRIKE_SOURCE_DIR) + "/meshes/plate-28x8.msh";
 
-    ShellMesh::Mass mass_of(const BladeParameters::Mesh &parameters, const ShellMesh::ThicknessLaw &thickness)
+    ShellMesh::Mass mass_of(const BladeParameters::Mesh &parameters, const ThicknessLaw &thickness)
     {
       ShellMesh mesh(parameters);
       mesh.distribute_dofs();
