@@ -65,6 +65,7 @@ check "bird that misses" 2 "miss" -- run "$top/prm/quickstart.prm" "${fast[@]}" 
 check "nothing in the case" 2 "neither" -- run "$top/prm/bird-free.prm" --set "Bird/Enabled=false"
 check "solid is refused in its own name" 2 "solid" -- run "$top/prm/quickstart.prm" --set "Blade/Kind=solid"
 check "missing mesh" 2 "no-such.msh" -- run "$top/prm/quickstart.prm" --set "Blade/Mesh/Generator=file" --set "Blade/Mesh/File=no-such.msh"
+check "bricks for a shell" 2 "holds 112 hexahedra" "Blade/Kind = solid" -- run "$top/prm/quickstart.prm" --set "Blade/Mesh/Generator=file" --set "Blade/Mesh/File=$top/meshes/plate-14x4x2.msh"
 check "unknown boundary id" 2 "77" -- run "$top/prm/quickstart.prm" --set "Blade/Supports/Clamped=77"
 [ -z "$(find . -name summary.json)" ] || { echo "FAILED a refusal left a summary"; n_failed=$((n_failed + 1)); }
 

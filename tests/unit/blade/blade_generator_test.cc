@@ -3,6 +3,8 @@
 #include <birdstrike/blade/solid_mesh.h>
 #include <birdstrike/core/errors.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -217,6 +219,24 @@ namespace birdstrike
       EXPECT_NEAR(coarse / fine, 4., 0.05);
       EXPECT_LT(std::abs((4. * fine - coarse) / 3.), 2e-5) << "extrapolated";
       EXPECT_GT(shell_mass(fan_blade(20, 8)), 1.) << "a fan blade of titanium weighs kilograms";
+    }
+
+    TEST(BladeGenerator, IsDescribedByTheParameterFile)
+    {
+      BladeParameters          p;
+      dealii::ParameterHandler prm;
+      p.declare(prm);
+      prm.parse_input_from_string("subsection Mesh\n set Generator = blade\n set Layers = 3\n set Layer grading = 2\n"
+                                  " subsection Profile\n  set Root radius = 0.2\n  set Chord law = 1 + s\n"
+                                  "  set Stagger = 10 + 50*s\n  set Camber line = parabola\n end\nend\n"
+                                  "subsection Thickness\n set Maximum = 0.01\n set Leading edge = 0.2\nend\n");
+      EXPECT_NO_THROW(p.check());
+      EXPECT_EQ(p.mesh.n_layers, 3u);
+      EXPECT_EQ(p.mesh.profile.camber_line, "parabola");
+      const BladeShape shape(p.mesh);
+      EXPECT_NEAR(shape.chord(0.5), 1.5 * p.mesh.chord, 1e-16);
+      EXPECT_NEAR(shape.stagger(1.), M_PI / 3., 1e-15);
+      EXPECT_NEAR(make_thickness_law(p)(shape.position(0.5, 0.).data(), 0), 0.002, 1e-16);
     }
 
     TEST(BladeGenerator, RefusesLawsThatMakeNoBlade)
