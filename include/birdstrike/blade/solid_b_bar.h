@@ -8,8 +8,8 @@ namespace birdstrike
 {
   /// Fully integrated brick: 2 x 2 x 2 Gauss points; of the gradient at a point the trace is replaced by that of the
   /// mean gradient over the current volume (B-bar, Hughes 1980; mean dilatation, Nagtegaal, Parks & Rice 1974), so that
-  /// plastic flow and nu near 1/2 do not lock. The shear of a brick that bends stays: it is stiffer than it should be
-  /// by 1 + (1 - nu)/2 (L/h)^2 for edges L along the bent line and h across it.
+  /// plastic flow and nu near 1/2 do not lock. The shear of a brick that bends stays: one layer is (2/3 + (L/h)^2/2)/(1
+  /// + nu) times as stiff as the beam, with edges L along the bent line and h across it (39 times at L/h = 10).
   namespace b_bar_solid
   {
     inline constexpr int n_points = 8;

@@ -39,9 +39,9 @@ namespace birdstrike
   ///   q^2 = q_mean^2 + sum (2/3 q_k)^2 + ...
   /// exceeds the flow stress, where q_k are the von Mises stresses of the linear parts (Ilyushin's surface for stress
   /// resultants: M/M_p and N/N_p in a circle): one brick then carries the plastic moment, no more. The deviator of the
-  /// mean and the stabilisation are scaled back together. While the mean flows at a rate e', this leaves a variation of
-  /// strain rate d' the stress 2/3 s_y d'/e', which is the linearised return at these points: what is plastic gets soft
-  /// without a tangent or a coefficient.
+  /// mean and the stabilisation are returned together. While the mean flows at a rate e', this leaves a variation d' of
+  /// the strain rate the stress 2/3 s_y d'/e', which is the linearised return at these points: what is plastic gets
+  /// soft without a tangent or a coefficient.
   struct SolidLaw
   {
     explicit SolidLaw(const SolidSection &section)
@@ -75,8 +75,8 @@ namespace birdstrike
       const Number q2 = von_mises_squared(point.stress);
       if (!any(q2 > point.yield * point.yield))
         return Number(0.);
-      Number       work;
-      const Number scale = flow(q2, dt, point, work);
+      Number       work, none = Number(0.);
+      const Number scale = flow(q2, none, dt, point, work);
       scale_deviator(scale, point.stress);
       return work;
     }
@@ -95,8 +95,11 @@ namespace birdstrike
       SolidWork<Number> work{Number(0.), Number(0.)};
       if (any(q2 > point.yield * point.yield))
         {
-          const Number scale = flow(q2, dt, point, work.plastic);
+          const Number scale = flow(q2, rest, dt, point, work.plastic);
           scale_deviator(scale, point.stress);
+          work.hourglass = -0.75 * work.plastic * rest / max(Number(q2 - 0.25 * rest), Number(1e-300));
+          scale_back(axes, elasticity.poisson, scale, s);
+          work.hourglass = -0.75 * work.plastic * rest / max(Number(q2 - 0.25 * rest), Number(1e-300));
           for (int k = 0; k < 3; ++k)
             {
               s.last[k] *= scale;
@@ -104,7 +107,7 @@ namespace birdstrike
                 s.linear[k][c] *= scale;
             }
         }
-      work.hourglass = half * (before + compute_work(s, strain));
+      work.hourglass += half * (before + compute_work(s, strain));
       return work;
     }
 
@@ -121,15 +124,18 @@ namespace birdstrike
     }
 
   private:
-    /// Radial return of a stress measure q, q^2 given; returns the factor of the deviator.
+    /// Radial return of a stress measure q, q^2 given with the part of it that the stabilisation has; returns the
+    /// factor of the deviator, and the work per volume s_y dp. The square of a linear stress is 1/3 in the mean, where
+    /// the measure has 4/9: three quarters of that part are plastic work.
     template <class Number>
-    [[gnu::noinline]] Number flow(const Number &q2, const double dt, SolidPoint<Number> &point, Number &work) const
+    [[gnu::noinline]] Number flow(const Number &q2, const Number &rest, const double dt, SolidPoint<Number> &point,
+                                  Number &work) const
     {
       const Number softening = thermal_softening(hardening, adiabatic_temperature(hardening, point.plastic_work));
       const Number q         = sqrt(q2);
       const auto   step =
         compute_radial_increment(elasticity, hardening, point.plastic_strain, point.yield, softening, dt, q);
-      work = step.stress * step.strain;
+      work = step.stress * step.strain * (Number(1.) - 0.25 * rest / max(q2, Number(1e-300)));
       point.plastic_strain += step.strain;
       point.plastic_work += work;
       point.yield = compute_static_yield(point, dt);

@@ -124,6 +124,27 @@ namespace birdstrike
       return (4. / 9.) * sum + (16. / 81.) * last;
     }
 
+    /// Returns the stresses from plastic flow, `scale` = 1/(1 + 3 G chi) being the factor of a deviator: in plane
+    /// stress the trace decays as 1/(1 + E/(2 (1 - nu)) chi) (Simo & Taylor 1986, as in plane_stress_return), a
+    /// uniaxial stress as 1/(1 + E chi).
+    template <class Number>
+    [[gnu::always_inline]] inline void scale_back(const Axes<Number> &axes, const double poisson, const Number &scale,
+                                                  Stabilisation<Number> &s)
+    {
+      const double of_trace = (1. + poisson) / (3. * (1. - poisson)), of_axial = 2. / 3. * (1. + poisson);
+      const Number one = 1., flow = one - scale;
+      const Number trace_factor = scale / (scale + of_trace * flow), axial_factor = scale / (scale + of_axial * flow);
+      for (int k = 0; k < 3; ++k)
+        {
+          const Number c = axes.cosine[k], trace = s.linear[k][0] + s.linear[k][1] + 2. * c * s.linear[k][2];
+          const Number rest = 0.5 * (trace_factor - scale) * trace / (one - c * c);
+          s.linear[k][0]    = scale * s.linear[k][0] + rest;
+          s.linear[k][1]    = scale * s.linear[k][1] + rest;
+          s.linear[k][2]    = scale * s.linear[k][2] - c * rest;
+          s.last[k] *= axial_factor;
+        }
+    }
+
     /// Work per volume of stresses on strains.
     template <class Number>
     [[gnu::always_inline]] inline Number compute_work(const Stabilisation<Number> &s, const Stabilisation<Number> &e)

@@ -204,8 +204,7 @@ TEST(SolidElements, ASpinningCubeKeepsItsEnergy)
           motion.step(dt);
           worst = std::max(worst, std::abs(motion.total_energy() / rotation - 1.));
         }
-      std::printf("spin: worst %g\n", worst);
-      EXPECT_LT(worst, 1e-3);
+      EXPECT_LT(worst, 1e-4) << "measured 1.1e-5; 1e-3 is asked";
     }
 }
 

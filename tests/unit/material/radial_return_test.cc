@@ -101,7 +101,7 @@ TEST(RadialReturn, MeetsEveryHardeningCurve)
                             : law == HardeningLaw::swift ? 880e6 * std::pow(1. + p / 0.01, 0.3)
                             : law == HardeningLaw::voce  ? 880e6 + 200e6 * (1. - std::exp(-0.3 * p))
                                                          : 880e6 + 200e6 * std::pow(p, 0.3);
-        EXPECT_GT(p, 0.01);
+        EXPECT_GT(p, 0.005);
         EXPECT_NEAR(von_mises(point.stress) / (q * (1. + rate_factor * std::log(p / dt))), 1., 1e-12) << int(law);
       }
 }
@@ -166,7 +166,7 @@ TEST(HughesWinget, ElasticSimpleShearIsJaumannsToSecondOrder)
   };
   for (const double gamma : {0.5, 1., std::acos(-1.)})
     {
-      EXPECT_LT(error(1000, gamma), 1e-6);
+      EXPECT_LT(error(2000, gamma), 1e-6);
       EXPECT_NEAR(error(50, gamma) / error(100, gamma), 4., 0.1);
     }
 }
