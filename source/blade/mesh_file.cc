@@ -1,4 +1,5 @@
 #include "mesh_file.h"
+#include "quiet_errors.h"
 
 #include <birdstrike/core/errors.h>
 
@@ -6,7 +7,9 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 
 namespace birdstrike
@@ -33,6 +36,19 @@ namespace birdstrike
       return first == '*';
     }
 
+    /// Whether some element is a brick (C3D8, C3D8R, ...); deal.II's reader takes the nodes of any type as they come.
+    bool has_abaqus_bricks(const std::string &file)
+    {
+      std::ifstream in = open(file);
+      for (std::string line; std::getline(in, line);)
+        {
+          std::transform(line.begin(), line.end(), line.begin(), [](const unsigned char c) { return std::toupper(c); });
+          if (line.find("TYPE=C3D8") != std::string::npos)
+            return true;
+        }
+      return false;
+    }
+
     template <int dim>
     typename dealii::GridIn<dim, 3>::Format format_of(const std::string &file)
     {
@@ -53,8 +69,11 @@ namespace birdstrike
     {
       const auto             format = format_of<dim>(file);
       std::ifstream          in     = open(file);
+      const QuietErrors      quiet;
       dealii::GridIn<dim, 3> reader;
       reader.attach_triangulation(triangulation);
+      if (format == dealii::GridIn<dim, 3>::abaqus && has_abaqus_bricks(file) != (dim == 3))
+        throw std::invalid_argument("elements of another dimension");
       try
         {
           reader.read(in, format);
@@ -93,7 +112,8 @@ namespace birdstrike
       throw InputError("Blade/Mesh/File: '" + file + "' is not a mesh of " + cells_of<dim> +
                        " that can be read.\nAllowed: " + cells_of<dim> + " with labelled boundary " +
                        (dim == 2 ? "lines" : "quadrilaterals") +
-                       ", every other cell kind removed; Gmsh format 2 or 4, text.\nSave again with " +
+                       ", every other cell kind removed; Gmsh format 2 or 4, text; Abaqus with sets EB1, EB2, ... and "
+                       "surfaces SS1, SS2, ...\nSave again with " +
                        (dim == 2 ? "'Recombine' on and only physical surfaces and lines."
                                  : "only physical volumes and surfaces (transfinite or swept, recombined)."));
     }

@@ -1,34 +1,16 @@
 #pragma once
 
+#include "quiet_errors.h"
+
 #include <birdstrike/core/errors.h>
 
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/numbers.h>
 
-#include <iostream>
 #include <string>
 
 namespace birdstrike
 {
-  /// deal.II prints muparser's complaint to std::cerr before it throws; the user gets our sentence instead.
-  class QuietErrors
-  {
-  public:
-    QuietErrors() : kept(std::cerr.rdbuf(nullptr))
-    {
-    }
-    ~QuietErrors()
-    {
-      std::cerr.rdbuf(kept);
-      std::cerr.clear();
-    }
-    QuietErrors(const QuietErrors &)            = delete;
-    QuietErrors &operator=(const QuietErrors &) = delete;
-
-  private:
-    std::streambuf *kept;
-  };
-
   /// Compiles formulas separated by ';' in these variables (the last one is time if there are dim + 1). `complaint` is
   /// the text of the InputError if one of them is no formula.
   template <int dim>

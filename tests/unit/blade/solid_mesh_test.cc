@@ -80,19 +80,26 @@ namespace birdstrike
                       {{0, 0, 1}}, {{1, 0, 1}}, {{1, 1, 1}}, {{0, 1, 1}}};
     const std::vector<int> whole{0, 1, 2, 3, 4, 5, 6, 7};
 
-    /// What reading these cells says, empty if nothing.
-    std::string complaint(const Places &nodes, const std::vector<std::vector<int>> &cells)
+    /// What the user is told, empty if nothing.
+    template <typename Make>
+    std::string message(const Make &make)
     {
-      const TemporaryFile file(".msh", gmsh(nodes, cells));
       try
         {
-          const SolidMesh mesh(from_file(file.path));
+          make();
         }
       catch (const InputError &error)
         {
           return error.what();
         }
       return "";
+    }
+
+    /// The same of reading these cells.
+    std::string complaint(const Places &nodes, const std::vector<std::vector<int>> &cells)
+    {
+      const TemporaryFile file(".msh", gmsh(nodes, cells));
+      return message([&] { const SolidMesh mesh(from_file(file.path)); });
     }
 
     bool says(const std::string &text, const std::string &piece)
@@ -337,23 +344,32 @@ namespace birdstrike
 
     TEST(SolidMesh, NamesTheDimensionThatIsWrong)
     {
-      const auto message = [](const auto &make) {
-        try
-          {
-            make();
-          }
-        catch (const InputError &error)
-          {
-            return std::string(error.what());
-          }
-        return std::string();
-      };
       const auto solid = message([] { const SolidMesh mesh(from_file(meshes + "plate-28x8.msh")); });
       EXPECT_TRUE(says(solid, "holds 224 quadrilaterals, but hexahedra are needed")) << solid;
       EXPECT_TRUE(says(solid, "Set Blade/Kind = shell")) << solid;
       const auto shell = message([] { const ShellMesh mesh(from_file(meshes + "plate-14x4x2.msh").mesh); });
       EXPECT_TRUE(says(shell, "holds 112 hexahedra, but quadrilaterals of the mid-surface are needed")) << shell;
       EXPECT_TRUE(says(shell, "Set Blade/Kind = solid")) << shell;
+    }
+
+    // deal.II's Abaqus reader takes the nodes of any element type as they come; quadrilaterals beside bricks confuse
+    // it.
+    TEST(SolidMesh, TellsAbaqusElementsApart)
+    {
+      const std::string   nodes = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n6, 1, 0, 1\n"
+                                  "7, 1, 1, 1\n8, 0, 1, 1\n";
+      const std::string   brick = "*ELEMENT, TYPE=C3D8, ELSET=EB1\n1, 1, 2, 3, 4, 5, 6, 7, 8\n";
+      const std::string   shell = "*ELEMENT, type=S4R, ELSET=EB1\n1, 1, 2, 3, 4\n";
+      const TemporaryFile bricks(".inp", "*HEADING\n" + nodes + brick);
+      EXPECT_NO_THROW(SolidMesh{from_file(bricks.path)});
+      const auto of_bricks = message([&] { const ShellMesh mesh(from_file(bricks.path).mesh); });
+      EXPECT_TRUE(says(of_bricks, "holds 1 hexahedra")) << of_bricks;
+      const TemporaryFile shells("-s.inp", "*HEADING\n" + nodes.substr(0, nodes.find("5, 0")) + shell);
+      EXPECT_NO_THROW(ShellMesh{from_file(shells.path).mesh});
+      const auto of_shells = message([&] { const SolidMesh mesh(from_file(shells.path)); });
+      EXPECT_TRUE(says(of_shells, "holds 1 quadrilaterals")) << of_shells;
+      const TemporaryFile both("-b.inp", "*HEADING\n" + nodes + shell + brick);
+      EXPECT_TRUE(says(message([&] { const SolidMesh mesh(from_file(both.path)); }), "is not a mesh of hexahedra"));
     }
 
     TEST(SolidMesh, RefusesBadFiles)
