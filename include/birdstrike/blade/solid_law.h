@@ -1,8 +1,8 @@
 #pragma once
 
 #include <birdstrike/blade/solid_elements.h>
+#include <birdstrike/blade/solid_flow.h>
 #include <birdstrike/blade/solid_one_point.h>
-#include <birdstrike/material/radial_return.h>
 
 namespace birdstrike
 {
@@ -34,14 +34,10 @@ namespace birdstrike
 
   /// Stress of solid elements from strain increments: J2 with radial return, and the bulk viscosity.
   ///
-  /// The stabilisation of the one-point brick flows with the mean: its stresses are those at points within the element,
-  /// relative to the mean. An element yields when
-  ///   q^2 = q_mean^2 + sum (2/3 q_k)^2 + ...
-  /// exceeds the flow stress, where q_k are the von Mises stresses of the linear parts (Ilyushin's surface for stress
-  /// resultants: M/M_p and N/N_p in a circle): one brick then carries the plastic moment, no more. The deviator of the
-  /// mean and the stabilisation are returned together. While the mean flows at a rate e', this leaves a variation d' of
-  /// the strain rate the stress 2/3 s_y d'/e', which is the linearised return at these points: what is plastic gets
-  /// soft without a tangent or a coefficient.
+  /// The stabilisation of the one-point brick flows with the mean (see SolidFlow), for its stresses are those at points
+  /// within the element, relative to the mean: one brick carries the plastic moment, no more. While the mean flows at a
+  /// rate e', this leaves a variation d' of the strain rate a stress of the order s_y d'/e', as the return of each
+  /// point would: what is plastic gets soft without a tangent or a coefficient.
   struct SolidLaw
   {
     explicit SolidLaw(const SolidSection &section)
@@ -75,10 +71,7 @@ namespace birdstrike
       const Number q2 = von_mises_squared(point.stress);
       if (!any(q2 > point.yield * point.yield))
         return Number(0.);
-      Number       work, none = Number(0.);
-      const Number scale = flow(q2, none, dt, point, work);
-      scale_deviator(scale, point.stress);
-      return work;
+      return flow(q2, dt, point);
     }
 
     /// A step of a one-point element.
@@ -91,22 +84,11 @@ namespace birdstrike
       point.rotate_and_strain(elasticity, gradient);
       const Number half = 0.5, before = compute_work(s, strain);
       add_stress(elasticity, axes, strain, s);
-      const Number      rest = compute_flow_measure(axes, s), q2 = von_mises_squared(point.stress) + rest;
+      const one_point_solid::FlowSquares<Number> squares(axes, s);
+      const Number mean = von_mises_squared(point.stress), q2 = mean + squares.trace + squares.shear + squares.last;
       SolidWork<Number> work{Number(0.), Number(0.)};
       if (any(q2 > point.yield * point.yield))
-        {
-          const Number scale = flow(q2, rest, dt, point, work.plastic);
-          scale_deviator(scale, point.stress);
-          work.hourglass = -0.75 * work.plastic * rest / max(Number(q2 - 0.25 * rest), Number(1e-300));
-          scale_back(axes, elasticity.poisson, scale, s);
-          work.hourglass = -0.75 * work.plastic * rest / max(Number(q2 - 0.25 * rest), Number(1e-300));
-          for (int k = 0; k < 3; ++k)
-            {
-              s.last[k] *= scale;
-              for (int c = 0; c < 3; ++c)
-                s.linear[k][c] *= scale;
-            }
-        }
+        work = flow_together(axes, {mean, squares.trace, squares.shear, squares.last}, dt, point, s);
       work.hourglass += half * (before + compute_work(s, strain));
       return work;
     }
@@ -124,29 +106,54 @@ namespace birdstrike
     }
 
   private:
-    /// Radial return of a stress measure q, q^2 given with the part of it that the stabilisation has; returns the
-    /// factor of the deviator, and the work per volume s_y dp. The square of a linear stress is 1/3 in the mean, where
-    /// the measure has 4/9: three quarters of that part are plastic work.
+    /// Radial return of a point, its q^2 given; returns the plastic work per volume.
     template <class Number>
-    [[gnu::noinline]] Number flow(const Number &q2, const Number &rest, const double dt, SolidPoint<Number> &point,
-                                  Number &work) const
+    [[gnu::noinline]] Number flow(const Number &q2, const double dt, SolidPoint<Number> &point) const
     {
-      const Number softening = thermal_softening(hardening, adiabatic_temperature(hardening, point.plastic_work));
-      const Number q         = sqrt(q2);
-      const auto   step =
-        compute_radial_increment(elasticity, hardening, point.plastic_strain, point.yield, softening, dt, q);
-      work = step.stress * step.strain * (Number(1.) - 0.25 * rest / max(q2, Number(1e-300)));
-      point.plastic_strain += step.strain;
+      const Number q    = sqrt(q2);
+      const auto   step = compute_radial_increment(elasticity, hardening, point.plastic_strain, point.yield,
+                                                   compute_softening(point), dt, q);
+      const Number work = step.stress * step.strain;
+      add_flow(step.strain, work, dt, point);
+      scale_deviator(Number(Number(1.) - 3. * elasticity.shear_modulus() * step.strain / max(q, Number(1e-300))),
+                     point.stress);
+      return work;
+    }
+
+    /// Of a one-point element. What the stabilisation does of the plastic work is none of its own energy.
+    template <class Number>
+    [[gnu::noinline]] SolidWork<Number>
+    flow_together(const one_point_solid::Axes<Number> &axes, const Number (&squares)[4], const double dt,
+                  SolidPoint<Number> &point, one_point_solid::Stabilisation<Number> &s) const
+    {
+      const SolidFlow<Number> step(elasticity, hardening, point.plastic_strain, point.yield, compute_softening(point),
+                                   dt, squares);
+      const Number            work = step.stress * step.strain;
+      add_flow(step.strain, work, dt, point);
+      scale_deviator(step.mean_factor, point.stress);
+      scale_back(axes, step.trace_factor, step.shear_factor, step.last_factor, s);
+      return {work, -work * step.rest};
+    }
+
+    template <class Number>
+    Number compute_softening(const SolidPoint<Number> &point) const
+    {
+      return thermal_softening(hardening, adiabatic_temperature(hardening, point.plastic_work));
+    }
+
+    template <class Number>
+    void add_flow(const Number &strain, const Number &work, const double dt, SolidPoint<Number> &point) const
+    {
+      point.plastic_strain += strain;
       point.plastic_work += work;
       point.yield = compute_static_yield(point, dt);
-      return Number(1.) - 3. * elasticity.shear_modulus() * step.strain / max(q, Number(1e-300));
     }
 
     /// The static flow stress that the next step starts from.
     template <class Number>
     Number compute_static_yield(const SolidPoint<Number> &point, const double dt) const
     {
-      const Number softening = thermal_softening(hardening, adiabatic_temperature(hardening, point.plastic_work));
+      const Number softening = compute_softening(point);
       if (hardening.law == HardeningLaw::perfect)
         return hardening.yield * softening;
       return compute_flow_stress(hardening, point.plastic_strain, Number(0.), dt, softening).value;

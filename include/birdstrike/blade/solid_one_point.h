@@ -107,41 +107,46 @@ namespace birdstrike
         }
     }
 
-    /// Sum of the squares of the von Mises stresses, each over what it becomes when the whole section flows: 3/2 of the
-    /// yield stress for what is linear (a plastic moment), 9/4 for the last ones.
+    /// Squares of what the stresses are to plastic flow (Pa^2): von Mises stresses, each over what it becomes when the
+    /// whole section flows, 3/2 of the yield stress for what is linear (a plastic moment) and 9/4 for the last ones. Of
+    /// a plane stress the trace and the rest, which return at different rates.
     template <class Number>
-    [[gnu::always_inline]] inline Number compute_flow_measure(const Axes<Number> &axes, const Stabilisation<Number> &s)
+    struct FlowSquares
     {
-      Number sum = 0., last = 0.;
-      for (int k = 0; k < 3; ++k)
-        {
-          const Number c = axes.cosine[k], ii = s.linear[k][0], jj = s.linear[k][1], ij = s.linear[k][2];
-          const Number direct = ii + jj, cij = c * ij, trace = direct + 2. * cij;
-          const Number square = ii * ii + jj * jj + 2. * (ij * ij + cij * (cij + 2. * direct) + c * c * ii * jj);
-          sum += 1.5 * square - 0.5 * trace * trace;
-          last += s.last[k] * s.last[k];
-        }
-      return (4. / 9.) * sum + (16. / 81.) * last;
-    }
+      Number trace, shear, last;
 
-    /// Returns the stresses from plastic flow, `scale` = 1/(1 + 3 G chi) being the factor of a deviator: in plane
-    /// stress the trace decays as 1/(1 + E/(2 (1 - nu)) chi) (Simo & Taylor 1986, as in plane_stress_return), a
-    /// uniaxial stress as 1/(1 + E chi).
+      [[gnu::always_inline]] FlowSquares(const Axes<Number> &axes, const Stabilisation<Number> &s)
+        : trace(Number(0.)), shear(Number(0.)), last(Number(0.))
+      {
+        for (int k = 0; k < 3; ++k)
+          {
+            const Number c = axes.cosine[k], ii = s.linear[k][0], jj = s.linear[k][1], ij = s.linear[k][2];
+            const Number direct = ii + jj, cij = c * ij, sum = direct + 2. * cij, sum2 = sum * sum;
+            const Number square = ii * ii + jj * jj + 2. * (ij * ij + cij * (cij + 2. * direct) + c * c * ii * jj);
+            trace += sum2;
+            shear += 1.5 * square - 0.75 * sum2;
+            last += s.last[k] * s.last[k];
+          }
+        trace *= 1. / 9.;
+        shear *= 4. / 9.;
+        last *= 16. / 81.;
+      }
+    };
+
+    /// Multiplies trace and rest of the plane stresses, and the last ones, by factors.
     template <class Number>
-    [[gnu::always_inline]] inline void scale_back(const Axes<Number> &axes, const double poisson, const Number &scale,
+    [[gnu::always_inline]] inline void scale_back(const Axes<Number> &axes, const Number &trace_factor,
+                                                  const Number &shear_factor, const Number &last_factor,
                                                   Stabilisation<Number> &s)
     {
-      const double of_trace = (1. + poisson) / (3. * (1. - poisson)), of_axial = 2. / 3. * (1. + poisson);
-      const Number one = 1., flow = one - scale;
-      const Number trace_factor = scale / (scale + of_trace * flow), axial_factor = scale / (scale + of_axial * flow);
       for (int k = 0; k < 3; ++k)
         {
           const Number c = axes.cosine[k], trace = s.linear[k][0] + s.linear[k][1] + 2. * c * s.linear[k][2];
-          const Number rest = 0.5 * (trace_factor - scale) * trace / (one - c * c);
-          s.linear[k][0]    = scale * s.linear[k][0] + rest;
-          s.linear[k][1]    = scale * s.linear[k][1] + rest;
-          s.linear[k][2]    = scale * s.linear[k][2] - c * rest;
-          s.last[k] *= axial_factor;
+          const Number rest = 0.5 * (trace_factor - shear_factor) * trace / (Number(1.) - c * c);
+          s.linear[k][0]    = shear_factor * s.linear[k][0] + rest;
+          s.linear[k][1]    = shear_factor * s.linear[k][1] + rest;
+          s.linear[k][2]    = shear_factor * s.linear[k][2] - c * rest;
+          s.last[k] *= last_factor;
         }
     }
 

@@ -121,7 +121,7 @@ TEST(SolidBending, TheStressAtTheFacesIsThatOfTheBeam)
       const auto stress = model.elements.corner_stress(9, corner);
       EXPECT_NEAR(stress[0] / expected, corner < 4 ? 1. : -1., 0.005) << "corner " << corner;
       for (int c = 1; c < 3; ++c)
-        EXPECT_NEAR(stress[c] / expected, 0., 0.005);
+        EXPECT_NEAR(stress[c] / expected, 0., 0.02) << "nu times half the change of the moment along the brick, 1.4 %";
     }
 }
 
@@ -152,12 +152,12 @@ TEST(SolidBending, OneBrickCarriesThePlasticMomentAndNoMore)
   double       last = 0.;
   for (int i = 0; i < 100; ++i)
     last = moment(0.1 * elastic_limit);
-  EXPECT_NEAR(last / (yield * t * t / 4.), 1., 0.01) << "steps of a tenth of the elastic limit, as explicit ones are";
+  EXPECT_NEAR(last / (yield * t * t / 4.), 1., 0.005);
   EXPECT_GT(model.elements.plastic_work(), 3. * model.elements.hourglass_energy());
   EXPECT_NEAR(model.elements.elastic_energy() / model.elements.plastic_work(), 0., 0.01) << "of the mean";
-  // dissipated: moment times plastic curvature, and the mean plastic strain is half that of the faces
+  // dissipated: moment times plastic curvature
   const double plastic = 10. * elastic_limit - last / (113.8e9 * t * t * t / 12.);
-  EXPECT_NEAR(model.elements.plastic_work() / (last * plastic), 1., 0.15);
+  EXPECT_NEAR(model.elements.plastic_work() / (last * plastic), 1., 0.02);
   const double back = moment(-0.1 * elastic_limit);
   EXPECT_NEAR((last - back) / (0.1 * elastic_limit * 113.8e9 * t * t * t / 12.), 1., 0.25) << "unloading is elastic";
 }

@@ -54,9 +54,9 @@ TEST(SolidElements, EnergiesSumToTheWorkOfTheForces)
       Model           model(curved_mesh({3, 3, 2}), titanium(HardeningLaw::linear, 1e9, formulation));
       Eigen::VectorXd old  = Eigen::VectorXd::Zero(model.n_dofs());
       double          work = 0.;
-      for (unsigned int step = 0; step < 20; ++step)
+      for (unsigned int step = 0; step < 40; ++step)
         {
-          const Eigen::VectorXd u = some_motion(model, 2e-3, step);
+          const Eigen::VectorXd u = some_motion(model, 5e-4, step / 10);
           const Eigen::VectorXd f = model.move(u, 1e-5);
           work -= 0.5 * (f + old).dot(u);
           old = f;
