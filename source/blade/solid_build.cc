@@ -87,7 +87,7 @@ namespace birdstrike
     Vector3<double> x[8];
     for (int i = 0; i < 8; ++i)
       x[i] = Point3(records[cells[element][i]].value);
-    return SolidModes<double>::of_corners(x);
+    return SolidModes<double>(x);
   }
 
   void SolidElements::Implementation::check_shape(const std::size_t e)
@@ -156,7 +156,8 @@ namespace birdstrike
           share = nodal_masses.empty() ? 1. : std::min(share, nodal_masses[n] / eighths[n]);
         Batch                      &batch   = batches[e / n_lanes];
         const double                inverse = 1. / (share * mass[element]);
-        const SolidGeometry<double> g(modes(element));
+        const SolidModes<double>    x       = modes(element);
+        const SolidGeometry<double> g(x);
         double                      drag;
         law.compute_viscous_pressure(0., g.compute_height(), drag);
         const double value    = compute_frequency_bound(g, inverse, drag, law, section.formulation);

@@ -13,26 +13,18 @@ namespace birdstrike
   {
     using Corners = Vector3<Lanes>[8];
 
-    /// Modes of position and increment of a batch.
-    struct BatchModes
+    [[gnu::always_inline]] inline void load_nodes(const double *records, const std::uint32_t (&begin)[8][n_lanes],
+                                                  Corners &position, Corners &increment)
     {
-      SolidModes<Lanes> position, increment;
-
-      [[gnu::always_inline]] BatchModes(const double *records, const std::uint32_t (&begin)[8][n_lanes])
-      {
-        Corners x, u;
 #pragma GCC unroll 8
-        for (int i = 0; i < 8; ++i)
-          {
-            Lanes a[8];
-            load_rows(records, begin[i], a);
-            x[i] << a[0], a[1], a[2];
-            u[i] << a[3], a[4], a[5];
-          }
-        position  = SolidModes<Lanes>::of_corners(x);
-        increment = SolidModes<Lanes>::of_corners(u);
-      }
-    };
+      for (int i = 0; i < 8; ++i)
+        {
+          Lanes a[8];
+          load_rows(records, begin[i], a);
+          position[i] << a[0], a[1], a[2];
+          increment[i] << a[3], a[4], a[5];
+        }
+    }
 
     /// Two corners' forces in the components of whole rows, of which each goes to its own place.
     template <class Force>
@@ -96,11 +88,13 @@ namespace birdstrike
                                                                         Chunk &chunk)
   {
     using namespace one_point_solid;
-    const BatchModes           nodes(records[0].value, batches[b].record);
-    const SolidGeometry<Lanes> midpoint(compute_midpoint_modes(nodes.position, nodes.increment));
-    const Matrix3<Lanes>       gradient = midpoint.compute_mean_gradient(nodes.increment);
-    const Axes<Lanes>          axes(midpoint.x);
-    const auto                 strain = compute_strains(midpoint.x, axes, gradient, nodes.increment);
+    Corners corner[2];
+    load_nodes(records[0].value, batches[b].record, corner[0], corner[1]);
+    const SolidModes<Lanes>    x(corner[0]), u(corner[1]), middle = compute_midpoint_modes(x, u);
+    const SolidGeometry<Lanes> midpoint(middle);
+    const Matrix3<Lanes>       gradient = midpoint.compute_mean_gradient(u);
+    const Axes<Lanes>          axes(middle);
+    const auto                 strain = compute_strains(middle, axes, gradient, u);
 
     Step step;
     update_viscosity(midpoint, gradient, dt, step);
@@ -108,7 +102,7 @@ namespace birdstrike
     step.work.plastic *= step.midpoint_volume;
     step.work.hourglass *= step.midpoint_volume;
 
-    const SolidGeometry<Lanes> end(nodes.position);
+    const SolidGeometry<Lanes> end(x);
     Lanes                      stress[6];
     std::copy(points[b].stress, points[b].stress + 6, stress);
     add_pressure(step.pressure, stress);
@@ -118,20 +112,24 @@ namespace birdstrike
   [[gnu::flatten]] void SolidElements::Implementation::update_b_bar(const std::size_t b, const double dt, Chunk &chunk)
   {
     using namespace b_bar_solid;
-    const BatchModes           nodes(records[0].value, batches[b].record);
-    const SolidModes<Lanes>    x = compute_midpoint_modes(nodes.position, nodes.increment), &u = nodes.increment;
-    const SolidGeometry<Lanes> midpoint(x), end(nodes.position);
+    Corners corner[2];
+    load_nodes(records[0].value, batches[b].record, corner[0], corner[1]);
+    const SolidModes<Lanes>    x(corner[0]), u(corner[1]), middle = compute_midpoint_modes(x, u);
+    const SolidGeometry<Lanes> midpoint(middle), end(x);
 
     Step step;
     update_viscosity(midpoint, midpoint.compute_mean_gradient(u), dt, step);
     step.work              = {Lanes(0.), Lanes(0.)};
     const auto        zero = Vector3<Lanes>::Constant(Lanes(0.));
-    SolidModes<Lanes> force{{zero, zero, zero}, {zero, zero, zero}, zero};
-    Lanes             pressure = 0., smallest = end.det;
+    SolidModes<Lanes> force;
+    for (int k = 0; k < 3; ++k)
+      force.linear[k] = force.twist[k] = zero;
+    force.last     = zero;
+    Lanes pressure = 0., smallest = end.det;
     for (int p = 0; p < b_bar_solid::n_points; ++p)
       {
         SolidPoint<Lanes>    &point = points[b * b_bar_solid::n_points + p];
-        const Jacobian<Lanes> at_midpoint(Derivatives<Lanes>(x, p)), at_end(Derivatives<Lanes>(nodes.position, p));
+        const Jacobian<Lanes> at_midpoint(Derivatives<Lanes>(middle, p)), at_end(Derivatives<Lanes>(x, p));
         const Lanes           work =
           law.update_point(at_midpoint.compute_gradient(Derivatives<Lanes>(u, p), step.dilatation), dt, point);
         step.work.plastic += (1. / 512.) * at_midpoint.det * work;

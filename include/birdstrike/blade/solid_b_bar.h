@@ -28,6 +28,7 @@ namespace birdstrike
 
       [[gnu::always_inline]] Derivatives(const SolidModes<Number> &f, const int p)
       {
+#pragma GCC unroll 3
         for (int k = 0; k < 3; ++k)
           {
             const auto [i, j] = following(k);
@@ -46,6 +47,7 @@ namespace birdstrike
 
       [[gnu::always_inline]] explicit Jacobian(const Derivatives<Number> &x)
       {
+#pragma GCC unroll 3
         for (int k = 0; k < 3; ++k)
           {
             const auto [i, j] = following(k);
@@ -60,10 +62,13 @@ namespace birdstrike
       {
         const Number    inverse = Number(1.) / det;
         Matrix3<Number> g;
+#pragma GCC unroll 3
         for (int r = 0; r < 3; ++r)
+#pragma GCC unroll 3
           for (int c = 0; c < 3; ++c)
             g(r, c) = inverse * (u.d[0][r] * cofactor[0][c] + u.d[1][r] * cofactor[1][c] + u.d[2][r] * cofactor[2][c]);
         const Number correction = (1. / 3.) * (mean_trace - (g(0, 0) + g(1, 1) + g(2, 2)));
+#pragma GCC unroll 3
         for (int c = 0; c < 3; ++c)
           g(c, c) += correction;
         return g;
@@ -80,6 +85,7 @@ namespace birdstrike
       pressure += mean * jacobian.det;
       const Number a = scale * (s[0] - mean), b = scale * (s[1] - mean), c = scale * (s[2] - mean);
       const Number ab = scale * s[3], bc = scale * s[4], ca = scale * s[5];
+#pragma GCC unroll 3
       for (int k = 0; k < 3; ++k)
         {
           const auto [i, j]         = following(k);

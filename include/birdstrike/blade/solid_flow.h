@@ -29,9 +29,12 @@ namespace birdstrike
       const double young = elasticity.young, three_g = 3. * elasticity.shear_modulus();
       const double rate[4] = {three_g, 2. / 3. * young / (1. - elasticity.poisson), 4. / 3. * three_g,
                               16. / 9. * young};
-      const Number one = 1., trial = sqrt(square[0] + square[1] + square[2] + square[3]);
+      const Number one = 1., trial2 = square[0] + square[1] + square[2] + square[3], trial = sqrt(trial2);
       const auto   yields = trial > yield;
-      Number       chi = select(yields, max(Number(trial / yield - one), Number(1e-12)) * (1. / three_g), Number(0.));
+      // straight on from the trial: exact for the mean alone and perfect plasticity
+      const Number slowing = rate[0] * square[0] + rate[1] * square[1] + rate[2] * square[2] + rate[3] * square[3];
+      const Number start   = (trial - yield) * trial2 / (yield * slowing);
+      Number       chi     = select(yields, max(start, Number(1e-12 / three_g)), Number(0.));
       Number       factor[4], q = trial;
       FlowStress<Number> flow{yield, Number(0.)};
       for (unsigned int iteration = 0; iteration < 30; ++iteration)

@@ -2,36 +2,11 @@
 
 #include <birdstrike/blade/solid_elements.h>
 #include <birdstrike/blade/solid_flow.h>
-#include <birdstrike/blade/solid_one_point.h>
+#include <birdstrike/blade/solid_point.h>
+#include <birdstrike/blade/solid_stabilisation.h>
 
 namespace birdstrike
 {
-  /// State of one point of a brick.
-  template <class Number>
-  struct SolidPoint
-  {
-    Number stress[6];      ///< xx, yy, zz, xy, yz, zx, Pa, global axes
-    Number plastic_strain; ///< equivalent, -
-    Number yield;          ///< Pa, static flow stress there
-    Number plastic_work;   ///< J/m^3, what heats
-
-    [[gnu::always_inline]] void rotate_and_strain(const Elasticity &elasticity, const Matrix3<Number> &gradient)
-    {
-      const Vector3<Number> spin = compute_half_spin(gradient);
-      Number                strain[6];
-      compute_turned_strain(gradient, spin, strain);
-      rotate_hughes_winget(spin, stress);
-      add_elastic_stress(elasticity, strain, stress);
-    }
-  };
-
-  /// Work per volume (J/m^3) of one step.
-  template <class Number>
-  struct SolidWork
-  {
-    Number plastic, hourglass;
-  };
-
   /// Stress of solid elements from strain increments: J2 with radial return, and the bulk viscosity.
   ///
   /// The stabilisation of the one-point brick flows with the mean (see SolidFlow), for its stresses are those at points
@@ -108,7 +83,7 @@ namespace birdstrike
   private:
     /// Radial return of a point, its q^2 given; returns the plastic work per volume.
     template <class Number>
-    [[gnu::noinline]] Number flow(const Number &q2, const double dt, SolidPoint<Number> &point) const
+    [[gnu::noinline, gnu::flatten]] Number flow(const Number &q2, const double dt, SolidPoint<Number> &point) const
     {
       const Number q    = sqrt(q2);
       const auto   step = compute_radial_increment(elasticity, hardening, point.plastic_strain, point.yield,

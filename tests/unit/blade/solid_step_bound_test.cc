@@ -87,7 +87,7 @@ TEST(SolidStepBound, HoldsForDistortedElements)
             mean += steps.bound / steps.exact;
             ++n;
           }
-        EXPECT_GT(mean / n, 1. - 1.3 * size) << "what safety costs grows with the distortion";
+        EXPECT_GT(mean / n, 0.99 - 0.4 * size) << "what safety costs grows with the distortion";
       }
 }
 
@@ -100,7 +100,7 @@ TEST(SolidStepBound, HoldsForAMeshAndForTheMassesThatItsNodesCarry)
     {
       const Steps steps = compute_steps(curved, 0.3, formulation);
       EXPECT_LT(steps.bound, steps.exact);
-      EXPECT_GT(steps.bound, 0.7 * steps.exact);
+      EXPECT_GT(steps.bound, 0.8 * steps.exact);
     }
   Model               model(curved, make_section(1., 0.3));
   const double        before = model.elements.largest_stable_step();
