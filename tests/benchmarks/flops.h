@@ -21,5 +21,6 @@ namespace birdstrike::benchmarks
   Work particle_motion_work();                                  ///< one kick or drift, mean
   Work shell_work(bool is_plastic, unsigned int n_points);      ///< default formulation, per element
   Work full_shell_work(bool is_plastic, unsigned int n_points); ///< fully integrated
+  Work solid_work(bool is_b_bar, bool is_plastic);
   Work contact_work(double n_pairs); ///< per near point with so many candidate facets; half of the points touch
 } // namespace birdstrike::benchmarks

@@ -31,6 +31,7 @@ int main(int argc, char **argv)
   add_material_benchmarks();
   add_bird_benchmarks();
   add_shell_benchmarks();
+  add_solid_benchmarks();
   add_contact_benchmarks();
   add_scene_benchmarks();
   benchmark::Initialize(&argc, argv);

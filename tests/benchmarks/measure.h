@@ -106,6 +106,7 @@ namespace birdstrike::benchmarks
   // Each source file adds its own.
   void add_bird_benchmarks();
   void add_shell_benchmarks();
+  void add_solid_benchmarks();
   void add_contact_benchmarks();
   void add_material_benchmarks();
   void add_core_benchmarks();

@@ -18,8 +18,8 @@ namespace birdstrike::benchmarks
   /// A plate of about n bricks in four layers (edges of 2 mm, Ti-6Al-4V with linear hardening) that is stretched and
   /// bent.
   ///
-  /// Elastic: forth and back by 1e-6 of strain. Plastic: after 2 % of strain, further by 2e-5 a step, of which a third is
-  /// bending: every element yields in every step.
+  /// Elastic: forth and back by 1e-6 of strain. Plastic: after 2 % of strain, further by 2e-5 a step, of which a third
+  /// is bending: every element yields in every step.
   struct SolidWorkload
   {
     SolidWorkload(const std::size_t n, const std::size_t n_threads, const SolidCase &what)
@@ -111,9 +111,8 @@ namespace birdstrike::benchmarks
         {
           // bending to and fro along the plate keeps the deflection small
           const double phase = 8. * M_PI * x[0] / length, slope = std::sin(phase) * length / (8. * M_PI);
-          increment.insert(increment.end(),
-                           {strain * x[0] + curvature * (x[2] - half) * slope, 0.,
-                            curvature * std::cos(phase) * std::pow(length / (8. * M_PI), 2)});
+          increment.insert(increment.end(), {strain * x[0] + curvature * (x[2] - half) * slope, 0.,
+                                             curvature * std::cos(phase) * std::pow(length / (8. * M_PI), 2)});
         }
     }
   };

@@ -1,6 +1,7 @@
 #include "bird_workload.h"
 #include "contact_workload.h"
 #include "shell_workload.h"
+#include "solid_workload.h"
 
 #include <gnu/libc-version.h>
 
@@ -51,6 +52,12 @@ namespace
     return {[shell] { shell->step(); }, shell->n()};
   }
 
+  Piece make_bricks(const SolidCase &what)
+  {
+    const auto solid = std::make_shared<SolidWorkload>(400, 1, what);
+    return {[solid] { solid->step(); }, solid->n()};
+  }
+
   Piece make_contact(const std::size_t n_far_layers, const bool is_new_list)
   {
     const auto contact = std::make_shared<ContactWorkload>(400, n_far_layers, 1);
@@ -85,6 +92,18 @@ namespace
       {"element_fully_integrated_plastic",
        [] {
          return make_elements({fully_integrated, 5, true});
+       }},
+      {"brick_elastic",
+       [] {
+         return make_bricks({SolidFormulation::one_point, false});
+       }},
+      {"brick_plastic",
+       [] {
+         return make_bricks({SolidFormulation::one_point, true});
+       }},
+      {"brick_b_bar_plastic",
+       [] {
+         return make_bricks({SolidFormulation::b_bar, true});
        }},
       {"near_point", [] { return make_contact(0, false); }},
       {"contact_search", [] { return make_contact(8, true); }}};
