@@ -40,7 +40,8 @@ namespace birdstrike
   /// All 8-node bricks of a blade: their strain increments, stresses, internal forces and energies.
   ///
   /// Strains are taken on the midpoint geometry x - dx/2, forces on the end geometry; stresses are rotated by Hughes &
-  /// Winget (1980). The theory stands in solid_one_point.h and solid_b_bar.h, plasticity in solid_law.h.
+  /// Winget (1980). The theory stands in solid_one_point.h and solid_b_bar.h, plasticity in solid_law.h and
+  /// solid_flow.h.
   ///
   /// Not here: mass of nodes, supports, loads, time. Throws InputError for a degenerate element or an impossible
   /// section, NumericalFailure when an element is turned inside out or a force is not finite.
@@ -71,8 +72,10 @@ namespace birdstrike
     /// Cumulative energies (J), trapezoidal in time; their sum is the work of the nodal forces to round-off.
     double elastic_energy() const;
     double plastic_work() const;
-    double hourglass_energy() const; ///< of the stabilisation, which bends: with one layer not an error but the bending
-    double viscous_energy() const;   ///< of the bulk viscosity
+    /// Elastic, of the stabilisation: with one layer it is the energy of bending, no error. What it dissipates is
+    /// plastic work.
+    double hourglass_energy() const;
+    double viscous_energy() const; ///< of the bulk viscosity
 
     std::size_t n_elements() const;
     std::size_t bytes() const; ///< counted, of all that these elements hold
