@@ -146,7 +146,7 @@ namespace birdstrike
     }
 
     /// Present distance (m) of the two ends of the plate's middle line.
-    double middle_length(const ShellBlade::Nodes &nodes)
+    double middle_length(const NodeArrays &nodes)
     {
       const double *a = nodes.position, *b = nodes.position;
       for (std::size_t n = 0; n < nodes.n; ++n)
