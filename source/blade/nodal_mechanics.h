@@ -54,6 +54,7 @@ namespace birdstrike
     void kick_contact(double half_step, HalfKick half);
     void drift(double step);
     void clear_contact_forces();
+    void set_contact_in_transit(double duration); ///< s, see Blade
 
     /// Takes the pressure off a quadrilateral, by its number in the loads' list.
     void stop_pressing(const std::size_t quadrilateral)
@@ -131,6 +132,7 @@ namespace birdstrike
     double time           = 0.;                   ///< s
     double increment_time = 0.;                   ///< s since the last compute_internal_forces
     double internal_half = 0., contact_half = 0.; ///< s, of the last second half kicks; 0 after a first one
+    double in_transit = 0.;                       ///< s, for which the contact forces have still to act
 
     EnergyReport              booked; ///< dissipated, external_work, contact_work
     MomentumReport            impulses;

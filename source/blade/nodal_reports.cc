@@ -142,6 +142,15 @@ namespace birdstrike
         report.momentum[d]         = sums[d];
         report.angular_momentum[d] = sums[3 + d];
       }
+    if (in_transit > 0.)
+      {
+        const auto force = contact_force();
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            report.momentum[d] += in_transit * force[d];
+            report.contact_impulse[d] += in_transit * force[d];
+          }
+      }
     return report;
   }
 

@@ -36,6 +36,11 @@ namespace birdstrike
     state->nodes.clear_contact_forces();
   }
 
+  void ShellBlade::set_contact_in_transit(const double duration)
+  {
+    state->nodes.set_contact_in_transit(duration);
+  }
+
   FacetsView ShellBlade::facets()
   {
     FacetsView view = state->nodes.facets();

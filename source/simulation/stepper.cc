@@ -22,7 +22,10 @@ namespace birdstrike
   void Stepper::drop_bird()
   {
     if (parts.blade)
-      parts.blade->clear_contact_forces();
+      {
+        deliver();
+        parts.blade->clear_contact_forces();
+      }
     parts.bird    = nullptr;
     parts.contact = nullptr;
   }
@@ -46,61 +49,92 @@ namespace birdstrike
   {
     if (parts.bird)
       done.particle_steps_not_done += (schedule.n_blade - 1) * parts.bird->state().size();
-    kick_bird_and_contact(0.5 * schedule.step, HalfKick::first);
+    const bool   is_held   = parts.contact && schedule.n_blade > 1;
+    const double on_time   = in_transit + 0.5 * schedule.step; // s, of the present contact forces
+    const double each_half = is_held ? 0.5 * on_time / schedule.n_blade : 0.;
+    kick_bird(0.5 * schedule.step, HalfKick::first);
+    if (!is_held)
+      kick_contact(on_time, HalfKick::first);
     for (unsigned int k = 0; k < schedule.n_blade; ++k)
-      step_blade(schedule.blade_step());
+      step_blade(schedule.blade_step(), each_half);
     if (parts.bird)
       {
         const Timings::Scope scope(timings, sections.bird_motion);
         parts.bird->drift(schedule.step);
       }
     compute_bird_forces(schedule.step);
-    kick_bird_and_contact(0.5 * schedule.step, HalfKick::second);
+    kick_bird(0.5 * schedule.step, HalfKick::second);
+    if (!is_held)
+      kick_contact(0.5 * schedule.step, HalfKick::second);
+    set_in_transit(is_held ? 0.5 * schedule.step : 0.);
   }
 
   void Stepper::advance_with_sub_cycled_bird(const Schedule &schedule)
   {
     const double step = schedule.bird_step();
     done.element_steps_not_done += (schedule.n_bird - 1) * parts.blade->n_elements();
+    deliver();
     parts.blade->kick_internal(0.5 * schedule.step, HalfKick::first);
     for (unsigned int k = 0; k < schedule.n_bird; ++k)
       {
-        kick_bird_and_contact(0.5 * step, HalfKick::first);
+        kick_bird(0.5 * step, HalfKick::first);
+        kick_contact(0.5 * step, HalfKick::first);
         parts.bird->drift(step);
         parts.blade->drift(step);
         compute_bird_forces(step);
-        kick_bird_and_contact(0.5 * step, HalfKick::second);
+        kick_bird(0.5 * step, HalfKick::second);
+        kick_contact(0.5 * step, HalfKick::second);
       }
     compute_blade_forces();
     parts.blade->kick_internal(0.5 * schedule.step, HalfKick::second);
   }
 
-  void Stepper::kick_bird_and_contact(const double half_step, const HalfKick half)
+  void Stepper::kick_bird(const double half_step, const HalfKick half)
   {
-    if (parts.bird)
-      {
-        const Timings::Scope scope(timings, sections.bird_motion);
-        parts.bird->kick(half_step, half);
-      }
-    if (parts.contact)
-      {
-        const Timings::Scope scope(timings, sections.blade_motion);
-        parts.blade->kick_contact(half_step, half);
-      }
+    if (!parts.bird)
+      return;
+    const Timings::Scope scope(timings, sections.bird_motion);
+    parts.bird->kick(half_step, half);
   }
 
-  void Stepper::step_blade(const double step)
+  void Stepper::kick_contact(const double half_step, const HalfKick half)
+  {
+    if (!parts.contact)
+      return;
+    const Timings::Scope scope(timings, sections.blade_motion);
+    parts.blade->kick_contact(half_step, half);
+  }
+
+  void Stepper::set_in_transit(const double duration)
+  {
+    if (duration != in_transit)
+      parts.blade->set_contact_in_transit(duration);
+    in_transit = duration;
+  }
+
+  void Stepper::deliver()
+  {
+    if (in_transit > 0.)
+      kick_contact(in_transit, HalfKick::first);
+    set_in_transit(0.);
+  }
+
+  void Stepper::step_blade(const double step, const double contact_half)
   {
     if (!parts.blade)
       return;
     {
       const Timings::Scope scope(timings, sections.blade_motion);
+      if (contact_half > 0.)
+        parts.blade->kick_contact(contact_half, HalfKick::first);
       parts.blade->kick_internal(0.5 * step, HalfKick::first);
       parts.blade->drift(step);
     }
     compute_blade_forces();
     const Timings::Scope scope(timings, sections.blade_motion);
     parts.blade->kick_internal(0.5 * step, HalfKick::second);
+    if (contact_half > 0.)
+      parts.blade->kick_contact(contact_half, HalfKick::second);
   }
 
   void Stepper::compute_blade_forces()

@@ -7,6 +7,7 @@
 #include <birdstrike/core/half_kick.h>
 #include <birdstrike/core/step_limit.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ namespace birdstrike
   public:
     virtual ~Blade() = default;
 
-    virtual std::string kind() const          = 0; ///< "shell", "rigid"
+    virtual std::string kind() const          = 0; ///< "shell", "solid", "rigid"
     virtual bool        is_deformable() const = 0; ///< false: no internal force, no vote on the step
     virtual StepLimit   step_limit() const    = 0;
     /// Its value alone (s), for every step: nothing is searched, no text is written.
@@ -39,6 +40,14 @@ namespace birdstrike
     virtual void drift(double step)                             = 0;
     virtual void compute_internal_forces()                      = 0;
     virtual void clear_contact_forces()                         = 0;
+
+    /// How long (s) the present contact forces have still to act: the bird has taken that impulse, this blade will in
+    /// later kicks. momenta() counts it as arrived.
+    virtual void set_contact_in_transit(double duration)
+    {
+      if (duration > 0.)
+        throw std::logic_error("A blade of kind '" + kind() + "' takes contact impulses at once.");
+    }
 
     /// The surface offered to contact; valid for the life of the blade.
     virtual FacetsView facets() = 0;

@@ -31,6 +31,7 @@ namespace birdstrike
     void drift(double step) override;
     void compute_internal_forces() override;
     void clear_contact_forces() override;
+    void set_contact_in_transit(double duration) override;
 
     FacetsView               facets() override;
     std::array<double, 3>    contact_force() const override;

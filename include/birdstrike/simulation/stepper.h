@@ -15,9 +15,12 @@ namespace birdstrike
 
   /// One macro step of whatever parts a scene has: velocity-Verlet with both parts synchronous at its ends.
   ///
-  /// The bird with its contact, or the blade, may take several steps within it (r-RESPA by impulses; Tuckerman, Berne
-  /// and Martyna 1992): contact acts on both parts in the same kicks, so that their impulses are equal and opposite
-  /// whatever the ratio. Parts are named, not owned; an absent part costs nothing.
+  /// The bird with its contact may take several steps within it (r-RESPA by impulses; Tuckerman, Berne and Martyna
+  /// 1992), or the blade. What the bird takes in two half kicks at the ends of its step, a blade of several steps takes
+  /// evenly in those that follow: an impulse would ring modes of the blade that are faster than the macro step. (Bricks
+  /// of 2.1 mm under a bird of 5 mm particles: impulses leave 68 J in the bulk viscosity within 1 ms, a single rate 1
+  /// J.) The two are equal and opposite, whatever the ratio; what is under way between them counts as the blade's.
+  /// Parts are named, not owned; an absent part costs nothing.
   class Stepper
   {
   public:
@@ -53,14 +56,18 @@ namespace birdstrike
   private:
     void advance_with_sub_cycled_blade(const Schedule &schedule);
     void advance_with_sub_cycled_bird(const Schedule &schedule);
-    void kick_bird_and_contact(double half_step, HalfKick half);
-    void step_blade(double step);
+    void kick_bird(double half_step, HalfKick half);
+    void kick_contact(double half_step, HalfKick half);
+    void set_in_transit(double duration);
+    void deliver(); ///< what is in transit, at once
+    void step_blade(double step, double contact_half);
     void compute_blade_forces();
     void compute_bird_forces(double step);
 
     Parts    parts;
     Timings &timings;
     Counts   done;
+    double   in_transit = 0.; ///< s, for which the contact forces have still to act on the blade
     struct Sections
     {
       std::size_t bird_rates, bird_motion, blade_forces, blade_motion, contact;
