@@ -8,7 +8,8 @@ namespace birdstrike
   namespace
   {
     constexpr double share_starts_at = 0.5, share_is_full_at = 0.2; // cosines between two touching directions
-    constexpr double tie = 1e-9;                                    // relative difference of equal distances
+    constexpr double tie           = 1e-9;                          // relative difference of equal distances
+    constexpr double looks_outward = 0.25; // cosine between a facet's normal and where a point came from
 
     // below this share of the size the direction p - q is round-off, and the facet's normal takes its place
     constexpr double no_distance = 1e-6;
@@ -71,6 +72,21 @@ namespace birdstrike
     return best;
   }
 
+  std::uint32_t NarrowPhase::way_in(const Group &group, const ContactScene &scene, const std::uint32_t closest,
+                                    const PointRecord &before) const
+  {
+    if (before.last_call + 1 != scene.call || before.sides[0].sign == 0)
+      return closest;
+    const auto   &from = before.sides[0].outward;
+    const Point3  outward(from[0], from[1], from[2]);
+    std::uint32_t best = group.end;
+    for (std::uint32_t k = group.begin; k < group.end; ++k)
+      if ((best == group.end || pairs.distance[k] < pairs.distance[best]) &&
+          unit_normal(scene.facets, facet_of(k)).dot(outward) > looks_outward)
+        best = k;
+    return best == group.end ? closest : best;
+  }
+
   bool NarrowPhase::is_local_minimum(const Group &group, const ContactScene &scene, const std::uint32_t place) const
   {
     const auto &nodes  = scene.facets.nodes[facet_of(place)];
@@ -92,7 +108,8 @@ namespace birdstrike
     std::int64_t best = -1;
     const Point3 r1   = pairs.offset_of(first);
     for (std::uint32_t k = group.begin; k < group.end; ++k)
-      if (k != first && pairs.distance[k] < reach && (best < 0 || pairs.distance[k] < pairs.distance[best]) &&
+      if (k != first && pairs.distance[k] < reach && (scene.facets.two_sided || pairs.height[k] >= 0.) &&
+          (best < 0 || pairs.distance[k] < pairs.distance[best]) &&
           pairs.offset_of(k).dot(r1) < share_starts_at * pairs.distance[k] * pairs.distance[first] &&
           is_local_minimum(group, scene, k))
         best = k;
@@ -132,7 +149,13 @@ namespace birdstrike
           }
         side.sign = seen;
       }
-    side.piece           = piece;
+    side.piece = piece;
+    if (!scene.facets.two_sided && seen > 0)
+      {
+        const Point3 outward = is_degenerate ? normal : Point3(offset / distance);
+        for (unsigned int d = 0; d < 3; ++d)
+          side.outward[d] = static_cast<float>(outward[d]);
+      }
     const double sign    = is_beyond ? 1. : side.sign * seen;
     const double overlap = 0.5 * before.size + pairs.half_thickness[place] - sign * distance;
     // of a point that did not touch before the facets changed, all that it has not flown in this step is no contact
@@ -150,7 +173,9 @@ namespace birdstrike
 
   void NarrowPhase::decide(const ContactScene &scene, const Group &group, const double reach, PointMemory &memory)
   {
-    const std::uint32_t closest = nearest(group);
+    std::uint32_t closest = nearest(group);
+    if (!scene.facets.two_sided && pairs.height[closest] < 0.)
+      closest = way_in(group, scene, closest, memory[scene.points.id[block->points[group.near]]]);
     if (pairs.distance[closest] >= reach && !block->has_passed[group.near])
       return;
     PointRecord &record = memory[scene.points.id[block->points[group.near]]];

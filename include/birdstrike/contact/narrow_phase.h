@@ -40,6 +40,10 @@ namespace birdstrike
   /// surface is pushed back to where it came from. Beyond a free edge there is no side: the distance is unsigned, the
   /// surface ends in a half cylinder of radius g, and from there a point may pass to the other side.
   ///
+  /// *The skin of a solid* (one-sided) is the same with the outside as the only side. A point that has come through it
+  /// keeps to the facets that look towards where it came from: of an edge thinner than the point, the face behind may
+  /// be nearer, and would draw it through. A point that was never seen outside is left alone.
+  ///
   /// *Several facets.* A point touches its closest facet, and a second one only where that is a local minimum of the
   /// distance and pushes in another direction (between two shells, in a notch). With the cosine between the two
   /// directions falling from 0.5 to 0.2 the second share rises from 0 to 1; so a slightly folded surface never counts
@@ -71,6 +75,8 @@ namespace birdstrike
     struct Group;
     void          decide(const ContactScene &scene, const Group &group, double reach, PointMemory &memory);
     std::uint32_t nearest(const Group &group) const;
+    std::uint32_t way_in(const Group &group, const ContactScene &scene, std::uint32_t closest,
+                         const PointRecord &before) const;
     std::int64_t  opposed(const Group &group, const ContactScene &scene, std::uint32_t first, double reach) const;
     bool          is_local_minimum(const Group &group, const ContactScene &scene, std::uint32_t place) const;
     bool          touch(const ContactScene &scene, std::uint32_t place, const PointRecord &before, TouchingPair &result,
