@@ -35,10 +35,12 @@ namespace birdstrike
       prm.enter_subsection("Element");
       prm.add_parameter(
         "Formulation", p.formulation,
-        "Shell with one point in its plane: with physical stabilisation and warping correction, or plain "
-        "Belytschko-Tsay with perturbation hourglass control; or fully integrated (2 x 2 points, MITC4), "
-        "the reference for both. [-]",
-        Selection(shell_formulations().selection()));
+        "Automatic: physical for a shell, one point for a solid. Shells: one point with physical "
+        "stabilisation and warping correction, or plain Belytschko-Tsay with perturbation hourglass "
+        "control; or fully integrated (2 x 2 points, MITC4), the reference for both. Solids: one point with "
+        "physical stabilisation, which bends right in a single layer, or B-bar, fully integrated, which "
+        "needs layers. [-]",
+        Selection("automatic|" + shell_formulations().selection() + "|" + solid_formulations().selection()));
       prm.add_parameter("Points rule", p.rule,
                         "Integration through the thickness; Lobatto has points on both faces, Gauss is exacter. [-]",
                         Selection(thickness_rules().selection()));
@@ -51,14 +53,22 @@ namespace birdstrike
       prm.add_parameter("Shear factor", p.shear_factor, "Reissner's transverse shear factor kappa. [-]",
                         Double(1e-3, 1.));
       prm.add_parameter("Thinning", p.has_thinning, "Whether the thickness follows the plane-stress strain. [-]");
+      prm.add_parameter("Linear viscosity", p.linear_viscosity,
+                        "Bulk viscosity of solids against ringing, share of critical damping of the highest frequency "
+                        "of an element; its work is booked. [-]",
+                        Double(0., 1.));
+      prm.add_parameter("Quadratic viscosity", p.quadratic_viscosity,
+                        "Bulk viscosity of solids in compression, which spreads shocks over some elements; its work is "
+                        "booked. [-]",
+                        Double(0., 10.));
       prm.leave_subsection();
     }
 
     void declare_supports(dealii::ParameterHandler &prm, BladeParameters::Supports &p)
     {
       prm.enter_subsection("Supports");
-      prm.add_parameter("Clamped", p.clamped, "Boundary ids whose nodes are held in all six unknowns, e.g. '0, 2'. [-]",
-                        Anything());
+      prm.add_parameter("Clamped", p.clamped,
+                        "Boundary ids whose nodes are held in all their unknowns, e.g. '0, 2'. [-]", Anything());
       prm.add_parameter("Hub", p.hub,
                         "Boundary ids that sit on the hub: clamped, and the section whose forces are reported (without "
                         "them the clamped ids are). [-]",
@@ -83,6 +93,10 @@ namespace birdstrike
       prm.add_parameter("Pressure", p.pressure,
                         "Follower pressure, a formula in x, y, z, t (reference position); positive pushes along the "
                         "surface normal, +z on the built-in plate. [Pa]",
+                        Anything());
+      prm.add_parameter("Pressure boundaries", p.pressure_boundaries,
+                        "Boundary ids of a solid whose faces the pressure pushes inwards; 5, the built-in face on the "
+                        "side of minus the normal, makes it push as on the shell. [-]",
                         Anything());
       prm.add_parameter("Point loads", p.point_loads,
                         "Dead forces, and if six formulas are given moments, on the nearest node: 'x y z: fx; fy; fz | "
@@ -124,11 +138,22 @@ namespace birdstrike
     }
   } // namespace
 
+  std::string BladeParameters::Element::shell_formulation() const
+  {
+    return formulation == "automatic" ? "physical" : formulation;
+  }
+
+  std::string BladeParameters::Element::solid_formulation() const
+  {
+    return formulation == "automatic" ? "one point" : formulation;
+  }
+
   void BladeParameters::declare(dealii::ParameterHandler &prm)
   {
     prm.add_parameter("Kind", kind,
-                      "What the bird meets: a shell blade, a rigid surface without finite elements, or nothing. [-]",
-                      Selection("shell|rigid|none|solid"));
+                      "What the bird meets: a blade of shell or of solid elements, a rigid surface without finite "
+                      "elements, or nothing. [-]",
+                      Selection("shell|solid|rigid|none"));
     prm.add_parameter("Probes", probes, "Watched nodes, the nearest to each point: 'name: x y z; ...'. [m]",
                       Anything());
     declare_mesh(prm, mesh);
@@ -144,11 +169,11 @@ namespace birdstrike
 
   void BladeParameters::check() const
   {
-    require(kind == "shell" || kind == "rigid" || kind == "none",
-            "Kind: blades of solid elements are not part of this version.\nAllowed now: shell, rigid, none.");
+    require(kind == "shell" || kind == "solid" || kind == "rigid" || kind == "none",
+            "Kind: '" + kind + "' was read.\nAllowed: shell, solid, rigid, none.");
     if (kind == "none")
       return;
-    if (kind == "shell" || rigid.surface == "mesh")
+    if (kind != "rigid" || rigid.surface == "mesh")
       require(
         mesh.generator != "file" || !mesh.file.empty(),
         "Mesh/File: the generator is 'file' but no file is named.\nName a .msh file, or set Generator = flat plate.");
@@ -159,8 +184,38 @@ namespace birdstrike
         return;
       }
     check_mesh(*this);
+    const bool  is_solid    = kind == "solid";
+    const auto &formulation = element.formulation;
+    require(formulation == "automatic" ||
+              (is_solid ? solid_formulations().has(formulation) : shell_formulations().has(formulation)),
+            "Element/Formulation: '" + formulation + "' is no element of a " + kind + ".\nAllowed for it: automatic|" +
+              (is_solid ? solid_formulations().selection() : shell_formulations().selection()) +
+              ". Set one of them, or change Blade/Kind.");
     require(element.n_points == 3 || element.n_points == 5 || element.n_points == 7,
             "Element/Points through thickness: " + std::to_string(element.n_points) + " was read.\nAllowed: 3, 5, 7.");
     material.check();
+  }
+
+  std::vector<std::string> BladeParameters::unused_entries() const
+  {
+    const BladeParameters    defaults;
+    std::vector<std::string> unused;
+    const auto               add = [&](const char *of_kind, const std::string &name, const bool is_changed) {
+      if (is_changed && kind != of_kind && (kind == "shell" || kind == "solid"))
+        unused.push_back(name);
+    };
+    const Element &e = element, &d = defaults.element;
+    const auto     differ = [](const double a, const double b) { return std::abs(a - b) > 1e-5 * b; }; // printed digits
+    add("shell", "Element/Points rule", e.rule != d.rule);
+    add("shell", "Element/Points through thickness", e.n_points != d.n_points);
+    add("shell", "Element/Hourglass coefficient", differ(e.hourglass, d.hourglass));
+    add("shell", "Element/Shear factor", differ(e.shear_factor, d.shear_factor));
+    add("shell", "Element/Thinning", e.has_thinning != d.has_thinning);
+    add("solid", "Element/Linear viscosity", differ(e.linear_viscosity, d.linear_viscosity));
+    add("solid", "Element/Quadratic viscosity", differ(e.quadratic_viscosity, d.quadratic_viscosity));
+    add("solid", "Loads/Pressure boundaries", loads.pressure_boundaries != defaults.loads.pressure_boundaries);
+    add("solid", "Mesh/Layers", mesh.n_layers != defaults.mesh.n_layers);
+    add("solid", "Mesh/Layer grading", differ(mesh.layer_grading, defaults.mesh.layer_grading));
+    return unused;
   }
 } // namespace birdstrike

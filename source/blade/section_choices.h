@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/blade/shell_elements.h>
+#include <birdstrike/blade/solid_elements.h>
 #include <birdstrike/core/named_choices.h>
 
 namespace birdstrike
@@ -10,6 +11,13 @@ namespace birdstrike
     static const NamedChoices<ShellFormulation> choices{{"physical", ShellFormulation::one_point_physical},
                                                         {"Belytschko-Tsay", ShellFormulation::belytschko_tsay},
                                                         {"fully integrated", ShellFormulation::fully_integrated}};
+    return choices;
+  }
+
+  inline const NamedChoices<SolidFormulation> &solid_formulations()
+  {
+    static const NamedChoices<SolidFormulation> choices{{"one point", SolidFormulation::one_point},
+                                                        {"B-bar", SolidFormulation::b_bar}};
     return choices;
   }
 

@@ -10,7 +10,7 @@ namespace birdstrike
     ShellSection make_section(const BladeParameters &parameters)
     {
       ShellSection section;
-      section.formulation           = shell_formulations().at(parameters.element.formulation);
+      section.formulation           = shell_formulations().at(parameters.element.shell_formulation());
       section.rule                  = thickness_rules().at(parameters.element.rule);
       section.n_points              = parameters.element.n_points;
       section.material              = parameters.material.metal();

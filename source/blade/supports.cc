@@ -9,7 +9,8 @@ namespace birdstrike
 {
   namespace
   {
-    void require_ids(const std::vector<unsigned int> &ids, const SurfaceMesh &mesh, const std::string &entry)
+    template <class Mesh>
+    void require_ids(const std::vector<unsigned int> &ids, const Mesh &mesh, const std::string &entry)
     {
       for (const unsigned int id : ids)
         if (!mesh.has_boundary_id(id) &&
@@ -23,15 +24,26 @@ namespace birdstrike
           }
     }
 
+    std::vector<std::uint32_t> nodes_on(const SurfaceMesh &mesh, const std::vector<unsigned int> &ids)
+    {
+      return mesh.rim_nodes(ids);
+    }
+
+    std::vector<std::uint32_t> nodes_on(const VolumeMesh &mesh, const std::vector<unsigned int> &ids)
+    {
+      return mesh.nodes_on(ids);
+    }
+
+    template <unsigned int n_unknowns>
     class HeldSet
     {
     public:
       void add(const std::vector<std::uint32_t> &nodes, const std::array<bool, 6> &components)
       {
         for (const std::uint32_t n : nodes)
-          for (unsigned int c = 0; c < 6; ++c)
+          for (unsigned int c = 0; c < n_unknowns; ++c)
             if (components[c])
-              dofs.insert(6 * n + c);
+              dofs.insert(n_unknowns * n + c);
       }
       std::vector<std::uint32_t> sorted() const
       {
@@ -42,7 +54,22 @@ namespace birdstrike
       std::set<std::uint32_t> dofs;
     };
 
-    std::vector<std::uint32_t> nodes_in_box(const SurfaceMesh &mesh, const std::vector<double> &box)
+    /// Components of an entry; single rotations mean something on a shell only.
+    template <unsigned int n_unknowns>
+    std::array<bool, 6> read_components(const std::string &text, const std::string &entry)
+    {
+      const auto held     = parse_components(text, entry);
+      const bool has_some = held[3] || held[4] || held[5], has_all = held[3] && held[4] && held[5];
+      if (n_unknowns == 3 && has_some && !(has_all && held[0] && held[1] && held[2]))
+        throw InputError("Blade/" + entry + ": '" + text +
+                         "' holds rotations, which the nodes of a solid do not have.\n"
+                         "Allowed for a solid: ux uy uz, clamped or hinged (both all three). Two layers of held "
+                         "displacements hold a rotation.");
+      return held;
+    }
+
+    template <class Mesh>
+    std::vector<std::uint32_t> nodes_in_box(const Mesh &mesh, const std::vector<double> &box)
     {
       // Coordinates of generated meshes carry round-off: a box that ends on a node includes it.
       const double               margin = 1e-9;
@@ -61,6 +88,19 @@ namespace birdstrike
 
   Supports::Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh)
   {
+    find_roles(parameters, mesh);
+    find_held<6>(parameters, mesh);
+  }
+
+  Supports::Supports(const BladeParameters::Supports &parameters, const VolumeMesh &mesh)
+  {
+    find_roles(parameters, mesh);
+    find_held<3>(parameters, mesh);
+  }
+
+  template <class Mesh>
+  void Supports::find_roles(const BladeParameters::Supports &parameters, const Mesh &mesh)
+  {
     const auto clamped = parse_ids(parameters.clamped, "Supports/Clamped");
     const auto hub     = parse_ids(parameters.hub, "Supports/Hub");
     require_ids(clamped, mesh, "Clamped");
@@ -73,17 +113,22 @@ namespace birdstrike
     for (const unsigned int id : parse_ids(parameters.tip, "Supports/Tip"))
       if (mesh.has_boundary_id(id))
         tip_ids.push_back(id);
+  }
 
-    HeldSet held;
-    held.add(mesh.rim_nodes(clamped), {{true, true, true, true, true, true}});
-    held.add(mesh.rim_nodes(hub), {{true, true, true, true, true, true}});
+  template <unsigned int n_unknowns, class Mesh>
+  void Supports::find_held(const BladeParameters::Supports &parameters, const Mesh &mesh)
+  {
+    constexpr std::array<bool, 6> all{{true, true, true, true, true, true}};
+    HeldSet<n_unknowns>           held;
+    held.add(nodes_on(mesh, parse_ids(parameters.clamped, "Supports/Clamped")), all);
+    held.add(nodes_on(mesh, parse_ids(parameters.hub, "Supports/Hub")), all);
     // the mirror image at y = 0 has -u_y, -theta_x and -theta_z
     held.add(mesh.symmetry_nodes, {{false, true, false, true, false, true}});
     for (const auto &[key, components] : parse_pairs(parameters.held, "Supports/Held"))
       {
         const auto ids = parse_ids(key, "Supports/Held");
         require_ids(ids, mesh, "Held");
-        held.add(mesh.rim_nodes(ids), parse_components(components, "Supports/Held"));
+        held.add(nodes_on(mesh, ids), read_components<n_unknowns>(components, "Supports/Held"));
       }
     for (const auto &[key, components] : parse_pairs(parameters.held_boxes, "Supports/Held boxes"))
       {
@@ -91,7 +136,7 @@ namespace birdstrike
         if (nodes.empty())
           throw InputError("Blade/Supports/Held boxes: no node lies in the box '" + key + "'.\n" +
                            "Order: xmin ymin zmin xmax ymax zmax, in metres.");
-        held.add(nodes, parse_components(components, "Supports/Held boxes"));
+        held.add(nodes, read_components<n_unknowns>(components, "Supports/Held boxes"));
       }
     held_dofs = held.sorted();
   }

@@ -70,7 +70,7 @@ namespace birdstrike
       if (blade.kind == "rigid")
         refuse_unless(blade.rigid.centre[1] == 0. && blade.rigid.normal[1] == 0., "Blade/Rigid/Centre or Normal",
                       "a y component of 0");
-      if (blade.kind != "shell")
+      if (blade.kind != "shell" && blade.kind != "solid")
         return;
       refuse_unless(blade.mesh.generator != "flat plate" ||
                       (blade.mesh.chord_grading == 1. && blade.mesh.n_chord % 2 == 0),

@@ -32,6 +32,7 @@ namespace birdstrike
               {"blade_plastic", blade.plastic},
               {"blade_hourglass", blade.hourglass},
               {"blade_eroded", blade.eroded},
+              {"blade_viscous", blade.viscous},
               {"blade_damped", blade.dissipated},
               {"external_work", blade.external_work},
               {"contact_stored", balance.state().contact_stored},

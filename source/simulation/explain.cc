@@ -35,7 +35,7 @@ namespace birdstrike
       if (!blade.is_deformable())
         return;
       table.add("mass", census.mass, "kg");
-      table.add("area", fmt::format("{:.4g} m^2", census.area));
+      table.add(blade.kind() == "solid" ? "area of the skin" : "area", fmt::format("{:.4g} m^2", census.area));
       table.add("smallest element edge",
                 format_quantity(census.smallest_edge, "m") + " at " + vector_text(census.smallest_at, "m"));
       table.add("largest over smallest element", fmt::format("{:.3g}", census.largest_edge_ratio));

@@ -35,7 +35,7 @@ namespace birdstrike
 
     // Until a hundredth of all energy has reached the blade, a ratio of two small numbers says nothing.
     const EnergyReport &energy   = balance.state().blade;
-    const double        internal = energy.elastic + energy.plastic + energy.hourglass;
+    const double        internal = energy.elastic + energy.plastic + energy.hourglass + energy.viscous;
     if (internal > 1e-2 * balance.initial_energy())
       hourglass_share.update(time, energy.hourglass / internal);
   }

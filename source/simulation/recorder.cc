@@ -110,6 +110,7 @@ namespace birdstrike
     history.add_column("blade_elastic", "J", [this] { return balance.state().blade.elastic; });
     history.add_column("blade_plastic", "J", [this] { return balance.state().blade.plastic; });
     history.add_column("blade_hourglass", "J", [this] { return balance.state().blade.hourglass; });
+    history.add_column("blade_viscous", "J", [this] { return balance.state().blade.viscous; });
     history.add_column("blade_damped", "J", [this] { return balance.state().blade.dissipated; });
     history.add_column("blade_external_work", "J", [this] { return balance.state().blade.external_work; });
     for (unsigned int c = 0; c < 3; ++c)

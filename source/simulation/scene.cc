@@ -47,7 +47,7 @@ namespace birdstrike
       bird = std::make_unique<Bird>(parameters.bird, parameters.equation_of_state, pool);
     if (!blade && !bird)
       throw InputError(
-        "The case has neither a blade nor a bird.\nSet Blade/Kind to shell or rigid, or Bird/Enabled to true.");
+        "The case has neither a blade nor a bird.\nSet Blade/Kind to shell, solid or rigid, or Bird/Enabled to true.");
     if (blade && bird && parameters.contact.is_enabled)
       {
         contact = std::make_unique<Contact>(parameters.contact);

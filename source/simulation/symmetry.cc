@@ -9,8 +9,9 @@ namespace birdstrike
 
   EnergyReport Symmetry::whole(EnergyReport energy) const
   {
-    for (double *part : {&energy.kinetic, &energy.elastic, &energy.plastic, &energy.hourglass, &energy.dissipated,
-                         &energy.retired, &energy.eroded, &energy.external_work, &energy.contact_work})
+    for (double *part :
+         {&energy.kinetic, &energy.elastic, &energy.plastic, &energy.hourglass, &energy.viscous, &energy.dissipated,
+          &energy.retired, &energy.eroded, &energy.external_work, &energy.contact_work})
       *part *= factor();
     return energy;
   }

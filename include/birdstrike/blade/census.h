@@ -2,9 +2,12 @@
 
 #include <birdstrike/blade/reports.h>
 #include <birdstrike/blade/surface_mesh.h>
+#include <birdstrike/blade/volume_mesh.h>
 
 namespace birdstrike
 {
   /// Counts, area and edge lengths of a surface; mass, held unknowns and bytes are left to its owner.
   BladeCensus compute_census(const SurfaceMesh &mesh);
+  /// The same of a solid: the area is that of its skin.
+  BladeCensus compute_census(const VolumeMesh &mesh);
 } // namespace birdstrike

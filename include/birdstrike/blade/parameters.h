@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -63,12 +64,17 @@ namespace birdstrike
 
     struct Element
     {
-      std::string  formulation  = "physical";
-      std::string  rule         = "Gauss";
-      unsigned int n_points     = 5;
-      double       hourglass    = 0.05; ///< perturbation control only
-      double       shear_factor = 5. / 6.;
-      bool         has_thinning = true;
+      std::string  formulation      = "automatic"; ///< physical (shell), one point (solid), or named
+      std::string  rule             = "Gauss";
+      unsigned int n_points         = 5;
+      double       hourglass        = 0.05; ///< perturbation control only
+      double       shear_factor     = 5. / 6.;
+      bool         has_thinning     = true;
+      double       linear_viscosity = 0.06, quadratic_viscosity = 1.2; ///< bulk viscosity of solids
+
+      /// What "automatic" means for the two kinds of element.
+      std::string shell_formulation() const;
+      std::string solid_formulation() const;
     };
 
     struct Supports
@@ -83,11 +89,12 @@ namespace birdstrike
 
     struct Loads
     {
-      std::string pressure;         ///< Pa, expression in x, y, z, t
-      std::string point_loads;      ///< "x y z: fx; fy; fz | ..." , N, expressions in t
-      double      damping = 0.;     ///< 1/s
-      std::string initial_velocity; ///< m/s, "vx; vy; vz" in x, y, z
-      std::string initial_spin;     ///< rad/s, "wx; wy; wz": rigid rotation about the origin
+      std::string pressure;                  ///< Pa, expression in x, y, z, t
+      std::string pressure_boundaries = "5"; ///< boundary ids of a solid that it acts on
+      std::string point_loads;               ///< "x y z: fx; fy; fz | ..." , N, expressions in t
+      double      damping = 0.;              ///< 1/s
+      std::string initial_velocity;          ///< m/s, "vx; vy; vz" in x, y, z
+      std::string initial_spin;              ///< rad/s, "wx; wy; wz": rigid rotation about the origin
     };
 
     struct Rigid
@@ -102,7 +109,7 @@ namespace birdstrike
       double                mass           = 1.;      ///< kg
     };
 
-    std::string     kind = "shell"; ///< shell | rigid | none
+    std::string     kind = "shell"; ///< shell | solid | rigid | none
     Mesh            mesh;
     Thickness       thickness;
     Element         element;
@@ -118,5 +125,9 @@ namespace birdstrike
 
     /// Rules between entries. Throws InputError.
     void check() const;
+
+    /// Entries that were changed from their defaults and mean nothing for this kind of blade ("Element/Thinning"): one
+    /// file may hold those of shell and solid.
+    std::vector<std::string> unused_entries() const;
   };
 } // namespace birdstrike

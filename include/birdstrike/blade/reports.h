@@ -14,7 +14,7 @@ namespace birdstrike
     std::size_t           n_elements    = 0;
     std::size_t           n_nodes       = 0;
     double                mass          = 0.;          ///< kg
-    double                area          = 0.;          ///< m^2
+    double                area          = 0.;          ///< m^2, of the mid-surface, or of the skin of a solid
     double                smallest_edge = 0.;          ///< m
     std::array<double, 3> smallest_at{};               ///< m, centroid of the element with that edge
     double                largest_edge_ratio     = 1.; ///< longest over shortest `smallest_edge` of all elements

@@ -18,6 +18,7 @@ namespace birdstrike
     double elastic       = 0.; ///< recoverable strain energy (blade) or whole internal energy (bird)
     double plastic       = 0.; ///< plastic work
     double hourglass     = 0.; ///< work against hourglass stabilisation
+    double viscous       = 0.; ///< by the bulk viscosity of solid elements
     double dissipated    = 0.; ///< mass-proportional damping, viscosity that is not part of `elastic`
     double retired       = 0.; ///< energy of mass that left the computation
     double eroded        = 0.; ///< energy of failed elements
@@ -26,7 +27,7 @@ namespace birdstrike
 
     double total() const
     {
-      return kinetic + elastic + plastic + hourglass + dissipated + retired + eroded;
+      return kinetic + elastic + plastic + hourglass + viscous + dissipated + retired + eroded;
     }
   };
 

@@ -26,6 +26,14 @@ namespace birdstrike
       return text;
     }
 
+    bool has(const std::string &name) const
+    {
+      for (const auto &entry : entries)
+        if (entry.first == name)
+          return true;
+      return false;
+    }
+
     /// Throws std::out_of_range with the allowed names.
     const Value &at(const std::string &name) const
     {

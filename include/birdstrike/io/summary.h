@@ -32,7 +32,7 @@ namespace birdstrike
     } end;
     struct
     {
-      std::string kind     = "none"; ///< shell, rigid, none
+      std::string kind     = "none"; ///< shell, solid, rigid, none
       std::size_t elements = 0;
       std::size_t nodes    = 0;
       double      mass     = 0.; ///< kg

@@ -45,7 +45,7 @@ namespace birdstrike
     TEST(BladeParameters, RefusesWhatCannotBe)
     {
       BladeParameters p;
-      p.kind = "solid";
+      p.kind = "plate";
       EXPECT_THROW(p.check(), InputError);
       p.kind         = "rigid";
       p.rigid.normal = {{0., 0., 0.}};

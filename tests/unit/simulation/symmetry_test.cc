@@ -29,6 +29,7 @@ TEST(Symmetry, EnergiesAndForcesDoubleStressesStay)
 {
   EnergyReport energy;
   energy.kinetic = 1., energy.elastic = 2., energy.plastic = 3., energy.hourglass = 4., energy.dissipated = 5.;
+  energy.viscous = 10.;
   energy.retired = 6., energy.eroded = 7., energy.external_work = 8., energy.contact_work = 9.;
   const Symmetry     mirrored(true);
   const EnergyReport whole = mirrored.whole(energy);

@@ -1,0 +1,125 @@
+#include "section_choices.h"
+#include "solid_blade_state.h"
+
+#include <birdstrike/blade/expression.h>
+#include <birdstrike/blade/text_lists.h>
+#include <birdstrike/core/errors.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    SolidSection make_section(const BladeParameters &parameters)
+    {
+      SolidSection section;
+      section.formulation         = solid_formulations().at(parameters.element.solid_formulation());
+      section.material            = parameters.material.metal();
+      section.linear_viscosity    = parameters.element.linear_viscosity;
+      section.quadratic_viscosity = parameters.element.quadratic_viscosity;
+      return section;
+    }
+
+    SolidMesh &with_dofs(SolidMesh &mesh)
+    {
+      mesh.distribute_dofs();
+      return mesh;
+    }
+
+    std::vector<Point3> points_of(const VolumeMesh &mesh)
+    {
+      std::vector<Point3> points;
+      for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+        points.push_back(mesh.node(n));
+      return points;
+    }
+
+    /// The skin facets that pressure acts on, turned so that their normals point inwards.
+    std::vector<Loads::Quadrilateral> pressed_facets(const VolumeMesh &mesh, const BladeParameters::Loads &parameters)
+    {
+      std::vector<Loads::Quadrilateral> pressed;
+      if (!is_present(parameters.pressure))
+        return pressed;
+      const auto ids = parse_ids(parameters.pressure_boundaries, "Loads/Pressure boundaries");
+      for (const auto &face : mesh.faces)
+        if (std::find(ids.begin(), ids.end(), face.id) != ids.end())
+          pressed.push_back({{face.nodes[0], face.nodes[3], face.nodes[2], face.nodes[1]}});
+      if (pressed.empty())
+        throw InputError("Blade/Loads/Pressure boundaries: no face of the mesh has one of the ids '" +
+                         parameters.pressure_boundaries + "'.\nPressure on a solid needs faces to act on.");
+      return pressed;
+    }
+  } // namespace
+
+  SolidBlade::State::State(const BladeParameters &parameters, ThreadPool &pool)
+    : mesh(parameters)
+    , supports(parameters.supports, with_dofs(mesh).volume())
+    , lumped(mesh.compute_mass(parameters.material.metal().density))
+    , elements(points_of(mesh.volume()), mesh.volume().cells, make_section(parameters), pool)
+    , nodes(mesh.volume().nodes, {lumped.node, {}}, supports,
+            Loads(parameters.loads, mesh.volume().skin, pressed_facets(mesh.volume(), parameters.loads), 3), pool)
+    , root(mesh.volume(), supports.root_ids, parameters.material.metal().hardening)
+    , tip(make_tip_row(mesh.volume(), supports.tip_ids))
+    , half_thickness(mesh.volume().skin.cells.size(), 0.)
+  {
+    elements.use_nodal_masses(lumped.node);
+    nodes.initialize_velocity(parameters.loads);
+    nodes.watch(parameters.probes);
+  }
+
+  SolidBlade::SolidBlade(const BladeParameters &parameters, ThreadPool &pool)
+    : state(std::make_unique<State>(parameters, pool))
+  {
+  }
+
+  SolidBlade::~SolidBlade() = default;
+
+  void SolidBlade::kick_internal(const double half_step, const HalfKick half)
+  {
+    state->nodes.kick_internal(half_step, half);
+  }
+
+  void SolidBlade::kick_contact(const double half_step, const HalfKick half)
+  {
+    state->nodes.kick_contact(half_step, half);
+  }
+
+  void SolidBlade::drift(const double step)
+  {
+    state->nodes.drift(step);
+  }
+
+  void SolidBlade::compute_internal_forces()
+  {
+    state->nodes.compute_internal_forces(state->elements);
+  }
+
+  void SolidBlade::clear_contact_forces()
+  {
+    state->nodes.clear_contact_forces();
+  }
+
+  void SolidBlade::set_contact_in_transit(const double duration)
+  {
+    state->nodes.set_contact_in_transit(duration);
+  }
+
+  FacetsView SolidBlade::facets()
+  {
+    const VolumeMesh &mesh = state->mesh.volume();
+    FacetsView        view = state->nodes.facets();
+    view.n_nodes           = mesh.n_skin_nodes;
+    view.n_facets          = mesh.skin.cells.size();
+    view.nodes             = mesh.skin.cells.data();
+    view.neighbor          = mesh.skin.neighbors.data();
+    view.half_thickness    = state->half_thickness.data();
+    view.two_sided         = false;
+    return view;
+  }
+
+  NodeArrays SolidBlade::nodes()
+  {
+    return state->nodes.arrays();
+  }
+} // namespace birdstrike
