@@ -85,6 +85,10 @@ namespace birdstrike
     {
       return position.data();
     }
+    const double *reference_positions() const
+    {
+      return reference.data();
+    }
     const double *displacements() const
     {
       return displacement.data();

@@ -107,6 +107,11 @@ namespace birdstrike
                          [&](const Element &element) { return elements.is_failed(element.index); });
   }
 
+  const SectionFrame &RootSection::section() const
+  {
+    return frame;
+  }
+
   TipRow::TipRow(const SurfaceMesh &mesh, const std::vector<unsigned int> &tip_ids)
   {
     Point3 span = Point3::Zero(), mean_normal = Point3::Zero();
@@ -185,5 +190,28 @@ namespace birdstrike
       }
     const double n = rows.empty() ? 1. : static_cast<double>(rows.size());
     return {sum.mid_chord / n, sum.leading / n, sum.trailing / n};
+  }
+
+  Point3 TipRow::mid_chord(const double *position) const
+  {
+    Point3 sum = Point3::Zero();
+    for (const Row &row : rows)
+      for (const int end : {0, 1})
+        for (unsigned int d = 0; d < 3; ++d)
+          sum[d] += row.share[end] * position[3 * row.middle[end] + d];
+    return rows.empty() ? sum : Point3(sum / static_cast<double>(rows.size()));
+  }
+
+  const Point3 &TipRow::surface_normal() const
+  {
+    return normal;
+  }
+
+  std::optional<SpanLine> make_span_line(const SectionFrame &root, const TipRow &tip, const double *reference)
+  {
+    if (root.nodes.empty() || !tip.is_present())
+      return {};
+    const auto plain = [](const Point3 &p) { return std::array<double, 3>{{p[0], p[1], p[2]}}; };
+    return SpanLine{plain(root.origin), plain(tip.mid_chord(reference)), plain(tip.surface_normal())};
   }
 } // namespace birdstrike

@@ -161,6 +161,11 @@ namespace birdstrike
     return state->tip.compute_deflection(state->nodes.displacements(), 6);
   }
 
+  std::optional<SpanLine> ShellBlade::span_line() const
+  {
+    return make_span_line(state->root.section(), state->tip, state->nodes.reference_positions());
+  }
+
   PeakPlasticStrain ShellBlade::peak_plastic_strain() const
   {
     const auto   peak = state->elements.max_plastic_strain();

@@ -85,6 +85,7 @@ namespace birdstrike
 
   void BirdStrike::start()
   {
+    observed.start(scene);
     plan();
     stepper.compute_initial_forces(schedule.bird_step());
     observe();

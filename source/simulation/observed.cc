@@ -9,6 +9,14 @@
 
 namespace birdstrike
 {
+  void Observed::start(const Scene &scene)
+  {
+    if (!scene.blade)
+      return;
+    if (const std::optional<SpanLine> line = scene.blade->span_line())
+      mid_chord.emplace(scene.blade->facets(), *line);
+  }
+
   void Observed::update(const Scene &scene, const Balance &balance, const double time)
   {
     if (!scene.blade)
@@ -19,6 +27,8 @@ namespace birdstrike
     failure = scene.symmetry.whole(scene.blade->failure());
     probes  = scene.blade->probes();
 
+    if (mid_chord && tip.mid_chord > tip_peak.value())
+      mid_chord->compute_deflection(mid_chord_at_peak);
     tip_peak.update(time, tip.mid_chord);
     const double stress = root.peak_stress();
     if (stress > root_stress.value())

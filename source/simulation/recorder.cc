@@ -195,8 +195,21 @@ namespace birdstrike
         history.set_constant("root_normal_stress_at_peak", "Pa",
                              {{"face", "-", {-1., 1.}}, {"chord", "m", root.chord_position}}, std::move(values));
       }
+    set_mid_chord_lines();
     history.flush();
     writer.flush();
+  }
+
+  void Recorder::set_mid_chord_lines()
+  {
+    if (!observed.mid_chord)
+      return;
+    const std::vector<History::Axis> span{{"span", "m", observed.mid_chord->span_position()}};
+    if (!observed.mid_chord_at_peak.empty())
+      history.set_constant("mid_chord_deflection_at_peak", "m", span, observed.mid_chord_at_peak);
+    std::vector<double> now_deflected;
+    observed.mid_chord->compute_deflection(now_deflected);
+    history.set_constant("mid_chord_deflection_at_end", "m", span, std::move(now_deflected));
   }
 
   void Recorder::flush_when_due(const double wall)

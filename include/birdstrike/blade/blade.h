@@ -7,6 +7,7 @@
 #include <birdstrike/core/half_kick.h>
 #include <birdstrike/core/step_limit.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -72,6 +73,12 @@ namespace birdstrike
     virtual PeakPlasticStrain peak_plastic_strain() const = 0; ///< of failed elements too
 
     virtual FailureReport failure() const
+    {
+      return {};
+    }
+
+    /// Nothing for a blade without a clamped root or without a tip row.
+    virtual std::optional<SpanLine> span_line() const
     {
       return {};
     }

@@ -62,6 +62,14 @@ namespace birdstrike
     double trailing  = 0.;
   };
 
+  /// Where the mid-chord line of a cantilevered blade begins and ends, undeformed.
+  struct SpanLine
+  {
+    std::array<double, 3> root{};   ///< m, middle of the clamped edge
+    std::array<double, 3> tip{};    ///< m, middle of the tip row
+    std::array<double, 3> normal{}; ///< unit, mean surface normal at the tip, along which deflections are taken
+  };
+
   struct PeakPlasticStrain
   {
     double                value   = 0.;

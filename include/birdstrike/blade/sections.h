@@ -6,6 +6,7 @@
 #include <birdstrike/core/function_ref.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace birdstrike
@@ -40,6 +41,8 @@ namespace birdstrike
     RootSectionReport compute_report(const double *force, const double *position, const ShellElements &elements) const;
     std::size_t       count_failed(const ShellElements &elements) const; ///< of the elements at the edge
 
+    const SectionFrame &section() const;
+
   private:
     struct Element
     {
@@ -66,6 +69,9 @@ namespace birdstrike
     bool          has_any(FunctionRef<bool(std::uint32_t)> property) const; ///< of the nodes it watches
     TipDeflection compute_deflection(const double *displacement, unsigned int n_unknowns) const; ///< [n][n_unknowns]
 
+    Point3        mid_chord(const double *position) const; ///< m, from positions [n_nodes][3]
+    const Point3 &surface_normal() const;
+
   private:
     struct Row
     {
@@ -75,4 +81,7 @@ namespace birdstrike
     std::vector<Row> rows;
     Point3           normal = Point3::Zero();
   };
+
+  /// From the middle of the root to that of the tip, by reference positions [n_nodes][3]; nothing where one is missing.
+  std::optional<SpanLine> make_span_line(const SectionFrame &root, const TipRow &tip, const double *reference);
 } // namespace birdstrike

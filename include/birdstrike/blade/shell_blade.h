@@ -47,6 +47,7 @@ namespace birdstrike
     TipDeflection            tip_deflection() const override;
     PeakPlasticStrain        peak_plastic_strain() const override;
     FailureReport            failure() const override;
+    std::optional<SpanLine>  span_line() const override;
 
     NodeArrays nodes(); ///< for initial states and checks
 

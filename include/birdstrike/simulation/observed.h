@@ -1,9 +1,11 @@
 #pragma once
 
+#include <birdstrike/blade/mid_chord.h>
 #include <birdstrike/blade/reports.h>
 #include <birdstrike/time_control/peak.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace birdstrike
@@ -31,7 +33,13 @@ namespace birdstrike
 
     RootSectionReport root_at_peak_stress; ///< the distribution along the chord when the stress peaks
 
+    std::optional<MidChord> mid_chord;         ///< of a blade that has such a line
+    std::vector<double>     mid_chord_at_peak; ///< m, per station, when the tip peaks
+
     double max_penetration = 0.; ///< m
+
+    /// Before the first step, while the blade is undeformed.
+    void start(const Scene &scene);
 
     void update(const Scene &scene, const Balance &balance, double time);
   };

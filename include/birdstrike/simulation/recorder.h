@@ -46,6 +46,7 @@ namespace birdstrike
     void add_contact_columns(const ContactParameters &parameters);
     void add_blade_columns();
     void add_root_profile();
+    void set_mid_chord_lines();
     void write_fields(double time);
 
     const Scene               &scene;
