@@ -18,7 +18,8 @@ if(BIRDSTRIKE_SANITIZE)
 endif()
 # Sums keep their order (bitwise repeatable); errno and traps of the math library are not used.
 target_compile_options(birdstrike_options INTERFACE $<$<CONFIG:Release>:-O3> -fno-math-errno -fno-trapping-math)
-target_link_options(birdstrike_options INTERFACE -Wl,--as-needed)
+# The build id tells stored runs of one build from those of another (core/program.h).
+target_link_options(birdstrike_options INTERFACE -Wl,--as-needed -Wl,--build-id=sha1)
 
 function(birdstrike_room name)
   cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES" ${ARGN})

@@ -1,6 +1,8 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/program.h>
 #include <birdstrike/simulation/commands.h>
+#include <birdstrike/simulation/compare.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
@@ -8,49 +10,66 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/logger.h>
 
-#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace
 {
   using birdstrike::CaseRequest;
+  using birdstrike::CompareRequest;
   using birdstrike::ExitCode;
 
-  /// The command line: every subcommand binds what it will do to `action`.
-  void declare_commands(CLI::App &app, CaseRequest &request, bool &as_json, std::function<void()> &action)
+  /// What the command line may ask for.
+  struct Requests
   {
-    app.set_version_flag("--version", "birdstrike " BIRDSTRIKE_VERSION);
+    CaseRequest    of_case;
+    CompareRequest of_comparison;
+    bool           as_json = false;
+  };
+
+  void declare_overrides(CLI::App *command, std::vector<std::string> &overrides)
+  {
+    command->add_option("--set", overrides, "Override an entry: \"Section/Entry=value\" (repeatable)")
+      ->allow_extra_args(false);
+  }
+
+  /// The command line: every subcommand binds what it will do to `action`.
+  void declare_commands(CLI::App &app, Requests &requests, std::function<void()> &action)
+  {
+    app.set_version_flag("--version", "birdstrike " + birdstrike::program_identity().version);
     app.require_subcommand(1);
 
     const auto case_command = [&](const char *name, const char *text, void (*verb)(const CaseRequest &)) {
-      CLI::App *command = app.add_subcommand(name, text);
+      CLI::App    *command = app.add_subcommand(name, text);
+      CaseRequest &request = requests.of_case;
       command->add_option("FILE", request.prm_file, "Parameter file")->required();
-      command->add_option("--set", request.overrides, "Override an entry: \"Section/Entry=value\" (repeatable)")
-        ->allow_extra_args(false);
+      declare_overrides(command, request.overrides);
       command->add_option("--output", request.output, "Run folder, instead of the one in the parameter file");
-      command->callback([&, verb] { action = [&, verb] { verb(request); }; });
+      command->callback([&, verb] { action = [&, verb] { verb(requests.of_case); }; });
     };
     case_command("run", "Run a case to its end", birdstrike::run_case);
     case_command("explain", "Say what would be computed, before it is", birdstrike::explain_case);
     case_command("validate", "Read and check a case, compute nothing", birdstrike::validate_case);
 
-    CLI::App *parameters = app.add_subcommand("parameters", "All entries with text, range, default and unit");
-    parameters->add_flag("--json", as_json, "As JSON instead of prm");
-    parameters->callback([&] { action = [&] { birdstrike::print_parameters(as_json); }; });
-  }
+    CLI::App       *compare = app.add_subcommand("compare", "Run cases, or take their runs, and set them side by side");
+    CompareRequest &request = requests.of_comparison;
+    compare->add_option("FILE", request.prm_files, "Parameter files; differences are to the first")->required();
+    compare
+      ->add_option("--blade", request.blade_kinds,
+                   "Each file once for each of these values of Blade/Kind, e.g. shell,rigid")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+    declare_overrides(compare, request.overrides);
+    compare->add_option("--output", request.output, "Folder of the comparison")->capture_default_str();
+    compare->callback([&] { action = [&] { birdstrike::compare_cases(requests.of_comparison); }; });
 
-  /// Whether one of the usual launchers (Open MPI, MPICH and Intel MPI, PMIx, Slurm) says that this process may be one
-  /// of several. One that was started by itself needs no MPI: its start and end cost 0.3 s, as much as loading the
-  /// program.
-  bool is_started_by_launcher()
-  {
-    for (const char *variable : {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMI_SIZE", "PMIX_RANK", "SLURM_PROCID"})
-      if (std::getenv(variable))
-        return true;
-    return false;
+    CLI::App *parameters = app.add_subcommand("parameters", "All entries with text, range, default and unit");
+    parameters->add_flag("--json", requests.as_json, "As JSON instead of prm");
+    parameters->callback([&] { action = [&] { birdstrike::print_parameters(requests.as_json); }; });
   }
 
   int exit_code(const ExitCode code)
@@ -91,10 +110,9 @@ namespace
 int main(int argc, char *argv[])
 {
   CLI::App              app{"Bird strike on aircraft-engine blades", "birdstrike"};
-  CaseRequest           request;
-  bool                  as_json = false;
+  Requests              requests;
   std::function<void()> action;
-  declare_commands(app, request, as_json, action);
+  declare_commands(app, requests, action);
   try
     {
       app.parse(argc, argv);
@@ -105,7 +123,7 @@ int main(int argc, char *argv[])
       return exit_code(is_asked ? ExitCode::done : ExitCode::bad_input);
     }
   std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
-  if (!is_started_by_launcher())
+  if (!birdstrike::is_started_by_launcher())
     dealii::MultithreadInfo::set_thread_limit(1);
   else if (mpi.emplace(argc, argv, 1u); dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     birdstrike::set_console_level("off"); // one rank speaks for all

@@ -28,4 +28,8 @@ namespace birdstrike
     std::unique_ptr<Open> open;
     std::size_t           n_bytes = 0;
   };
+
+  /// A dataset of such a file by its path, e.g. "history/time", row-major; empty if the file or the dataset does not
+  /// exist. Throws std::runtime_error if it exists and cannot be read.
+  std::vector<double> read_result(const std::filesystem::path &path, const std::string &dataset);
 } // namespace birdstrike

@@ -12,10 +12,11 @@ namespace birdstrike
     nlohmann::ordered_json make_json(const Summary &s)
     {
       nlohmann::ordered_json json;
-      json["case"]  = s.case_name;
-      json["end"]   = {{"time", s.end.time}, {"reason", s.end.reason}};
-      json["blade"] = {
-        {"kind", s.blade.kind}, {"elements", s.blade.elements}, {"nodes", s.blade.nodes}, {"mass", s.blade.mass}};
+      json["case"]    = s.case_name;
+      json["program"] = {{"version", s.program.version}, {"build", s.program.build}};
+      json["end"]     = {{"time", s.end.time}, {"reason", s.end.reason}};
+      json["blade"]   = {
+          {"kind", s.blade.kind}, {"elements", s.blade.elements}, {"nodes", s.blade.nodes}, {"mass", s.blade.mass}};
       json["bird"]    = {{"particles", s.bird.particles},
                          {"mass", s.bird.mass},
                          {"kinetic_energy", s.bird.kinetic_energy},

@@ -4,6 +4,7 @@
 #include <birdstrike/core/allocation_guard.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/summary.h>
 #include <birdstrike/io/text.h>
 #include <birdstrike/simulation/bird_strike.h>
 
@@ -173,7 +174,7 @@ namespace birdstrike
     if (now >= limits.end_time * (1. - 1e-12))
       return "end time reached";
     if (stop_requested)
-      return "stopped by a signal";
+      return stopped_by_signal;
     if (limits.maximum_wall_time > 0. && timings.wall() > limits.maximum_wall_time)
       return "maximum wall time reached";
     if (limits.stop_at_tip_peak && observed.first_tip_peak.is_passed(now, limits.tip_peak_wait))

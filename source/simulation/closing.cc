@@ -1,6 +1,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/summary.h>
 #include <birdstrike/io/text.h>
@@ -43,9 +44,11 @@ namespace birdstrike
   Summary BirdStrike::compute_summary() const
   {
     Summary summary;
-    summary.case_name  = parameters.name;
-    summary.end.time   = now;
-    summary.end.reason = why_ended;
+    summary.case_name       = parameters.name;
+    summary.program.version = program_identity().version;
+    summary.program.build   = program_identity().build;
+    summary.end.time        = now;
+    summary.end.reason      = why_ended;
     if (scene.blade)
       {
         summary.blade.kind     = scene.blade->kind();

@@ -10,6 +10,9 @@
 
 namespace birdstrike
 {
+  /// Key "end/reason" of a run that was ended from outside: its results are not those of its parameters.
+  inline constexpr const char *stopped_by_signal = "stopped by a signal";
+
   /// Work that a run did not do: what, how much of it, and the share of the run time that it would have been (NaN: no
   /// estimate).
   struct SkippedWork
@@ -25,6 +28,10 @@ namespace birdstrike
   struct Summary
   {
     std::string case_name; ///< key "case"
+    struct
+    {
+      std::string version, build; ///< as in ProgramIdentity
+    } program;
     struct
     {
       double      time = 0.; ///< s

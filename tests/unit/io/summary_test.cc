@@ -13,6 +13,7 @@ TEST(Summary, HasTheStableKeys)
   const nlohmann::json                                                json = Summary();
   const std::vector<std::pair<std::string, std::vector<std::string>>> keys{
     {"case", {}},
+    {"program", {"version", "build"}},
     {"end", {"time", "reason"}},
     {"blade", {"kind", "elements", "nodes", "mass"}},
     {"bird", {"particles", "mass", "kinetic_energy", "momentum"}},

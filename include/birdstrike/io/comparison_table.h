@@ -1,0 +1,61 @@
+#pragma once
+
+#include <birdstrike/io/run_record.h>
+
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// One column of a comparison.
+  struct ComparedRun
+  {
+    std::string name;   ///< "frontal", "frontal solid"
+    RunRecord   record; ///< complete, or of a run that was lost
+  };
+
+  /// One line of a comparison. Quantities have `values`, in SI units, NaN where a run has none; properties have
+  /// `texts`.
+  struct ComparisonRow
+  {
+    std::string              group;    ///< "Blade", "Cost"
+    std::string              quantity; ///< "tip peak (mid-chord)"
+    std::string              unit;     ///< "m", "-", "count", "B", "share"; empty for texts
+    std::vector<double>      values;   ///< per run
+    std::vector<std::string> texts;    ///< per run
+
+    /// (value - value of the first run) / |value of the first run|; NaN where one is absent or the first is zero.
+    double difference(std::size_t run) const;
+  };
+
+  /// What runs came to, side by side: one column a run, and how much it differs from the first. Peaks are those of
+  /// summary.json, taken at every observation of the run and not only at the rows of its history. Rows that no run
+  /// fills are left out. Writes no files.
+  class ComparisonTable
+  {
+  public:
+    explicit ComparisonTable(const std::vector<ComparedRun> &runs);
+
+    const std::vector<ComparisonRow> &rows() const;
+
+    /// What the rows cannot say: how a permanent deflection was taken, which runs were lost and why.
+    const std::vector<std::string> &notes() const;
+
+    std::string as_text() const;     ///< aligned columns for a terminal, values with SI prefixes
+    std::string as_markdown() const; ///< the same as a table of Markdown
+    std::string as_csv() const;      ///< all digits, SI units: quantity, unit, one column a run, differences in percent
+
+  private:
+    std::vector<std::string>   names;
+    std::vector<ComparisonRow> all;
+    std::vector<std::string>   remarks;
+
+    void add_blade(const std::vector<ComparedRun> &runs);
+    void add_permanent_deflection(const std::vector<ComparedRun> &runs);
+    void add_cost(const std::vector<ComparedRun> &runs);
+    void add_row(ComparisonRow row);
+  };
+
+  /// A field of a CSV file: quoted where it holds a comma, a quote or a line's end.
+  std::string csv_field(const std::string &text);
+} // namespace birdstrike

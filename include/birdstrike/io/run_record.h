@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// What a run has left in its folder, read back: summary.json, history.csv, results.h5. SI units, names and keys are
+  /// those of Summary and of the recorder's columns. A run that was lost has curves up to its end and no summary.
+  ///
+  /// What is not there is absent (NaN, empty), never an error: runs differ in their parts. Raises std::runtime_error
+  /// for a file that is there and cannot be read. Neither writes nor judges.
+  class RunRecord
+  {
+  public:
+    explicit RunRecord(const std::filesystem::path &folder);
+
+    const std::filesystem::path &folder() const;
+
+    /// Whether the run came to its end: summary.json is written last.
+    bool is_complete() const;
+
+    /// What the folder's marker says: "done", "failed: <first line of the message>", "running"; empty without one.
+    const std::string &state() const;
+
+    /// A value of summary.json by its path, e.g. "tip/peak", "contact/impulse/2"; NaN if it is absent or null.
+    double number(const std::string &key) const;
+    /// The same for texts, e.g. "end/reason"; empty if it is absent.
+    std::string text(const std::string &key) const;
+    /// Sum of all numbers whose keys begin so, e.g. "energy/parts/blade_"; NaN if there is none.
+    double sum(const std::string &key_begin) const;
+
+    /// A column of history.csv [rows]; empty if it is absent.
+    const std::vector<double> &column(const std::string &name) const;
+
+    /// A dataset of results.h5 in row-major order, e.g. "root_normal_stress_at_peak/chord"; empty if it is absent.
+    std::vector<double> dataset(const std::string &name) const;
+
+  private:
+    std::filesystem::path                      directory;
+    std::string                                marker;
+    bool                                       has_summary = false;
+    std::map<std::string, double>              numbers;
+    std::map<std::string, std::string>         texts;
+    std::map<std::string, std::vector<double>> columns;
+
+    void read_summary();
+    void read_history();
+  };
+} // namespace birdstrike

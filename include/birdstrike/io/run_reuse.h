@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  struct CaseParameters;
+
+  /// Names of entries, "Section/Entry".
+  using EntryNames = std::vector<std::string>;
+
+  /// The first entry, in the order of declaration, whose values differ ("Bird/Velocity"), other than those named in
+  /// `ignored`; empty if none does. Numbers are compared as numbers, all else as text.
+  std::string first_difference(const CaseParameters &a, const CaseParameters &b, const EntryNames &ignored);
+
+  /// Whether the run in a folder can stand for a run of these parameters by this program: it is complete, was not ended
+  /// by a signal, this very build made it, its parameters.prm has the same value in every entry but Output/Directory,
+  /// and no file that an entry names (a mesh) is newer. Results do not depend on the machine's number of cores, so that
+  /// is not asked.
+  ///
+  /// Empty if so, else why not, in words that follow "because".
+  std::string reason_not_to_reuse(const std::filesystem::path &folder, const CaseParameters &wanted);
+} // namespace birdstrike

@@ -1,0 +1,71 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/comparison_folder.h>
+
+#include <cctype>
+#include <fstream>
+#include <stdexcept>
+
+namespace birdstrike
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    constexpr auto marker = ".birdstrike-comparison", marker_of_a_run = ".birdstrike";
+
+    constexpr auto action = "\n  Action: choose another folder with --output DIR.";
+  } // namespace
+
+  void ComparisonFolder::require_usable(const fs::path &directory)
+  {
+    std::error_code error;
+    if (fs::exists(directory, error) && !fs::is_directory(directory, error))
+      throw InputError("The folder of the comparison, '" + directory.string() + "', is a file." + action);
+    if (fs::exists(directory / marker_of_a_run, error))
+      throw InputError("The folder of the comparison, '" + directory.string() +
+                       "', is the folder of a run, whose files would mix with the comparison's." + action);
+    if (fs::is_directory(directory, error) && !fs::exists(directory / marker, error) && !fs::is_empty(directory, error))
+      throw InputError("The folder '" + directory.string() +
+                       "' holds files that no comparison has written.\n  Allowed: a new or empty folder, or that of an "
+                       "earlier comparison, which is written over." +
+                       action);
+  }
+
+  ComparisonFolder::ComparisonFolder(const fs::path &directory) : directory(directory)
+  {
+    require_usable(directory);
+    std::error_code error;
+    fs::create_directories(directory, error);
+    if (error || !std::ofstream(directory / marker))
+      throw InputError("Cannot write into the folder of the comparison, '" + directory.string() +
+                       "': " + (error ? error.message() : "it refuses new files") + "." + action);
+    // Figures of an earlier comparison must not be taken for this one's.
+    for (const auto &entry : fs::directory_iterator(directory))
+      if (const std::string extension = entry.path().extension().string();
+          entry.is_regular_file() && (extension == ".svg" || extension == ".csv"))
+        fs::remove(entry.path());
+  }
+
+  const fs::path &ComparisonFolder::path() const
+  {
+    return directory;
+  }
+
+  void ComparisonFolder::write_text(const std::string &name, const std::string &text) const
+  {
+    std::ofstream out(directory / name, std::ios::binary);
+    out << text;
+    out.flush();
+    if (!out)
+      throw std::runtime_error("Cannot write " + (directory / name).string() + ": is the disk full?");
+  }
+
+  fs::path ComparisonFolder::run_folder(const fs::path &directory, const std::string &name)
+  {
+    std::string plain = name;
+    for (char &letter : plain)
+      if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '.' && letter != '_' && letter != '-')
+        letter = '-';
+    return directory / plain;
+  }
+} // namespace birdstrike

@@ -1,0 +1,142 @@
+#include <birdstrike/io/run_record.h>
+
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+#include "history_hdf5.h"
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+    /// The fields of a line of history.csv, which quotes nothing.
+    std::vector<std::string> split(const std::string &line)
+    {
+      std::vector<std::string> fields;
+      for (std::size_t begin = 0; begin <= line.size();)
+        {
+          const std::size_t end = std::min(line.find(',', begin), line.size());
+          fields.push_back(line.substr(begin, end - begin));
+          begin = end + 1;
+        }
+      return fields;
+    }
+
+    /// False for what is no number as a whole.
+    bool parse(const std::string &text, double &value)
+    {
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+      return error == std::errc() && end == text.data() + text.size();
+    }
+  } // namespace
+
+  RunRecord::RunRecord(const std::filesystem::path &folder) : directory(folder)
+  {
+    std::ifstream in(folder / ".birdstrike");
+    std::getline(in, marker);
+    read_summary();
+    read_history();
+  }
+
+  void RunRecord::read_summary()
+  {
+    const auto    file = directory / "summary.json";
+    std::ifstream in(file);
+    if (!in)
+      return;
+    const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
+    if (!json.is_object())
+      throw std::runtime_error("Cannot read " + file.string() + ": it is no JSON object.");
+    has_summary               = true;
+    const nlohmann::json flat = json.flatten();
+    for (const auto &[path, value] : flat.items())
+      if (const std::string key = path.substr(1); value.is_number())
+        numbers[key] = value.get<double>();
+      else if (value.is_string())
+        texts[key] = value.get<std::string>();
+  }
+
+  void RunRecord::read_history()
+  {
+    const auto               file = directory / "history.csv";
+    std::ifstream            in(file);
+    std::vector<std::string> names;
+    std::size_t              n_rows = 0;
+    for (std::string line; std::getline(in, line);)
+      {
+        if (line.empty() || line[0] == '#')
+          continue;
+        const std::vector<std::string> fields = split(line);
+        if (names.empty())
+          {
+            names = fields;
+            continue;
+          }
+        std::vector<double> row(fields.size());
+        bool                is_whole = fields.size() == names.size();
+        for (std::size_t i = 0; i < fields.size(); ++i)
+          is_whole = parse(fields[i], row[i]) && is_whole;
+        if (!is_whole && in.eof())
+          return; // a run that was killed may have left half a line
+        ++n_rows;
+        if (!is_whole)
+          throw std::runtime_error("Cannot read " + file.string() + ": row " + std::to_string(n_rows) +
+                                   " of the table has not " + std::to_string(names.size()) + " numbers.");
+        for (std::size_t i = 0; i < names.size(); ++i)
+          columns[names[i]].push_back(row[i]);
+      }
+  }
+
+  const std::filesystem::path &RunRecord::folder() const
+  {
+    return directory;
+  }
+
+  bool RunRecord::is_complete() const
+  {
+    return has_summary;
+  }
+
+  const std::string &RunRecord::state() const
+  {
+    return marker;
+  }
+
+  double RunRecord::number(const std::string &key) const
+  {
+    const auto found = numbers.find(key);
+    return found == numbers.end() ? absent : found->second;
+  }
+
+  std::string RunRecord::text(const std::string &key) const
+  {
+    const auto found = texts.find(key);
+    return found == texts.end() ? "" : found->second;
+  }
+
+  double RunRecord::sum(const std::string &key_begin) const
+  {
+    double total = absent;
+    for (auto at = numbers.lower_bound(key_begin); at != numbers.end() && at->first.starts_with(key_begin); ++at)
+      total = (total == total ? total : 0.) + at->second;
+    return total;
+  }
+
+  const std::vector<double> &RunRecord::column(const std::string &name) const
+  {
+    static const std::vector<double> none;
+    const auto                       found = columns.find(name);
+    return found == columns.end() ? none : found->second;
+  }
+
+  std::vector<double> RunRecord::dataset(const std::string &name) const
+  {
+    return read_result(directory / "results.h5", name);
+  }
+} // namespace birdstrike

@@ -1,0 +1,104 @@
+#include "compare_plan.h"
+
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/comparison_folder.h>
+#include <birdstrike/io/run_record.h>
+#include <birdstrike/io/run_reuse.h>
+
+#include <fmt/format.h>
+
+namespace birdstrike
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /// What may differ between two files that describe the same case.
+    const EntryNames only_names{"Case/Name",
+                                "Case/Description",
+                                "Output/Directory",
+                                "Output/History interval",
+                                "Output/Field interval",
+                                "Output/Console interval",
+                                "Output/Flush interval",
+                                "Output/Blade fields",
+                                "Output/Bird fields",
+                                "Output/HDF5"};
+
+    PlannedCase read_case(const CompareRequest &request, const std::string &file, const std::string &kind)
+    {
+      PlannedCase planned;
+      planned.prm_file  = file;
+      planned.overrides = request.overrides;
+      if (!kind.empty())
+        planned.overrides.push_back("Blade/Kind=" + kind);
+      planned.parameters = std::make_unique<CaseParameters>();
+      planned.parameters->read(file, planned.overrides);
+      planned.name   = planned.parameters->name + (kind.empty() ? "" : " " + kind);
+      planned.folder = ComparisonFolder::run_folder(request.output, planned.name);
+      return planned;
+    }
+
+    void require_difference(const PlannedCase &a, const PlannedCase &b)
+    {
+      if (first_difference(*a.parameters, *b.parameters, only_names).empty())
+        throw InputError(fmt::format("'{}' and '{}' are the same case: all entries that matter agree.\n  Action: leave "
+                                     "one out, or change an entry of one.",
+                                     a.prm_file + (a.prm_file == b.prm_file ? " (" + a.name + ")" : ""),
+                                     b.prm_file + (a.prm_file == b.prm_file ? " (" + b.name + ")" : "")));
+      if (a.folder == b.folder)
+        throw InputError(fmt::format("'{}' and '{}' are both called '{}'.\n  Action: give one of them another "
+                                     "Case/Name.",
+                                     a.prm_file, b.prm_file, b.name));
+    }
+
+    /// The comparison's own folder may hold an earlier run of this case, of which nothing is lost when it is replaced.
+    void require_own_folder(const PlannedCase &planned)
+    {
+      const std::string other = RunRecord(planned.folder).text("case");
+      if (!other.empty() && other != planned.parameters->name)
+        throw InputError(fmt::format("'{}' is to run in the folder '{}', which holds a run of another case, '{}'.\n  "
+                                     "Action: choose another folder with --output DIR.",
+                                     planned.name, planned.folder.string(), other));
+    }
+
+    void look_for_run(PlannedCase &planned)
+    {
+      const fs::path beside = fs::path(planned.prm_file).parent_path();
+      for (const fs::path &candidate : {planned.folder, fs::path(planned.parameters->run_directory()), beside})
+        {
+          if (!fs::exists(candidate / "summary.json"))
+            continue;
+          const std::string reason = reason_not_to_reuse(candidate, *planned.parameters);
+          if (reason.empty())
+            {
+              planned.folder    = candidate;
+              planned.is_reused = true;
+              return;
+            }
+          if (planned.why_run.empty())
+            planned.why_run = fmt::format("the one in {} is not reused because {}", candidate.string(), reason);
+        }
+    }
+  } // namespace
+
+  std::vector<PlannedCase> plan_comparison(const CompareRequest &request)
+  {
+    ComparisonFolder::require_usable(request.output);
+    std::vector<PlannedCase>       cases;
+    const std::vector<std::string> as_they_are{""};
+    for (const std::string &file : request.prm_files)
+      for (const std::string &kind : request.blade_kinds.empty() ? as_they_are : request.blade_kinds)
+        {
+          cases.push_back(read_case(request, file, kind));
+          for (std::size_t k = 0; k + 1 < cases.size(); ++k)
+            require_difference(cases[k], cases.back());
+        }
+    for (PlannedCase &planned : cases)
+      {
+        require_own_folder(planned);
+        look_for_run(planned);
+      }
+    return cases;
+  }
+} // namespace birdstrike

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/simulation/compare.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// One case of a comparison: what it is called, what it is made of, and where its run is or will be.
+  struct PlannedCase
+  {
+    std::string                     name; ///< of its column
+    std::string                     prm_file;
+    std::vector<std::string>        overrides;
+    std::unique_ptr<CaseParameters> parameters;
+    std::filesystem::path           folder;
+    bool                            is_reused = false;
+    std::string                     why_run; ///< where a run of the same name was found that cannot be reused
+  };
+
+  /// Reads every case, names it, refuses what cannot be compared (the same case twice, two cases of one name, a folder
+  /// of another case) with an InputError, and looks for runs that can be reused. Runs nothing, writes nothing.
+  std::vector<PlannedCase> plan_comparison(const CompareRequest &request);
+} // namespace birdstrike

@@ -1,0 +1,123 @@
+#!/usr/bin/env bash
+# `birdstrike compare` from outside: runs, reuse, a lost case, refusals. Usage: compare.sh PROGRAM TOP
+set -u
+program=$1
+top=$2
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+n_failed=0
+
+fail() { echo "FAILED $1"; sed 's/^/    /' out.txt | tail -n 20; n_failed=$((n_failed + 1)); }
+
+# compare NAME EXPECTED_EXIT PATTERN... -- ARGUMENTS: every pattern must occur in the output
+compare() {
+  local name=$1 expected=$2; shift 2
+  local patterns=()
+  while [ "$1" != "--" ]; do patterns+=("$1"); shift; done
+  shift
+  "$program" compare "$@" >out.txt 2>&1
+  local code=$?
+  [ $code -eq "$expected" ] || { fail "$name: exit code $code, expected $expected"; return; }
+  for pattern in ${patterns[@]+"${patterns[@]}"}; do
+    grep -qE -- "$pattern" out.txt || { fail "$name: no '$pattern' in the output"; return; }
+  done
+  echo "passed $name"
+}
+require() { if ! eval "$2"; then fail "$1"; else echo "passed $1"; fi; }
+refuse() {
+  compare "$1" 2 "${@:2}"
+  [ "$(wc -l <out.txt)" -le 6 ] || fail "$1: more than six lines"
+}
+
+fast=(--set "Bird/Particle spacing=0.006" --set "Blade/Mesh/Elements along span=14" --set "Blade/Mesh/Elements along chord=4"
+      --set "Time/End time=0.3e-3" --set "Output/Field interval=0")
+a="$top/prm/quickstart.prm"
+b="$top/prm/oblique.prm"
+
+compare "help" 0 "--blade" "--set" "--output" "runs/compare" -- --help
+compare "two cases" 0 "Case 2 of 2" "quickstart +oblique +difference" "Tip: peak" "Comparison in both" -- "$a" "$b" "${fast[@]}" --output both
+for file in comparison.md comparison.csv figures.gp tip_deflection.csv root_moment.csv root_stress.csv contact.csv energies.csv \
+            profiles.csv quickstart/summary.json oblique/summary.json; do
+  [ -s both/$file ] || fail "two cases left no $file"
+done
+if command -v gnuplot >/dev/null; then
+  require "its curves are drawn" '[ "$(grep -l "</svg>" both/*.svg | wc -l)" -eq 6 ]'
+fi
+
+# the numbers are those of the runs
+peak=$(sed -n 's/.*"peak_moment": \([^,]*\),/\1/p' both/oblique/summary.json)
+require "the table repeats the summary" 'grep -qE "^Root,peak bending moment,N m,[^,]*,$peak," both/comparison.csv'
+cat >look.py <<'PYTHON'
+import csv, json, sys
+def table(name): return [r for r in csv.reader(open(name)) if not r[0].startswith("#")]
+def column(rows, begin): c = [n.startswith(begin) for n in rows[0]].index(True); return [float(r[c]) for r in rows[1:] if r[c]]
+history, curves, profiles = (table(f) for f in ("both/oblique/history.csv", "both/tip_deflection.csv", "both/profiles.csv"))
+assert column(curves, "oblique: time") == column(history, "time")
+assert column(curves, "oblique: deflection") == column(history, "tip_mid_chord")
+span, deflection = column(profiles, "oblique: place along the span"), column(profiles, "oblique: deflection")
+peak = json.load(open("both/oblique/summary.json"))["tip"]["peak"]
+assert len(span) == 15 and abs(span[0]) < 1e-12 and abs(span[-1] - 0.3112) < 1e-12, span
+assert abs(deflection[0]) < 1e-12 and abs(deflection[-1] - peak) < 1e-12, (deflection[-1], peak)
+PYTHON
+require "curves are the history, the mid-chord line ends at the tip" 'python3 look.py >>out.txt 2>&1'
+
+# what is there is not computed again
+stamp=$(stat -c %Y.%y both/quickstart/history.csv)
+compare "the same again" 0 "quickstart: the run in both/quickstart is reused" "oblique: the run in both/oblique is reused" -- "$a" "$b" "${fast[@]}" --output both
+require "nothing was run" '[ "$stamp" = "$(stat -c %Y.%y both/quickstart/history.csv)" ] && ! grep -q "to run" out.txt'
+compare "another value is another run" 0 "Case 1 of 1 to run: oblique" "is not reused because Bird/Velocity differs" "quickstart: the run in both/quickstart is reused" -- \
+  "$a" both/oblique/parameters.prm "${fast[@]}" --output both --set "Bird/Velocity=0, 0, 177.4"
+"$program" run "$a" "${fast[@]}" --output runs/quickstart >/dev/null
+compare "a run of 'run' is taken" 0 "the run in runs/quickstart is reused" -- "$a" "${fast[@]}" --output single
+require "and nothing else was made" '[ ! -e single/quickstart ]'
+
+compare "no results.h5" 0 "without results.h5" -- "$b" "${fast[@]}" --set "Output/HDF5=false" --output plain
+compare "one file, two kinds of blade" 0 "quickstart shell: the run in runs/quickstart is reused" "quickstart shell +quickstart rigid" "Case: blade +shell +rigid" -- "$a" --blade shell,rigid "${fast[@]}" --output kinds
+require "the shell is the file's own" '[ -s kinds/quickstart-rigid/summary.json ] && [ ! -e kinds/quickstart-shell ]'
+
+# a lost case takes no other with it
+sed 's/set End time = .*/set End time = 2e-3\n  set Energy error limit = 1e-12/' "$a" >doomed.prm
+compare "a lost case" 3 "Case: ended .* lost" "'doomed' was lost: failed: .*energy" "Tip: peak" -- "$a" doomed.prm "${fast[@]}" --output lost
+require "the other one is compared" 'grep -qE "^Tip,peak \(mid-chord\),m,[0-9.e-]+,,$" lost/comparison.csv'
+
+# an interrupted comparison ends its run in order, says so, and does not take it for a result
+"$program" compare "$a" "${fast[@]}" --set "Time/End time=10" --set "Time/Maximum wall time=60" --output stopped >out.txt 2>&1 &
+running=$!
+for _ in $(seq 300); do [ -s stopped/quickstart/parameters.prm ] && break; sleep 0.1; done
+kill -TERM $running
+wait $running
+code=$?
+require "a signal ends comparison and run" '[ $code -eq 143 ] && grep -q "Cases that are complete will be reused" out.txt && grep -q "stopped by a signal" stopped/quickstart/summary.json'
+
+# without gnuplot
+mkdir bin  # an empty path of programs
+
+compare_without() { PATH="$scratch/bin" "$program" compare "$@"; }
+if compare_without "$a" "$b" "${fast[@]}" --output both >out.txt 2>&1 && grep -q "gnuplot is not installed: apt-get install gnuplot-nox" out.txt &&
+   [ -s both/comparison.csv ] && [ -z "$(find both -maxdepth 1 -name '*.svg')" ]; then
+  echo "passed without gnuplot"
+else
+  fail "without gnuplot"
+fi
+
+refuse "no file" "FILE" --
+refuse "a missing file" "no-such.prm" -- "$a" no-such.prm
+refuse "the same file twice" "same case" -- "$a" "$a"
+cp "$a" copy.prm
+refuse "the same case by another name" "same case" -- "$a" copy.prm
+mkdir -p elsewhere && sed 's/0.1005/0.2/' "$a" >elsewhere/quickstart.prm
+refuse "two cases of one name" "both called 'quickstart'" -- "$a" elsewhere/quickstart.prm
+refuse "an unknown kind of blade" "Kind.*wooden" "shell" -- "$a" --blade shell,wooden
+refuse "the same kind twice" "same case" -- "$a" --blade shell,shell
+refuse "a misspelt override" "Mas" "Mass" -- "$a" --set "Bird/Mas=1"
+refuse "a run's folder" "folder of a run" -- "$a" "$b" --output runs/quickstart
+mkdir foreign && touch foreign/thesis.tex
+refuse "a foreign folder" "foreign" -- "$a" "$b" --output foreign
+refuse "a case that cannot start, before another has run" "inside" -- "$a" "$b" "${fast[@]}" --set "Bird/Stand-off=0.001" --output refused
+require "a refusal leaves nothing" '[ ! -e refused ]'
+mkdir -p mixed && touch mixed/.birdstrike-comparison && cp -r both/oblique mixed/quickstart
+refuse "a run folder of another case" "another case, 'oblique'" -- "$a" "${fast[@]}" --output mixed
+
+echo "$n_failed failed"
+[ $n_failed -eq 0 ]

@@ -1,0 +1,57 @@
+#include <birdstrike/core/child_process.h>
+#include <birdstrike/io/figure.h>
+
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+
+using birdstrike::Figure;
+using birdstrike::script_of;
+
+namespace
+{
+  Figure make_figure()
+  {
+    return {"tip",
+            2,
+            {{"Tip", {"time", "s", "ms", 1e3}, {"deflection", "m", "mm", 1e3}, {}},
+             {"Root",
+              {"time", "s", "ms", 1e3},
+              {"moment", "N m", "N m", 1.},
+              {{"it's a_case, here", {0., 0.001, 0.1 + 0.2}, {0., 1., 2.}, 0, false},
+               {"other", {0., 0.002}, {3., 4.}, 1, true}}}}};
+  }
+} // namespace
+
+TEST(Figure, DataHaveEveryDigitAndEmptyFieldsWhereACurveEnds)
+{
+  EXPECT_EQ(data_of(make_figure()), "# 1: it's a_case, here: time [s]\n# 2: it's a_case, here: moment [N m]\n"
+                                    "# 3: other: time [s]\n# 4: other: moment [N m]\n"
+                                    "\"it's a_case, here: time [s]\",\"it's a_case, here: moment [N m]\","
+                                    "other: time [s],other: moment [N m]\n"
+                                    "0,0,0,3\n0.001,1,0.002,4\n0.30000000000000004,2,,\n");
+}
+
+TEST(Figure, ScriptNamesFilesColumnsAndUnits)
+{
+  const std::string script = script_of({make_figure()});
+  for (const char *text :
+       {"'tip.csv' using ($1*1000):($2*1)", "'tip.csv' using ($3*1000):($4*1)", "title 'it''s a_case, here'",
+        "'time [ms]'", "'moment [N m]'", "set output 'tip.svg'", "layout 1,2", "set multiplot next"})
+    EXPECT_NE(script.find(text), std::string::npos) << text << "\n" << script;
+}
+
+TEST(Figure, GnuplotDrawsIt)
+{
+  const ScratchFolder scratch;
+  scratch.write("tip.csv", data_of(make_figure()));
+  scratch.write("figures.gp", script_of({make_figure()}));
+  const auto result = birdstrike::run_child({{"gnuplot", "figures.gp"}, scratch.path().string(), true});
+  if (!result.was_found)
+    GTEST_SKIP() << "gnuplot is not installed";
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output, "") << "warnings, too, are faults of the script";
+  const std::string svg = read_text(scratch.path() / "tip.svg");
+  EXPECT_NE(svg.find("moment [N m]"), std::string::npos);
+  EXPECT_NE(svg.find("</svg>"), std::string::npos);
+}

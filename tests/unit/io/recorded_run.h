@@ -1,0 +1,68 @@
+#pragma once
+
+#include <birdstrike/core/program.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/history.h>
+#include <birdstrike/io/run_folder.h>
+#include <birdstrike/io/summary.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+/// A run folder as a run leaves it, without the run: a blade that vibrates about `stays` (m) with a period of 10 ms.
+struct RecordedRun
+{
+  double                   stays   = 0.1;
+  double                   peak    = 0.15;
+  std::string              reason  = "end time reached";
+  birdstrike::Summary      summary = {};
+  std::vector<std::string> overrides;
+
+  birdstrike::Summary make_summary(const std::string &name) const
+  {
+    birdstrike::Summary made     = summary;
+    made.case_name               = name;
+    made.program.version         = birdstrike::program_identity().version;
+    made.program.build           = birdstrike::program_identity().build;
+    made.end.reason              = reason;
+    made.blade.kind              = "shell";
+    made.tip.peak                = peak;
+    made.contact.impulse         = {{3., 0., -4.}};
+    made.energy.parts            = {{"blade_elastic", 2.}, {"blade_plastic", 40.}, {"bird_kinetic", 1000.}};
+    made.root.peak_normal_stress = 9e8;
+    return made;
+  }
+
+  void write_history(const std::filesystem::path &folder) const
+  {
+    double              t = 0.;
+    birdstrike::History history(folder, true);
+    const auto          phase = [&t] { return 2. * std::numbers::pi * t / 10e-3; };
+    history.add_column("time", "s", [&] { return t; });
+    history.add_column("tip_mid_chord", "m", [&] { return stays - (peak - stays) * std::cos(phase()); });
+    history.add_column("root_bending_moment", "N m", [&] { return 400. * std::sin(phase()); });
+    for (const std::string axis : {"x", "y", "z"})
+      history.add_column("contact_force_" + axis, "N", [] { return 1000.; });
+    for (int row = 0; row < 2600; ++row)
+      {
+        t = row * 10e-6;
+        history.append_row();
+      }
+    history.set_constant("root_normal_stress_at_peak", "Pa", {{"face", "-", {-1., 1.}}, {"chord", "m", {-0.01, 0.01}}},
+                         {1e8, 2e8, -1e8, -2e8});
+    history.set_constant("mid_chord_deflection_at_peak", "m", {{"span", "m", {0., 0.3}}}, {0., peak});
+  }
+
+  /// `prm`: the file that the run is said to have been made of.
+  void write(const std::filesystem::path &folder, const std::string &prm) const
+  {
+    birdstrike::CaseParameters parameters;
+    parameters.read(prm, overrides);
+    birdstrike::RunFolder run(folder);
+    run.write_text("parameters.prm", parameters.file.as_prm());
+    write_history(folder);
+    run.finish(to_text(make_summary(parameters.name)));
+  }
+};

@@ -1,0 +1,139 @@
+#include <birdstrike/io/run_record.h>
+#include <birdstrike/io/run_reuse.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "recorded_run.h"
+#include "scratch_folder.h"
+
+using namespace birdstrike;
+
+namespace
+{
+  /// A case file, a run of it, and the question whether that run will do.
+  class RunReuse : public ::testing::Test
+  {
+  protected:
+    ScratchFolder               scratch;
+    const std::string           prm    = scratch.write("plate.prm", "subsection Bird\n  set Mass = 0.1\nend\n");
+    const std::filesystem::path folder = scratch.path() / "run";
+    RecordedRun                 run;
+
+    std::string reason(const std::vector<std::string> &overrides = {}) const
+    {
+      CaseParameters wanted;
+      wanted.read(prm, overrides);
+      return reason_not_to_reuse(folder, wanted);
+    }
+
+    void edit_summary(const std::string &from, const std::string &to) const
+    {
+      std::string text = read_text(folder / "summary.json");
+      ASSERT_NE(text.find(from), std::string::npos);
+      scratch.write("run/summary.json", text.replace(text.find(from), from.size(), to));
+    }
+  };
+} // namespace
+
+TEST_F(RunReuse, TheSameParametersWillDo)
+{
+  run.write(folder, prm);
+  EXPECT_EQ(reason(), "");
+  EXPECT_EQ(reason({"Output/Directory=elsewhere"}), "") << "where a run lies does not matter";
+  EXPECT_EQ(reason({"Bird/Mass=1.0e-1"}), "") << "the same number in other letters";
+}
+
+TEST_F(RunReuse, EveryOtherEntryMatters)
+{
+  run.write(folder, prm);
+  EXPECT_EQ(reason({"Bird/Mass=0.2"}), "Bird/Mass differs");
+  EXPECT_EQ(reason({"Blade/Mesh/Elements along chord=9"}), "Blade/Mesh/Elements along chord differs");
+  EXPECT_EQ(reason({"Time/Threads=2"}), "Time/Threads differs");
+}
+
+TEST_F(RunReuse, AnIncompleteRunWillNotDo)
+{
+  EXPECT_EQ(reason(), "there is no complete run");
+  run.write(folder, prm);
+  std::filesystem::remove(folder / "summary.json");
+  EXPECT_EQ(reason(), "there is no complete run");
+}
+
+TEST_F(RunReuse, ARunThatASignalEndedWillNotDo)
+{
+  run.reason = stopped_by_signal;
+  run.write(folder, prm);
+  EXPECT_EQ(reason(), "a signal ended it");
+}
+
+TEST_F(RunReuse, AnotherProgramsRunWillNotDo)
+{
+  run.write(folder, prm);
+  edit_summary('"' + program_identity().build + '"', "\"0123\"");
+  EXPECT_EQ(reason(), "another build of the program made it");
+  edit_summary('"' + program_identity().version + '"', "\"0.0.1\"");
+  EXPECT_EQ(reason(), "another release of the program made it");
+}
+
+TEST_F(RunReuse, RunsFromBeforeTheProgramWasNamedWillNotDo)
+{
+  run.write(folder, prm);
+  scratch.write("run/summary.json", "{\"case\": \"plate\"}\n");
+  EXPECT_EQ(reason(), "another release of the program made it");
+}
+
+TEST_F(RunReuse, AMeshThatWasChangedSinceMatters)
+{
+  const std::string mesh    = scratch.write("plate.msh", "mesh");
+  const std::string of_mesh = "Blade/Mesh/File=" + mesh;
+  run.overrides             = {of_mesh};
+  run.write(folder, prm);
+  const auto when = std::filesystem::last_write_time(folder / "summary.json");
+  std::filesystem::last_write_time(mesh, when - std::chrono::seconds(1));
+  EXPECT_EQ(reason({of_mesh}), "");
+  std::filesystem::last_write_time(mesh, when + std::chrono::seconds(1));
+  EXPECT_EQ(reason({of_mesh}), "'" + mesh + "' was changed since");
+}
+
+TEST_F(RunReuse, ParametersThatAreNoLongerKnownWillNotDo)
+{
+  run.write(folder, prm);
+  scratch.write("run/parameters.prm", "subsection Bird\n  set Weight = 1\nend\n");
+  EXPECT_EQ(reason(), "its parameters.prm cannot be read");
+}
+
+TEST_F(RunReuse, TheRecordHasWhatTheRunLeft)
+{
+  run.write(folder, prm);
+  const RunRecord record(folder);
+  EXPECT_TRUE(record.is_complete());
+  EXPECT_EQ(record.state(), "done");
+  EXPECT_EQ(record.number("tip/peak"), 0.15);
+  EXPECT_EQ(record.number("contact/impulse/2"), -4.);
+  EXPECT_TRUE(std::isnan(record.number("tip/none")));
+  EXPECT_EQ(record.sum("energy/parts/blade_"), 42.);
+  EXPECT_EQ(record.text("case"), "plate");
+  EXPECT_EQ(record.column("time").size(), 2600u);
+  EXPECT_EQ(record.column("time")[1], 10e-6);
+  EXPECT_TRUE(record.column("none").empty());
+  EXPECT_EQ(record.dataset("root_normal_stress_at_peak/values"), (std::vector<double>{1e8, 2e8, -1e8, -2e8}));
+  EXPECT_TRUE(record.dataset("root_normal_stress_at_peak/none").empty());
+  EXPECT_TRUE(record.dataset("none/values").empty());
+}
+
+TEST_F(RunReuse, TheRecordOfAKilledRunEndsWithItsLastWholeRow)
+{
+  std::filesystem::create_directories(folder);
+  scratch.write("run/history.csv", "# 1: time [s]\n# 2: x [m]\ntime,x\n0,1\n1,2\n2,");
+  const RunRecord record(folder);
+  EXPECT_FALSE(record.is_complete());
+  EXPECT_EQ(record.column("x"), (std::vector<double>{1., 2.}));
+  scratch.write("run/history.csv", "time,x\n0,1\n1\n2,3\n");
+  EXPECT_THROW(RunRecord{folder}, std::runtime_error);
+  scratch.write("run/history.csv", "");
+  scratch.write("run/results.h5", "no HDF5");
+  EXPECT_THROW(RunRecord(folder).dataset("a/b"), std::runtime_error);
+}
