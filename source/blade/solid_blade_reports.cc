@@ -131,6 +131,11 @@ namespace birdstrike
     return state->tip.compute_deflection(state->nodes.displacements(), 3);
   }
 
+  std::optional<SpanLine> SolidBlade::span_line() const
+  {
+    return make_span_line(state->root.section(), state->tip, state->nodes.reference_positions());
+  }
+
   PeakPlasticStrain SolidBlade::peak_plastic_strain() const
   {
     const auto   peak = state->elements.max_plastic_strain();

@@ -43,7 +43,7 @@ namespace birdstrike
       unsigned int n_chord       = 8;
       double       span_grading  = 1.; ///< longest over shortest element along the span, shortest at the root
       double       chord_grading = 1.; ///< longest over shortest element along the chord, shortest at the leading edge
-      unsigned int n_layers      = 2;  ///< of bricks through the thickness
+      unsigned int n_layers      = 1;  ///< of bricks through the thickness
       double       layer_grading = 1.; ///< middle over outermost layer
       Profile      profile;
       std::string  file;

@@ -50,6 +50,7 @@ namespace birdstrike
     RootSectionReport        root_section() const override;
     TipDeflection            tip_deflection() const override;
     PeakPlasticStrain        peak_plastic_strain() const override;
+    std::optional<SpanLine>  span_line() const override;
 
     NodeArrays nodes(); ///< for initial states and checks
 

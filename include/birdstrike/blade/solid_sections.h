@@ -46,6 +46,11 @@ namespace birdstrike
     /// the corners. A facet on the top without a counterpart is paired with the nearest below.
     RootSectionReport compute_report(const double *force, const double *position, const SolidElements &elements) const;
 
+    const SectionFrame &section() const
+    {
+      return frame;
+    }
+
   private:
     struct Facet
     {

@@ -319,12 +319,13 @@ namespace birdstrike
         p.loads.pressure_boundaries = "9";
       });
       refuses([](auto &p) { p.thickness.value = "-0.001"; });
+      refuses([](auto &p) { p.material.failure.law = "plastic strain"; }); // of shells alone, as yet
     }
 
     // One file may hold the entries of both kinds: those of the other are named, not refused.
     TEST(SolidBlade, NamesEntriesThatMeanNothingForIt)
     {
-      BladeParameters p = solid_plate(4, 2, 2);
+      BladeParameters p = solid_plate(4, 2, 1);
       EXPECT_TRUE(p.unused_entries().empty());
       p.element.n_points         = 7;
       p.element.linear_viscosity = 0.1;
