@@ -62,8 +62,8 @@ namespace birdstrike
 
   EnergyReport SolidBlade::energies() const
   {
-    // What stabilises a brick of one point is the strain of bending and torsion, exact for a plate of one layer: nothing
-    // in it is artificial, and counted as hourglass it would be most of what such a plate stores.
+    // What stabilises a brick of one point is the strain of bending and torsion, exact for a plate of one layer:
+    // nothing in it is artificial, and counted as hourglass it would be most of what such a plate stores.
     EnergyReport report = state->nodes.energies();
     report.elastic      = state->elements.elastic_energy() + state->elements.hourglass_energy();
     report.plastic      = state->elements.plastic_work();
