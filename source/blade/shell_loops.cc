@@ -73,9 +73,10 @@ namespace birdstrike
     const auto midpoint = compute_midpoint(x, u, nodes.midpoint_normal);
     const auto strain =
       compute_strain_increments<physical>(midpoint, state.thickness, section.hourglass_coefficient, u, nodes);
+    Lanes            area = midpoint.area; // by itself: `midpoint` stays in registers
     ShellWork<Lanes> work;
     if (!points[b].empty() || !law.update_elastic(strain, initial_yield, state, work))
-      work = update_points(b, strain, midpoint.area, dt);
+      work = update_points(b, strain, area, dt);
 
     const auto end   = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
     batch.eigenvalue = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, law);
@@ -84,7 +85,6 @@ namespace birdstrike
     compute_corner_forces<physical>(end, state, section.hourglass_coefficient, nodes.normal, force);
     store_corner_forces(force, batch.corner, corner_force.data());
 
-    Lanes area = midpoint.area;
     if (b + 1 == batches.size())
       area = first_lanes(area, n_elements_of(b));
     chunk.plastic += area * work.plastic;
