@@ -71,10 +71,8 @@ namespace birdstrike
     {
       std::uint32_t chunk_begin, chunk_end, entering_begin, entering_end, leaving_begin, leaving_end, work_begin;
     };
-    static constexpr std::size_t n_resting_records = 4;
-
     static constexpr std::size_t batches_per_chunk = 16, nodes_per_chunk = 512;
-    static constexpr std::size_t elements_per_block = 8192;
+    static constexpr std::size_t elements_per_block = 8192, n_resting_records = 4;
 
     void update_nodes(const Block &block, const double *position, const double *increment);
     void promote(std::size_t section); ///< number in `points`

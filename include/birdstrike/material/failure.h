@@ -24,8 +24,8 @@ namespace birdstrike
   ///   e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) (1 + D5 T*),
   /// s* = mean stress / von Mises stress, positive in tension, so that metals have D3 < 0 as the paper prints it (some
   /// programs print -D3); r* = max(p_dot / reference rate, 1) with the reference rate of the hardening; T* is the
-  /// homologous temperature, zero where nothing heats. The paper gives the law for s* <= 1.5: what lies beyond counts
-  /// as 1.5. Below `smallest_strain` e_f is cut.
+  /// homologous temperature, zero where nothing heats. The paper gives the law for s* <= 1.5: what lies beyond
+  /// -1.5 and 1.5 counts as these. Below `smallest_strain` e_f is cut.
   struct Failure
   {
     FailureLaw            law            = FailureLaw::none;
@@ -48,7 +48,8 @@ namespace birdstrike
   {
     if (f.law == FailureLaw::plastic_strain)
       return Number(f.plastic_strain);
-    const Number bounded = min(triaxiality, Number(Failure::largest_triaxiality));
+    const double most    = Failure::largest_triaxiality;
+    const Number bounded = max(Number(-most), min(triaxiality, Number(most)));
     const Number strain  = (f.d[0] + f.d[1] * exp(f.d[2] * bounded)) *
                           (Number(1.) + f.d[3] * log(max(rate, Number(1.)))) * (Number(1.) + f.d[4] * temperature);
     return max(strain, Number(Failure::smallest_strain));

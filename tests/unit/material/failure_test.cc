@@ -47,6 +47,7 @@ TEST(Failure, JohnsonCookStrainFollowsTheTriaxiality)
   EXPECT_GT(compute_failure_strain(f, -1. / 3., 1., 0.), compute_failure_strain(f, 1. / 3., 1., 0.))
     << "tension is the brittle side: positive mean stress, negative D3";
   EXPECT_EQ(compute_failure_strain(f, 5., 1., 0.), compute_failure_strain(f, 1.5, 1., 0.)) << "the law ends at 1.5";
+  EXPECT_EQ(compute_failure_strain(f, -1e6, 1., 0.), compute_failure_strain(f, -1.5, 1., 0.)) << "no overflow";
 }
 
 // 1 + 0.002 ln(1000) = 1.01381551, T* = (1043 - 293)/(1793 - 293) = 1/2, hence 1 + 0.61/2 = 1.305
