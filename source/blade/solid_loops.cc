@@ -26,32 +26,6 @@ namespace birdstrike
         }
     }
 
-    /// Two corners' forces in the components of whole rows, of which each goes to its own place.
-    template <class Force>
-    [[gnu::always_inline]] inline void store_half_rows(const Lanes (&component)[8], const std::uint32_t *first,
-                                                       const std::uint32_t *second, Force *rows)
-    {
-      constexpr std::size_t part = n_lanes < 4 ? n_lanes : 4;
-#pragma GCC unroll 8
-      for (std::size_t block = 0; block < 8; block += n_lanes)
-        {
-          internal::Rows<double> m;
-#pragma GCC unroll 8
-          for (std::size_t k = 0; k < n_lanes; ++k)
-            m.row[k] = std::bit_cast<internal::LaneVector<double>>(component[block + k]);
-          m = internal::transpose(m);
-#pragma GCC unroll 8
-          for (std::size_t r = 0; r < n_lanes; ++r)
-#pragma GCC unroll 2
-            for (std::size_t k = 0; k < n_lanes; k += part)
-              {
-                const std::size_t c = block + k;
-                std::memcpy(rows[c < 4 ? first[r] : second[r]].value + c % 4,
-                            reinterpret_cast<const char *>(&m.row[r]) + k * sizeof(double), part * sizeof(double));
-              }
-        }
-    }
-
     template <class Force>
     [[gnu::always_inline]] inline void store_corner_forces(const Corners &f, const std::uint32_t (&corner)[8][n_lanes],
                                                            Force         *rows)

@@ -32,20 +32,51 @@ namespace birdstrike
       }
   }
 
+  namespace internal
+  {
+    /// Components [block, block + n_lanes) as rows, one a lane.
+    [[gnu::always_inline]] inline Rows<double> make_rows(const Lanes (&component)[8], const std::size_t block)
+    {
+      Rows<double> m;
+#pragma GCC unroll 8
+      for (std::size_t k = 0; k < n_lanes; ++k)
+        m.row[k] = std::bit_cast<LaneVector<double>>(component[block + k]);
+      return transpose(m);
+    }
+  } // namespace internal
+
   /// The inverse: writes n_lanes rows of eight components.
   [[gnu::always_inline]] inline void store_rows(const Lanes (&component)[8], const std::uint32_t *row, Row *rows)
   {
 #pragma GCC unroll 8
     for (std::size_t block = 0; block < 8; block += n_lanes)
       {
-        internal::Rows<double> m;
-#pragma GCC unroll 8
-        for (std::size_t k = 0; k < n_lanes; ++k)
-          m.row[k] = std::bit_cast<internal::LaneVector<double>>(component[block + k]);
-        m = internal::transpose(m);
+        const internal::Rows<double> m = internal::make_rows(component, block);
 #pragma GCC unroll 8
         for (std::size_t r = 0; r < n_lanes; ++r)
           std::memcpy(rows[row[r]].value + block, &m.row[r], sizeof m.row[r]);
+      }
+  }
+
+  /// The same with halves of four components, of which each goes to a place of its own: rows[...].value[4].
+  template <class HalfRow>
+  [[gnu::always_inline]] inline void store_half_rows(const Lanes (&component)[8], const std::uint32_t *first,
+                                                     const std::uint32_t *second, HalfRow *rows)
+  {
+    constexpr std::size_t part = n_lanes < 4 ? n_lanes : 4;
+#pragma GCC unroll 8
+    for (std::size_t block = 0; block < 8; block += n_lanes)
+      {
+        const internal::Rows<double> m = internal::make_rows(component, block);
+#pragma GCC unroll 8
+        for (std::size_t r = 0; r < n_lanes; ++r)
+#pragma GCC unroll 2
+          for (std::size_t k = 0; k < n_lanes; k += part)
+            {
+              const std::size_t c = block + k;
+              std::memcpy(rows[c < 4 ? first[r] : second[r]].value + c % 4,
+                          reinterpret_cast<const char *>(&m.row[r]) + k * sizeof(double), part * sizeof(double));
+            }
       }
   }
 
