@@ -39,12 +39,11 @@ namespace birdstrike
                        std::to_string(thickness.size()) +
                        " thicknesses; at least one element, and one thickness for each.");
     build_corners();
-    build_blocks();
-    std::vector<std::uint32_t> row_begin = assign_rows();
-    const std::vector<double>  still(6 * n_nodes, 0.);
+    const std::vector<std::uint32_t> corner_row = build_blocks();
+    const std::vector<double>        still(6 * n_nodes, 0.);
     for (const Block &block : blocks)
       update_nodes(block, nodes[0].data(), still.data());
-    build_batches(thickness, std::move(row_begin));
+    build_batches(thickness, corner_row);
     if (section.material.failure.can_fail())
       build_erosion();
   }
@@ -69,8 +68,8 @@ namespace birdstrike
         corners[next[cell[i]]++] = {cell[(i + 1) % 4], cell[(i + 3) % 4]};
   }
 
-  void ShellElements::Implementation::build_batches(const std::vector<double> &thickness,
-                                                    std::vector<std::uint32_t> next_row)
+  void ShellElements::Implementation::build_batches(const std::vector<double>        &thickness,
+                                                    const std::vector<std::uint32_t> &corner_row)
   {
     const std::size_t n_batches = (cells.size() + n_lanes - 1) / n_lanes;
     batches.resize(n_batches);
@@ -90,7 +89,7 @@ namespace birdstrike
         for (int i = 0; i < 4; ++i)
           {
             batch.record[i][k] = cells[element][i] * (sizeof(NodeRecord) / sizeof(double));
-            batch.corner[i][k] = e < cells.size() ? next_row[cells[e][i]]++ : corner_force.size() - 1;
+            batch.corner[i][k] = e < cells.size() ? corner_row[4 * e + i] : corner_force.size() - 1;
           }
         if (e < cells.size())
           check_shape(e, thickness[e]);

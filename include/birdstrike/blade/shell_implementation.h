@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/blade/element_blocks.h>
 #include <birdstrike/blade/shell_erosion.h>
 #include <birdstrike/blade/shell_section.h>
 #include <birdstrike/core/aligned_vector.h>
@@ -41,10 +42,7 @@ namespace birdstrike
       std::uint32_t node;
       Diagonals     diagonals;
     };
-    struct LeavingNode
-    {
-      std::uint32_t node, row, n_corners; ///< where its rows begin
-    };
+    using LeavingNode = ElementBlocks::LeavingNode;
 
     /// Two neighbours of a node within one element: (next - node) x (previous - node) is the normal there.
     struct Corner
@@ -124,11 +122,10 @@ namespace birdstrike
     std::unique_ptr<ShellErosion>                 erosion; ///< null where the metal cannot fail
 
   private:
-    void                       build_corners();
-    void                       check_shape(std::size_t element, double thickness);
-    void                       build_batches(const std::vector<double> &thickness, std::vector<std::uint32_t> next_row);
-    void                       build_blocks();
-    std::vector<std::uint32_t> assign_rows(); ///< where each node's begin
+    void build_corners();
+    void check_shape(std::size_t element, double thickness);
+    void build_batches(const std::vector<double> &thickness, const std::vector<std::uint32_t> &corner_row);
+    std::vector<std::uint32_t> build_blocks(); ///< returns the rows of the elements' corners
     Diagonals                  find_diagonals(std::uint32_t node) const;
     void update_group(const EnteringNode *nodes, std::size_t n, const double *position, const double *increment,
                       const double *last);
