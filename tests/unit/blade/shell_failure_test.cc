@@ -48,14 +48,6 @@ namespace
     ASSERT_TRUE(model.elements.is_failed(model.mesh.cells.size() - 1));
     ASSERT_EQ(model.elements.n_failed(), 1u);
   }
-
-  Eigen::VectorXd some_motion(const std::size_t n_dofs, const double size, const int seed)
-  {
-    Eigen::VectorXd u(n_dofs);
-    for (Eigen::Index d = 0; d < u.size(); ++d)
-      u[d] = size * std::sin(1. + 1.7 * d * (1 + seed) + seed);
-    return u;
-  }
 } // namespace
 
 TEST(ShellFailure, PointsToFailAreAShareRoundedUp)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "some_motion.h"
+
 #include <birdstrike/blade/shell_elements.h>
 
 #include <Eigen/Eigenvalues>
@@ -73,6 +75,23 @@ namespace shell_harness
     section.material.elasticity.poisson = poisson;
     section.material.hardening.law      = HardeningLaw::elastic;
     section.material.density            = 1.;
+    return section;
+  }
+
+  inline Mesh warped_mesh(const unsigned int nx, const unsigned int ny)
+  {
+    return make_grid(nx, ny, [](const double x, const double y) {
+      return Point3(x + 0.1 * y * y, y + 0.07 * std::sin(3. * x), 0.3 * x * y + 0.1 * x * x);
+    });
+  }
+
+  inline ShellSection titanium(const HardeningLaw law, const double hardening = 0.,
+                               const ShellFormulation formulation = ShellFormulation::one_point_physical)
+  {
+    ShellSection section;
+    section.formulation                = formulation;
+    section.material.hardening.law     = law;
+    section.material.hardening.modulus = hardening;
     return section;
   }
 

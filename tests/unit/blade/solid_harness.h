@@ -1,5 +1,7 @@
 #pragma once
 
+#include "some_motion.h"
+
 #include <birdstrike/blade/solid_elements.h>
 
 #include <Eigen/Eigenvalues>
@@ -283,11 +285,4 @@ namespace solid_harness
   };
 
   /// Some displacement of every node, of the given size.
-  inline Eigen::VectorXd some_motion(const Model &model, const double size, const unsigned int seed)
-  {
-    Eigen::VectorXd u(model.n_dofs());
-    for (Eigen::Index d = 0; d < u.size(); ++d)
-      u[d] = size * std::sin(1. + 1.7 * double(d) * (1 + seed) + seed);
-    return u;
-  }
 } // namespace solid_harness
