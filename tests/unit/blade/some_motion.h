@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <birdstrike/core/number.h>
 
 #include <cmath>
 
