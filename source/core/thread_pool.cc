@@ -1,3 +1,4 @@
+#include <birdstrike/core/errors.h>
 #include <birdstrike/core/thread_pool.h>
 
 #include <algorithm>
@@ -8,6 +9,9 @@
 #include <limits>
 #include <mutex>
 #include <numeric>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -36,16 +40,24 @@ namespace birdstrike
 
     explicit Workers(const std::size_t n_threads) : errors(n_threads * max_pieces), queues(n_threads)
     {
-      for (std::size_t t = 1; t < n_threads; ++t)
-        threads.emplace_back([this, t] { work(t); });
+      threads.reserve(n_threads - 1);
+      try
+        {
+          for (std::size_t t = 1; t < n_threads; ++t)
+            threads.emplace_back([this, t] { work(t); });
+        }
+      catch (const std::system_error &error)
+        {
+          stop();
+          throw InputError("Cannot start " + std::to_string(n_threads) + " threads, only " +
+                           std::to_string(threads.size() + 1) + ": " + error.code().message() +
+                           ".\n  Action: a smaller Time/Threads, or a larger limit of processes (ulimit -u).");
+        }
     }
 
     ~Workers()
     {
-      is_stopping = true;
-      wake_up();
-      for (auto &thread : threads)
-        thread.join();
+      stop();
     }
 
     std::size_t size() const
@@ -56,7 +68,9 @@ namespace birdstrike
     /// Calls job(p) for every p below size() n_pieces, each once, and waits for all.
     void run(const std::size_t n_pieces, const FunctionRef<void(std::size_t)> job)
     {
-      assert(!task && n_pieces > 0 && n_pieces <= max_pieces && "a loop within a loop, or too many pieces");
+      assert(n_pieces > 0 && n_pieces <= max_pieces);
+      if (task)
+        throw std::logic_error("ThreadPool: a loop within a loop.");
       task       = &job;
       per_thread = n_pieces;
       n_left     = size() * n_pieces;
@@ -74,6 +88,14 @@ namespace birdstrike
     }
 
   private:
+    void stop()
+    {
+      is_stopping = true;
+      wake_up();
+      for (auto &thread : threads)
+        thread.join();
+    }
+
     struct alignas(64) Queue // a cache line each
     {
       std::atomic<unsigned int> open{0}; ///< one bit for each piece that nobody has begun

@@ -15,12 +15,12 @@ namespace birdstrike
   /// range: a loop body writes only to entities of its own range, and sums go through `ordered_sum`, whose chunks are
   /// fixed.
   ///
-  /// Nested use is not supported (asserted). An exception thrown by a body is re-thrown in the caller, lowest range
+  /// Nested use is refused (std::logic_error). An exception thrown by a body is re-thrown in the caller, lowest range
   /// first.
   class ThreadPool
   {
   public:
-    explicit ThreadPool(std::size_t n_threads = 1);
+    explicit ThreadPool(std::size_t n_threads = 1); ///< throws InputError if they cannot be started
     ~ThreadPool();
     ThreadPool(const ThreadPool &)            = delete;
     ThreadPool &operator=(const ThreadPool &) = delete;
@@ -32,7 +32,8 @@ namespace birdstrike
     /// work.
     void parallel_for(std::size_t n, std::size_t grain, FunctionRef<void(std::size_t begin, std::size_t end)> body);
 
-    /// As above with a cost per entity: prefix[k] is the summed cost of entities [0, k), prefix has n + 1 entries.
+    /// As above with a cost per entity: prefix[k] is the summed cost of entities [0, k), prefix has n + 1 entries. A
+    /// range may hold fewer than `grain` entities where these are costly, and the last one where n is no multiple.
     void parallel_for_balanced(std::size_t n, std::size_t grain, const std::size_t *prefix,
                                FunctionRef<void(std::size_t begin, std::size_t end)> body);
 

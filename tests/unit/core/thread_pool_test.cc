@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 using birdstrike::ThreadPool;
@@ -74,7 +77,43 @@ TEST(ThreadPool, RethrowsTheErrorOfTheLowestRange)
   pool.parallel_for(10, 1, [](std::size_t, std::size_t) {});
 }
 
-TEST(ThreadPool, DoesNotWaitForThreadsThatHaveNotBegun)
+TEST(ThreadPool, TakesTheRangesOfAThreadThatIsHeldUp)
+{
+  // The worker does not come back from its first range before all others are done, which only the caller can do.
+  ThreadPool            pool(2);
+  constexpr std::size_t n           = 16;
+  const std::thread::id caller      = std::this_thread::get_id();
+  std::atomic<int>      n_done      = 0;
+  std::atomic<bool>     was_held_up = false, gave_up = false;
+  for (int loop = 0; loop < 1000 && !was_held_up; ++loop)
+    {
+      n_done = 0;
+      pool.parallel_for(n, 1, [&](const std::size_t begin, const std::size_t end) {
+        if (std::this_thread::get_id() != caller)
+          {
+            was_held_up      = true;
+            const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+            while (n_done < int(n - (end - begin)) && !gave_up)
+              gave_up = std::chrono::steady_clock::now() > limit;
+          }
+        else
+          std::this_thread::sleep_for(std::chrono::microseconds(100));
+        n_done += int(end - begin);
+      });
+    }
+  EXPECT_TRUE(was_held_up) << "the worker never took part";
+  EXPECT_FALSE(gave_up);
+}
+
+TEST(ThreadPool, RefusesALoopWithinALoop)
+{
+  ThreadPool pool(2);
+  const auto nothing = [](std::size_t, std::size_t) {};
+  EXPECT_THROW(pool.parallel_for(16, 1, [&](std::size_t, std::size_t) { pool.parallel_for(16, 1, nothing); }),
+               std::logic_error);
+}
+
+TEST(ThreadPool, EveryRangeIsDoneOnceByWhoeverIsAwake)
 {
   // Many more threads than cores, and loops shorter than a wake-up: every range is done once, by whoever is awake.
   ThreadPool       pool(16);
