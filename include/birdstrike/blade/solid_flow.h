@@ -9,9 +9,9 @@ namespace birdstrike
   /// over the value at which its section is fully plastic,
   ///   q^2 = q_mean^2 + q_trace^2 + q_shear^2 + q_last^2 = s_y^2.
   /// By the associated flow every part decays with chi = dp/q, as in plane stress (Simo & Taylor 1986):
-  ///   q_part = q_part,trial/(1 + a chi),  a = 3 G of the mean; (4/3) E/(2 (1 - nu)) and 4 G of the traces and the rest
-  ///   of
-  /// the plane stresses; 16/9 E of the uniaxial ones. The factors 4/3 and 16/9 are (2/3)^2/(1/3) and (4/9)^2/(1/9):
+  ///   q_part = q_part,trial/(1 + a chi),
+  /// a = 3 G of the mean; (4/3) E/(2 (1 - nu)) and 4 G of the traces and the rest of the plane stresses; 16/9 E of the
+  /// uniaxial ones. The factors 4/3 and 16/9 are (2/3)^2/(1/3) and (4/9)^2/(1/9):
   /// what the surface weighs a part with, over its share in the work. With that the plastic work per volume is s_y dp.
   template <class Number>
   struct SolidFlow
@@ -21,7 +21,8 @@ namespace birdstrike
     Number rest;                                                 ///< share of the varying parts in q^2 and in the work
 
     /// `square`: of the trial (Pa^2), mean, trace, shear, last; `yield` the static flow stress at `p`. Newton on 1/q -
-    /// 1/s_y, nearly linear in chi; all lanes go on until the last has |q/s_y - 1| < 1e-13.
+    /// 1/s_y, nearly linear in chi, on the side of the reference rate where its zero lies; all lanes go on until the
+    /// last has |q/s_y - 1| < 1e-13, 30 steps are the limit.
     [[gnu::always_inline]] SolidFlow(const Elasticity &elasticity, const Hardening &hardening, const Number &p,
                                      const Number &yield, const Number &softening, const double dt,
                                      const Number (&square)[4])
@@ -35,29 +36,37 @@ namespace birdstrike
       const Number slowing = rate[0] * square[0] + rate[1] * square[1] + rate[2] * square[2] + rate[3] * square[3];
       const Number start   = (trial - yield) * trial2 / (yield * slowing);
       Number       chi     = select(yields, max(start, Number(1e-12 / three_g)), Number(0.));
-      Number       factor[4], q = trial;
+      Number       factor[4], q = trial, q2 = trial2, slope;
+      const auto   decay = [&](const Number &c) [[gnu::always_inline]] {
+        // four quotients with one division
+        const Number d0 = one + rate[0] * c, d1 = one + rate[1] * c, d2 = one + rate[2] * c;
+        const Number d3 = one + rate[3] * c, d01 = d0 * d1, d23 = d2 * d3, inverse = one / (d01 * d23);
+        const Number i01 = inverse * d23, i23 = inverse * d01;
+        factor[0] = i01 * d1;
+        factor[1] = i01 * d0;
+        factor[2] = i23 * d3;
+        factor[3] = i23 * d2;
+        q2 = slope = 0.;
+        for (int part = 0; part < 4; ++part)
+          {
+            const Number now = square[part] * factor[part] * factor[part];
+            q2 += now;
+            slope += rate[part] * now * factor[part];
+          }
+        q = sqrt(q2);
+      };
+      const auto         fast = is_fast_flow(hardening, p, dt, softening, [&](const Number &dp) {
+        decay(Number(dp / trial)); // where chi q = dp: a first guess and one more, the strain is small
+        decay(Number(dp / q));
+        return q;
+      });
       FlowStress<Number> flow{yield, Number(0.)};
-      for (unsigned int iteration = 0; iteration < 30; ++iteration)
+      for (unsigned int iteration = 0;; ++iteration)
         {
-          // four quotients with one division
-          const Number d0 = one + rate[0] * chi, d1 = one + rate[1] * chi, d2 = one + rate[2] * chi;
-          const Number d3 = one + rate[3] * chi, d01 = d0 * d1, d23 = d2 * d3, inverse = one / (d01 * d23);
-          const Number i01 = inverse * d23, i23 = inverse * d01;
-          factor[0] = i01 * d1;
-          factor[1] = i01 * d0;
-          factor[2] = i23 * d3;
-          factor[3] = i23 * d2;
-          Number q2 = 0., slope = 0.;
-          for (int part = 0; part < 4; ++part)
-            {
-              const Number now = square[part] * factor[part] * factor[part];
-              q2 += now;
-              slope += rate[part] * now * factor[part];
-            }
-          q                     = sqrt(q2);
-          flow                  = compute_flow_stress(hardening, p, Number(chi * q), dt, softening);
+          decay(chi);
+          flow                  = compute_flow_stress(hardening, p, Number(chi * q), dt, softening, fast);
           const Number residual = q - flow.value;
-          if (!any(yields && (abs(residual) > 1e-13 * flow.value)))
+          if (iteration == 30 || !any(yields && (abs(residual) > 1e-13 * flow.value)))
             break;
           // h = 1/q - 1/s, q' = -slope/q, h' = -q'/q^2 + s' (q + chi q')/s^2; never more than nine tenths back to zero
           const Number s2 = flow.value * flow.value, dq = -slope / q;

@@ -85,13 +85,10 @@ namespace birdstrike
     template <class Number>
     [[gnu::noinline, gnu::flatten]] Number flow(const Number &q2, const double dt, SolidPoint<Number> &point) const
     {
-      const Number q    = sqrt(q2);
-      const auto   step = compute_radial_increment(elasticity, hardening, point.plastic_strain, point.yield,
-                                                   compute_softening(point), dt, q);
+      const auto   step = radial_return(elasticity, hardening, point.plastic_strain, point.yield,
+                                        compute_softening(point), dt, q2, point.stress);
       const Number work = step.stress * step.strain;
       add_flow(step.strain, work, dt, point);
-      scale_deviator(Number(Number(1.) - 3. * elasticity.shear_modulus() * step.strain / max(q, Number(1e-300))),
-                     point.stress);
       return work;
     }
 

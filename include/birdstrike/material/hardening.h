@@ -35,9 +35,9 @@ namespace birdstrike
     double heat_capacity       = 0.; ///< c_p, J/(kg K); 0: isothermal
     double density             = 1.; ///< kg/m^3, of the heated mass
     double taylor_quinney      = 0.9;
-    double initial_temperature = 293.;  ///< K
-    double room_temperature    = 293.;  ///< K, where T* = 0
-    double melting_temperature = 1873.; ///< K, where T* = 1
+    double initial_temperature = 293.; ///< K
+    double room_temperature    = 293.; ///< K, where T* = 0
+    double melting_temperature = 0.;   ///< K, where T* = 1
   };
 
   /// Flow stress (Pa) and its derivative with respect to the plastic strain of the step (Pa).
@@ -92,14 +92,16 @@ namespace birdstrike
     return min(max(ratio, Number(0.)), Number(1.));
   }
 
-  /// 1 - T*^m, with T the present temperature (K); 1 where nothing heats.
+  /// 1 - T*^m, with T the present temperature (K); 1 where nothing heats. A millionth is left of a molten metal, for a
+  /// flow stress of zero has no direction to return in.
   template <class Number>
   inline Number thermal_softening(const Hardening &h, const Number &temperature)
   {
     if (h.heat_capacity <= 0.)
       return Number(1.);
-    const Number t = max(homologous_temperature(h, temperature), Number(1e-12));
-    return Number(1.) - exp(h.softening_exponent * log(t));
+    const Number t     = homologous_temperature(h, temperature);
+    const Number power = exp(h.softening_exponent * log(max(t, Number(1e-300))));
+    return max(Number(Number(1.) - select(t > Number(0.), power, Number(0.))), Number(1e-6));
   }
 
   /// Temperature (K) after the plastic work w (J/m^3) of an adiabatic process.
@@ -111,21 +113,43 @@ namespace birdstrike
     return h.initial_temperature + (h.taylor_quinney / (h.density * h.heat_capacity)) * plastic_work;
   }
 
-  /// Flow stress after the plastic strain grew from p to p + dp within dt (s), with given thermal softening.
-  template <class Number>
+  /// Flow stress after the plastic strain grew from p to p + dp within dt (s), with given thermal softening. Lanes that
+  /// are `fast` have the rate term, below the reference rate too, the others do not: an iteration for dp must not cross
+  /// the kink at that rate, where the slope jumps by C s/dp.
+  template <class Number, class Mask>
   inline FlowStress<Number> compute_flow_stress(const Hardening &h, const Number &p, const Number &dp, const double dt,
-                                                const Number &softening)
+                                                const Number &softening, const Mask &fast)
   {
     FlowStress<Number> s = internal::static_flow_stress(h, Number(p + dp));
     if (h.rate_factor > 0.)
       {
         const Number rate   = dp / (dt * h.reference_rate);
-        const auto   fast   = rate > Number(1.);
         const Number factor = Number(1.) + h.rate_factor * log(select(fast, rate, Number(1.)));
         const Number growth = select(fast, h.rate_factor / max(dp, Number(1e-30)), Number(0.));
         s.slope             = s.slope * factor + s.value * growth;
         s.value             = s.value * factor;
       }
     return {s.value * softening, s.slope * softening};
+  }
+
+  /// The same where dp is known.
+  template <class Number>
+  inline FlowStress<Number> compute_flow_stress(const Hardening &h, const Number &p, const Number &dp, const double dt,
+                                                const Number &softening)
+  {
+    return compute_flow_stress(h, p, dp, dt, softening, dp > Number(dt * h.reference_rate));
+  }
+
+  /// Whether the flow in a step will be faster than the reference rate: whether the stress that is left at that rate,
+  /// `stress_left(dp)` (Pa), is beyond the static flow stress. False everywhere for a law without a rate term.
+  template <class Number, class StressLeft>
+  [[gnu::always_inline]] inline auto is_fast_flow(const Hardening &h, const Number &p, const double dt,
+                                                  const Number &softening, const StressLeft &stress_left)
+  {
+    const auto none = Number(0.) > Number(0.);
+    if (h.rate_factor <= 0.)
+      return none;
+    const Number kink(dt * h.reference_rate);
+    return stress_left(kink) > compute_flow_stress(h, p, kink, dt, softening, none).value;
   }
 } // namespace birdstrike

@@ -53,9 +53,10 @@ namespace birdstrike
   /// J2 plasticity in plane stress: takes the elastic trial stress back to the yield surface (Simo & Taylor 1986).
   ///
   /// Solved is h(chi) = 1/q(chi) - 1/s_y(p + chi q) = 0, nearly linear in chi (exactly so for nu = 1/2 and perfect
-  /// plasticity), by Newton from the solution for nu = 1/2 and perfect plasticity. All lanes iterate until the last has
-  /// |q/s_y - 1| < 1e-13; three steps suffice without rate dependence, 30 are the limit. Lanes with q <= yield keep
-  /// their stress. `yield` is the static flow stress at `p` (softened), `stress` trial in, admissible out (Pa).
+  /// plasticity), by Newton from the solution for nu = 1/2 and perfect plasticity, on the side of the reference rate
+  /// where its zero lies. All lanes iterate until the last has |q/s_y - 1| < 1e-13; three steps suffice without rate
+  /// dependence, 30 are the limit. Lanes with q <= yield keep their stress. `yield` is the static flow stress at `p`
+  /// (softened), `stress` trial in, admissible out (Pa).
   template <class Number>
   inline PlasticIncrement<Number> plane_stress_return(const Elasticity &elasticity, const Hardening &hardening,
                                                       const Number &p, const Number &yield, const Number &softening,
@@ -75,12 +76,17 @@ namespace birdstrike
     Number             chi = select(yields, max(q_trial / yield - Number(1.), Number(1e-12)) / three_g, Number(0.));
     Number             q   = q_trial, dq;
     FlowStress<Number> flow{yield, Number(0.)};
-    for (unsigned int iteration = 0; iteration < 30; ++iteration)
+    const auto         fast = is_fast_flow(hardening, p, dt, softening, [&](const Number &dp) {
+      trial.compute_stress(Number(dp / q_trial), q, dq); // where chi q = dp: a first guess and one more
+      trial.compute_stress(Number(dp / q), q, dq);
+      return q;
+    });
+    for (unsigned int iteration = 0;; ++iteration)
       {
         trial.compute_stress(chi, q, dq);
-        flow                  = compute_flow_stress(hardening, p, Number(chi * q), dt, softening);
+        flow                  = compute_flow_stress(hardening, p, Number(chi * q), dt, softening, fast);
         const Number residual = q - flow.value;
-        if (!any(yields && (abs(residual) > 1e-13 * flow.value)))
+        if (iteration == 30 || !any(yields && (abs(residual) > 1e-13 * flow.value)))
           break;
         // h = 1/q - 1/s, h' = -q'/q^2 + s' (q + chi q')/s^2
         const Number s2 = flow.value * flow.value, q2 = q * q;

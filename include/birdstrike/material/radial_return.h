@@ -52,9 +52,10 @@ namespace birdstrike
   }
 
   /// Solves q_trial - 3 G dp = s_y(p + dp) for the plastic strain dp of a step (Wilkins 1964; Simo & Hughes 1998, box
-  /// 3.1), where q_trial (Pa) exceeds `yield`, the static flow stress at `p`. Newton's steps on a function that is
-  /// convex or straight, from perfect plasticity; all lanes go on until the last has |f| < 1e-13 s_y. With linear
-  /// hardening that is the second look, 50 are the limit.
+  /// 3.1), where q_trial (Pa) exceeds `yield`, the static flow stress at `p`. Newton's steps from perfect plasticity on
+  /// a function that is convex or straight on the side of the reference rate where its zero lies; all lanes go on until
+  /// the last has |f| < 1e-13 s_y. With linear hardening that is the second look, with a rate term at most the
+  /// eleventh; 50 are the limit.
   template <class Number>
   inline PlasticIncrement<Number>
   compute_radial_increment(const Elasticity &elasticity, const Hardening &hardening, const Number &p,
@@ -62,13 +63,15 @@ namespace birdstrike
   {
     const auto         yields  = q_trial > yield;
     const double       three_g = 3. * elasticity.shear_modulus();
+    const auto         fast    = is_fast_flow(hardening, p, dt, softening,
+                                              [&](const Number &strain) { return Number(q_trial - three_g * strain); });
     Number             dp = select(yields, max(Number((q_trial - yield) * (1. / three_g)), Number(1e-12)), Number(0.));
     FlowStress<Number> flow{yield, Number(0.)};
-    for (unsigned int iteration = 0; iteration < 50; ++iteration)
+    for (unsigned int iteration = 0;; ++iteration)
       {
-        flow                  = compute_flow_stress(hardening, p, dp, dt, softening);
+        flow                  = compute_flow_stress(hardening, p, dp, dt, softening, fast);
         const Number residual = q_trial - three_g * dp - flow.value;
-        if (!any(yields && (abs(residual) > 1e-13 * flow.value)))
+        if (iteration == 50 || !any(yields && (abs(residual) > 1e-13 * flow.value)))
           break;
         // never more than nine tenths of the way back to zero: dp > 0
         dp = select(yields, max(Number(dp + residual / (three_g + flow.slope)), Number(0.1 * dp)), Number(0.));
@@ -76,8 +79,21 @@ namespace birdstrike
     return {dp, select(yields, flow.value, yield), flow.slope};
   }
 
-  /// J2 radial return in three dimensions. `stress` is the elastic trial in, admissible out (Pa); lanes within the
-  /// yield surface keep theirs.
+  /// J2 radial return in three dimensions. `stress` is the elastic trial in, with the square q2 of its von Mises stress
+  /// (Pa^2), admissible out (Pa); lanes within the yield surface keep theirs.
+  template <class Number>
+  [[gnu::always_inline]] inline PlasticIncrement<Number>
+  radial_return(const Elasticity &elasticity, const Hardening &hardening, const Number &p, const Number &yield,
+                const Number &softening, const double dt, const Number &q2, Number (&stress)[6])
+  {
+    const Number q      = sqrt(q2);
+    const auto   result = compute_radial_increment(elasticity, hardening, p, yield, softening, dt, q);
+    const Number factor = 3. * elasticity.shear_modulus() * result.strain;
+    scale_deviator(Number(Number(1.) - factor / max(q, yield)), stress);
+    return result;
+  }
+
+  /// The same; nothing but the square is computed where no lane yields.
   template <class Number>
   inline PlasticIncrement<Number> radial_return(const Elasticity &elasticity, const Hardening &hardening,
                                                 const Number &p, const Number &yield, const Number &softening,
@@ -86,11 +102,7 @@ namespace birdstrike
     const Number q2 = von_mises_squared(stress);
     if (!any(q2 > yield * yield))
       return {Number(0.), yield, Number(0.)};
-    const Number q      = sqrt(q2);
-    const auto   result = compute_radial_increment(elasticity, hardening, p, yield, softening, dt, q);
-    const Number factor = 3. * elasticity.shear_modulus() * result.strain;
-    scale_deviator(Number(Number(1.) - factor / max(q, yield)), stress);
-    return result;
+    return radial_return(elasticity, hardening, p, yield, softening, dt, q2, stress);
   }
 
   /// Half the axial vector of the antisymmetric part of a gradient g of displacement, the rotation of a step.

@@ -123,6 +123,28 @@ TEST(PlaneStressReturn, JohnsonCookRateIsThatOfTheStep)
   EXPECT_NEAR(s.stress[0] / expected, 1., 1e-3) << "elastic share of the last step, about 2 % of the rate";
 }
 
+TEST(PlaneStressReturn, SteadyFlowHasTheStressOfItsRate)
+{
+  // in steady shear all strain is plastic, at rates below and above the reference
+  Hardening h     = make(HardeningLaw::perfect, 0.);
+  h.rate_factor   = 0.014;
+  const double dt = 1e-7;
+  for (const double rate : {0.3, 0.9, 1., 1.5, 10., 1e2, 1e3, 1e4, 1e5})
+    {
+      State state;
+      state.stress[2] = 0.999 * 880e6 / std::sqrt(3.);
+      double before = -1., grown = 0.;
+      for (int k = 0; k < 20000 && std::abs(grown - rate * dt) > 1e-11 * rate * dt; ++k)
+        {
+          before = state.p;
+          apply(state, h, {0., 0., std::sqrt(3.) * rate * dt}, dt);
+          grown = state.p - before;
+        }
+      EXPECT_NEAR(von_mises_plane(state.stress) / (880e6 * (1. + 0.014 * std::log(std::max(rate, 1.)))), 1., 1e-10)
+        << rate;
+    }
+}
+
 TEST(PlaneStressReturn, LanesAgreeWithDoubles)
 {
   const Hardening h = make(HardeningLaw::swift, 0., 0.2, 0.01);

@@ -106,6 +106,27 @@ TEST(RadialReturn, MeetsEveryHardeningCurve)
       }
 }
 
+TEST(RadialReturn, SteadyFlowHasTheStressOfItsRate)
+{
+  // In steady shear all strain is plastic: the equivalent rate is that of the strain, below and above the reference.
+  Hardening h;
+  h.rate_factor   = 0.014;
+  const double dt = 1e-7;
+  for (const double rate : {0.3, 0.9, 1., 1.5, 10., 1e2, 1e3, 1e4, 1e5})
+    {
+      Point point;
+      point.stress[3] = 0.999 * 880e6 / std::sqrt(3.);
+      PlasticIncrement<double> step{0., 0., 0.};
+      for (int k = 0; k < 20000 && std::abs(step.strain - rate * dt) > 1e-11 * rate * dt; ++k)
+        {
+          step                 = point.strain(h, {0., 0., 0., 0.5 * std::sqrt(3.) * rate * dt, 0., 0.}, dt);
+          const double reached = step.strain > 0. ? step.stress : von_mises(point.stress);
+          ASSERT_NEAR(von_mises(point.stress) / reached, 1., 3e-13) << "strain and stress of one solution";
+        }
+      EXPECT_NEAR(von_mises(point.stress) / (880e6 * (1. + 0.014 * std::log(std::max(rate, 1.)))), 1., 1e-10) << rate;
+    }
+}
+
 TEST(RadialReturn, LanesThatDoNotYieldKeepTheirStress)
 {
   Lanes stress[6]    = {0., 0., 0., 0., 0., 0.};
