@@ -8,6 +8,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace birdstrike
 {
@@ -52,21 +53,39 @@ namespace birdstrike
                       "Whether plastic work heats the metal and softens it by 1 - T*^m. [-]");
     prm.add_parameter("Softening exponent", softening_exponent, "Exponent m of the thermal softening" + table + "[-]",
                       text);
-    prm.add_parameter("Heat capacity", heat_capacity, "Specific heat capacity. [J/(kg K)]", Patterns::Double(1e-300));
+    prm.add_parameter("Heat capacity", heat_capacity, "Specific heat capacity" + table + "[J/(kg K)]", text);
     prm.add_parameter("Heat fraction", taylor_quinney, "Share of the plastic work that becomes heat. [-]",
                       Patterns::Double(0., 1.));
     prm.add_parameter("Initial temperature", initial_temperature, "Temperature at the start. [K]",
                       Patterns::Double(0.));
     prm.add_parameter("Room temperature", room_temperature, "Temperature at which the metal does not soften. [K]",
                       Patterns::Double(0.));
-    prm.add_parameter("Melting temperature", melting_temperature, "Temperature at which no strength is left. [K]",
-                      Patterns::Double(0.));
+    prm.add_parameter("Melting temperature", melting_temperature,
+                      "Temperature at which no strength is left" + table + "[K]", text);
     failure.declare(prm);
   }
 
   void MetalParameters::check() const
   {
     metal();
+  }
+
+  void MetalParameters::set_heating(Hardening &h) const
+  {
+    replace(h.heat_capacity, heat_capacity, "Heat capacity", 10., 1e5);
+    replace(h.melting_temperature, melting_temperature, "Melting temperature", 0., 1e5);
+    if (is_adiabatic)
+      for (const auto &[value, text, entry] :
+           {std::tuple(h.heat_capacity, heat_capacity, "Heat capacity"),
+            std::tuple(h.melting_temperature, melting_temperature, "Melting temperature")})
+        if (value == 0. && text == "table")
+          throw InputError(std::string("Blade/Material/") + entry + " is not given, and the table has none for '" +
+                           name + "'.\nGive a number, or set Adiabatic heating = false.");
+    if (is_adiabatic && h.melting_temperature <= std::max(room_temperature, initial_temperature))
+      throw InputError("Blade/Material/Melting temperature: " + std::to_string(h.melting_temperature) +
+                       " K is not above room and initial temperature.");
+    if (!is_adiabatic)
+      h.heat_capacity = 0.;
   }
 
   Metal MetalParameters::metal() const
@@ -96,14 +115,10 @@ namespace birdstrike
     if (hardening != "table")
       h.law = hardening_laws().at(hardening);
     h.density             = result.density;
-    h.heat_capacity       = is_adiabatic ? heat_capacity : 0.;
     h.taylor_quinney      = taylor_quinney;
     h.initial_temperature = initial_temperature;
     h.room_temperature    = room_temperature;
-    h.melting_temperature = melting_temperature;
-    if (melting_temperature <= std::max(room_temperature, initial_temperature))
-      throw InputError("Blade/Material/Melting temperature: " + std::to_string(melting_temperature) +
-                       " K is not above room and initial temperature.");
+    set_heating(h);
     const bool has_modulus =
       h.law == HardeningLaw::linear || h.law == HardeningLaw::voce || h.law == HardeningLaw::johnson_cook;
     if (has_modulus && modulus == "table" && h.modulus == 0.)

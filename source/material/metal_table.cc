@@ -18,7 +18,15 @@ namespace birdstrike
       return metal;
     }
 
-    /// A, B in Pa, the rest without unit; isothermal until a heat capacity is given.
+    /// Heat capacity (J/(kg K)) and temperature at which melting begins (K).
+    Metal with_heat(Metal metal, const double heat_capacity, const double melting_temperature)
+    {
+      metal.hardening.heat_capacity       = heat_capacity;
+      metal.hardening.melting_temperature = melting_temperature;
+      return metal;
+    }
+
+    /// A, B in Pa, the rest without unit.
     Metal make_johnson_cook(Metal metal, const std::string &name, const std::array<double, 5> &a_b_n_c_m)
     {
       metal.name                         = name;
@@ -35,14 +43,14 @@ namespace birdstrike
   const NamedChoices<Metal> &metal_table()
   {
     static const Metal ti_811 = make_metal("Ti-8Al-1Mo-1V", 4370., {121e9, 0.32}, 930e6);
-    static const Metal ti_64  = make_metal("Ti-6Al-4V", 4430., {113.8e9, 0.342}, 880e6);
+    static const Metal ti_64  = with_heat(make_metal("Ti-6Al-4V", 4430., {113.8e9, 0.342}, 880e6), 526.3, 1873.);
     static const Metal al     = make_metal("Al 6061-T6", 2700., {68.9e9, 0.33}, 276e6);
     static const Metal jc_862 =
       make_johnson_cook(ti_64, "Ti-6Al-4V Johnson-Cook 862", {862e6, 331e6, 0.34, 0.012, 0.8});
     static const Metal jc_1098 =
       make_johnson_cook(ti_64, "Ti-6Al-4V Johnson-Cook 1098", {1098e6, 1092e6, 0.93, 0.014, 1.1});
     static const Metal al_2024 = [] {
-      const Metal data  = make_metal("Al 2024", 2780., {73e9, 0.33}, 369e6);
+      const Metal data  = with_heat(make_metal("Al 2024", 2780., {73e9, 0.33}, 369e6), 875., 775.);
       Metal       metal = make_johnson_cook(data, "Al 2024 Johnson-Cook", {369e6, 684e6, 0.73, 0.0083, 1.7});
       metal.failure.d   = {{0.13, 0.13, -1.5, 0.011, 0.}};
       return metal;

@@ -31,11 +31,11 @@ namespace birdstrike
     std::string reference_rate = "table"; ///< 1/s
 
     bool        is_adiabatic        = false;
-    double      heat_capacity       = 526.3;   ///< J/(kg K)
+    std::string heat_capacity       = "table"; ///< J/(kg K)
     double      taylor_quinney      = 0.9;     ///< -
     double      initial_temperature = 293.;    ///< K
     double      room_temperature    = 293.;    ///< K
-    double      melting_temperature = 1873.;   ///< K
+    std::string melting_temperature = "table"; ///< K
     std::string softening_exponent  = "table"; ///< -
 
     FailureParameters failure;
@@ -46,5 +46,8 @@ namespace birdstrike
     void check() const;
     /// The metal that follows; throws InputError.
     Metal metal() const;
+
+  private:
+    void set_heating(Hardening &hardening) const;
   };
 } // namespace birdstrike

@@ -17,6 +17,7 @@ namespace birdstrike
   ///
   /// The first three are perfectly plastic unless hardening is given: only yield and ultimate stress were read. The two
   /// Johnson-Cook sets of Ti-6Al-4V differ by more than 200 MPa at small strain; compare them with a test before use.
-  /// Damage constants stand ready where they were read; no metal fails unless Failure is set.
+  /// Heat capacity and melting temperature, of Ti-6Al-4V and Al 2024 under all their names, and damage constants stand
+  /// ready where they were read; nothing heats unless Adiabatic heating is set, no metal fails unless Failure is.
   const NamedChoices<Metal> &metal_table();
 } // namespace birdstrike

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace birdstrike;
 
 TEST(MetalParameters, TheTableGivesWhatIsNotGiven)
@@ -45,7 +47,41 @@ TEST(MetalParameters, BadValuesAreRefused)
   parameters.poisson   = "0.3";
   parameters.hardening = "johnson-cook"; // the table has no hardening modulus for this alloy
   EXPECT_THROW(parameters.check(), InputError);
-  parameters.modulus             = "331e6";
-  parameters.melting_temperature = 200.;
+  parameters.modulus = "331e6";
+  EXPECT_NO_THROW(parameters.check());
+}
+
+TEST(MetalParameters, HeatingTakesTheHeatDataOfItsMetal)
+{
+  MetalParameters parameters;
+  parameters.name = "Al 2024 Johnson-Cook";
+  EXPECT_EQ(parameters.metal().hardening.heat_capacity, 0.) << "isothermal";
+  parameters.is_adiabatic = true;
+  EXPECT_EQ(parameters.metal().hardening.heat_capacity, 875.);
+  EXPECT_EQ(parameters.metal().hardening.melting_temperature, 775.);
+  parameters.melting_temperature = "200"; // colder than the room
   EXPECT_THROW(parameters.check(), InputError);
+  parameters.melting_temperature = "900";
+  parameters.heat_capacity       = "0.875"; // kJ
+  EXPECT_THROW(parameters.check(), InputError);
+  parameters.heat_capacity = "880";
+  EXPECT_EQ(parameters.metal().hardening.heat_capacity, 880.);
+  EXPECT_EQ(parameters.metal().hardening.melting_temperature, 900.);
+  parameters.name                = "Al 6061-T6";
+  parameters.melting_temperature = "table";
+  EXPECT_THROW(parameters.check(), InputError) << "nothing was read of this one";
+}
+
+TEST(ThermalSoftening, LeavesAMillionthOfAMoltenMetal)
+{
+  Hardening h;
+  h.heat_capacity       = 500.;
+  h.melting_temperature = 1873.;
+  for (const double exponent : {1e-3, 1., 1.7})
+    {
+      h.softening_exponent = exponent;
+      EXPECT_EQ(thermal_softening(h, h.room_temperature), 1.) << "no softening at room temperature, whatever the law";
+      EXPECT_NEAR(thermal_softening(h, 1083.), 1. - std::pow(0.5, exponent), 1e-14);
+      EXPECT_EQ(thermal_softening(h, 3000.), 1e-6);
+    }
 }
