@@ -37,8 +37,19 @@ namespace birdstrike
     std::vector<std::uint32_t> front;
     for (std::uint32_t f = 0; f < facets.n_facets; ++f)
       {
+        // most of its nodes know: two pieces may have a corner in common
+        long most = 0;
         for (const std::uint32_t node : facets.nodes[f])
-          pieces[f] = std::max(pieces[f], piece_of_node[node]);
+          {
+            const std::int32_t piece = piece_of_node[node];
+            const long         count = std::count_if(facets.nodes[f].begin(), facets.nodes[f].end(),
+                                                     [&](const std::uint32_t n) { return piece_of_node[n] == piece; });
+            if (piece >= 0 && count > most)
+              {
+                pieces[f] = piece;
+                most      = count;
+              }
+          }
         if (pieces[f] >= 0)
           front.push_back(f);
       }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
 
@@ -33,6 +35,21 @@ TEST(SurfaceTopology, PiecesAreConnected)
   EXPECT_EQ(topology.update(scene.facets()), SurfaceTopology::Change::none);
   for (std::uint32_t f = 0; f < 10; ++f)
     EXPECT_EQ(topology.piece(f), f < 6 ? 0 : 1);
+}
+
+TEST(SurfaceTopology, PiecesWithACommonCornerStayWhatTheyAre)
+{
+  FreeMasses scene;
+  scene.add_plate(2, 2, 1., 0.);
+  scene.add_plate(2, 2, 1., 0., Point3(2., 2., 0.));
+  for (auto &nodes : scene.facet) // the upper corner of the first is the lower one of the second
+    std::replace(nodes.begin(), nodes.end(), std::uint32_t(9), std::uint32_t(8));
+  SurfaceTopology topology;
+  topology.update(scene.facets());
+  ++scene.facets_revision;
+  EXPECT_EQ(topology.update(scene.facets()), SurfaceTopology::Change::facets);
+  for (std::uint32_t f = 0; f < 8; ++f)
+    EXPECT_EQ(topology.piece(f), f < 4 ? 0 : 1) << f;
 }
 
 TEST(SurfaceTopology, ThicknessIsAveragedToNodes)
