@@ -42,6 +42,8 @@ namespace birdstrike
       std::ifstream in = open(file);
       for (std::string line; std::getline(in, line);)
         {
+          line.erase(std::remove_if(line.begin(), line.end(), [](const unsigned char c) { return std::isspace(c); }),
+                     line.end());
           std::transform(line.begin(), line.end(), line.begin(), [](const unsigned char c) { return std::toupper(c); });
           if (line.find("TYPE=C3D8") != std::string::npos)
             return true;
