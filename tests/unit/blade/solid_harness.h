@@ -284,5 +284,4 @@ namespace solid_harness
     }
   };
 
-  /// Some displacement of every node, of the given size.
 } // namespace solid_harness
