@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 #include <spdlog/logger.h>
+#include <sys/prctl.h>
 
 #include <exception>
 #include <functional>
@@ -109,6 +110,7 @@ namespace
 
 int main(int argc, char *argv[])
 {
+  ::prctl(PR_SET_NAME, "birdstrike"); // for ps and pkill: the runs of a comparison are started by another name
   CLI::App              app{"Bird strike on aircraft-engine blades", "birdstrike"};
   Requests              requests;
   std::function<void()> action;

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
-#include <filesystem>
 #include <spawn.h>
 #include <stdexcept>
 #include <unistd.h>
@@ -27,12 +26,15 @@ namespace birdstrike
 
     void hand_on(const int signal)
     {
-      received = signal;
-      if (child_pid > 0)
-        ::kill(child_pid, signal);
+      const int error = errno;
+      received        = signal;
+      if (const int child = child_pid; child > 0)
+        ::kill(child, signal);
+      errno = error;
     }
 
-    /// Signals of the terminal and of a batch system go to the child while this lives.
+    /// Signals of the terminal and of a batch system go to the child while this lives; those that this process was
+    /// told to ignore (a job in the background) stay ignored.
     class SignalsForChild
     {
     public:
@@ -43,7 +45,11 @@ namespace birdstrike
         action.sa_handler       = hand_on;
         action.sa_flags         = SA_RESTART;
         for (std::size_t k = 0; k < signals.size(); ++k)
-          ::sigaction(signals[k], &action, &before[k]);
+          {
+            ::sigaction(signals[k], nullptr, &before[k]);
+            if (before[k].sa_handler != SIG_IGN)
+              ::sigaction(signals[k], &action, nullptr);
+          }
       }
       ~SignalsForChild()
       {
@@ -126,6 +132,19 @@ namespace birdstrike
       return kept;
     }
 
+    /// Returns the exit code. No signal is handed on to a child that is no more: its number may be another's by then.
+    int wait_for(const pid_t pid)
+    {
+      siginfo_t info{};
+      while (::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOWAIT) < 0 && errno == EINTR)
+        ;
+      child_pid  = 0;
+      int status = 0;
+      while (::waitpid(pid, &status, 0) < 0 && errno == EINTR)
+        ;
+      return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    }
+
     /// Returns the error number of the attempt, 0 if the child runs.
     int spawn(const ChildRequest &request, const Pipe &pipe, pid_t &pid)
     {
@@ -137,42 +156,42 @@ namespace birdstrike
       if (request.captures_output)
         for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
           posix_spawn_file_actions_adddup2(&actions, pipe.writing_end(), stream);
-      const int error = ::posix_spawnp(&pid, arguments.front().c_str(), &actions, nullptr,
-                                       pointers_to(arguments).data(), pointers_to(variables).data());
+      const std::string &file  = request.file.empty() ? arguments.front() : request.file;
+      const int          error = ::posix_spawnp(&pid, file.c_str(), &actions, nullptr, pointers_to(arguments).data(),
+                                                pointers_to(variables).data());
       posix_spawn_file_actions_destroy(&actions);
       return error;
     }
   } // namespace
 
-  ChildResult run_child(const ChildRequest &request)
+  std::optional<ChildResult> run_child_if_found(const ChildRequest &request)
   {
     std::fflush(nullptr); // what was said before stands before what the child says
-    const SignalsForChild signals;
-    Pipe                  pipe;
-    ChildResult           result;
-    pid_t                 pid = 0;
-    if (const int error = spawn(request, pipe, pid); error == ENOENT)
-      {
-        result.was_found = false;
-        return result;
-      }
-    else if (error != 0)
-      throw std::runtime_error("Cannot start '" + request.arguments.front() + "': " + std::strerror(error));
-    child_pid = pid;
-    if (received != 0) // between the handler's first moment and the child's
-      ::kill(pid, received);
-    if (request.captures_output)
-      result.output = pipe.read_all();
-    int status = 0;
-    while (::waitpid(pid, &status, 0) < 0 && errno == EINTR)
-      ;
-    result.exit_code  = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-    result.stopped_by = received;
+    ChildResult result;
+    {
+      const SignalsForChild signals;
+      Pipe                  pipe;
+      pid_t                 pid = 0;
+      if (const int error = spawn(request, pipe, pid); error == ENOENT)
+        return {};
+      else if (error != 0)
+        throw std::runtime_error("Cannot start '" + request.arguments.front() + "': " + std::strerror(error));
+      child_pid = pid;
+      if (received != 0) // between the handler's first moment and the child's
+        ::kill(pid, received);
+      if (request.captures_output)
+        result.output = pipe.read_all();
+      result.exit_code = wait_for(pid);
+    }
+    result.stopped_by = received; // from here on signals act as before
     return result;
   }
 
-  std::string path_of_this_program()
+  ChildResult run_child(const ChildRequest &request)
   {
-    return std::filesystem::read_symlink("/proc/self/exe").string();
+    std::optional<ChildResult> result = run_child_if_found(request);
+    if (!result)
+      throw std::runtime_error("Cannot start '" + request.arguments.front() + "': there is no such program.");
+    return *std::move(result);
   }
 } // namespace birdstrike

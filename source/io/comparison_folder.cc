@@ -1,9 +1,15 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/comparison_folder.h>
 
+#include <sys/file.h>
+
 #include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace birdstrike
 {
@@ -36,14 +42,26 @@ namespace birdstrike
     require_usable(directory);
     std::error_code error;
     fs::create_directories(directory, error);
-    if (error || !std::ofstream(directory / marker))
+    lock = error ? -1 : ::open((directory / marker).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (lock < 0)
       throw InputError("Cannot write into the folder of the comparison, '" + directory.string() +
-                       "': " + (error ? error.message() : "it refuses new files") + "." + action);
+                       "': " + (error ? error.message() : std::strerror(errno)) + "." + action);
+    // Some network file systems know no locks: there, nothing stops a second comparison.
+    if (::flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+      {
+        ::close(lock);
+        throw InputError("Another comparison is writing into the folder '" + directory.string() + "'." + action);
+      }
     // Figures of an earlier comparison must not be taken for this one's.
     for (const auto &entry : fs::directory_iterator(directory))
       if (const std::string extension = entry.path().extension().string();
           entry.is_regular_file() && (extension == ".svg" || extension == ".csv"))
         fs::remove(entry.path());
+  }
+
+  ComparisonFolder::~ComparisonFolder()
+  {
+    ::close(lock);
   }
 
   const fs::path &ComparisonFolder::path() const
@@ -66,6 +84,8 @@ namespace birdstrike
     for (char &letter : plain)
       if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '.' && letter != '_' && letter != '-')
         letter = '-';
+    if (plain.find_first_not_of('.') == std::string::npos)
+      plain = "case" + plain; // "." and ".." are other folders
     return directory / plain;
   }
 } // namespace birdstrike

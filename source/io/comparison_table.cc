@@ -42,9 +42,16 @@ namespace birdstrike
                             run.number("contact/impulse/2"));
     }
 
+    /// What the blade has at the end, less what it had at the start: a spinning blade brings energy of its own.
     double compute_absorbed(const RunRecord &run)
     {
-      return run.text("blade/kind") == "none" ? absent : run.sum("energy/parts/blade_");
+      if (run.text("blade/kind") == "none" || run.column("blade_kinetic").empty())
+        return absent;
+      double initial = 0.;
+      for (const std::string part : {"kinetic", "elastic", "plastic", "hourglass", "viscous", "damped", "eroded"})
+        if (const auto &column = run.column("blade_" + part); !column.empty())
+          initial += column.front();
+      return run.sum("energy/parts/blade_") - initial;
     }
 
     ComparisonRow make_row(const std::string &group, const std::string &quantity, const std::string &unit,
@@ -113,7 +120,7 @@ namespace birdstrike
     add_row(make_row("Root", "time of the peak stress", "s", runs, of_deformable("root/peak_normal_stress_time")));
     add_row(make_row("Plasticity", "peak plastic strain", "-", runs, of_deformable("plastic/max_strain")));
     add_row(make_row("Plasticity", "plastic work", "J", runs, of_deformable("plastic/work")));
-    add_row(make_row("Energy", "absorbed by the blade at the end", "J", runs, compute_absorbed));
+    add_row(make_row("Energy", "absorbed by the blade (end less start)", "J", runs, compute_absorbed));
   }
 
   void ComparisonTable::add_permanent_deflection(const std::vector<ComparedRun> &runs)
@@ -123,12 +130,15 @@ namespace birdstrike
     for (const ComparedRun &run : runs)
       {
         const RunRecord &record = run.record;
-        const auto       mean   = compute_mean_over_last_period(record.column("time"), record.column("tip_mid_chord"));
+        const auto       mean   = record.is_complete()
+                                    ? compute_mean_over_last_period(record.column("time"), record.column("tip_mid_chord"))
+                                    : std::nullopt;
         row.values.push_back(mean ? mean->mean : absent);
         if (mean)
           how += (how.empty() ? "" : "; ") + run.name + ": " + format_quantity(mean->period, "s") + " from " +
                  format_quantity(mean->begin, "s");
-        else if (!record.column("tip_mid_chord").empty() && record.text("blade/kind") != "rigid")
+        else if (record.is_complete() && !record.column("tip_mid_chord").empty() &&
+                 record.text("blade/kind") != "rigid")
           without += (without.empty() ? "'" : ", '") + run.name + "'";
       }
     add_row(row);

@@ -95,6 +95,7 @@ namespace birdstrike
   std::string script_of(const std::vector<Figure> &figures)
   {
     std::string text = "# Draws the figures beside it: gnuplot figures.gp\n"
+                       "reset\n"
                        "set datafile separator ','\n"
                        "set datafile columnheaders\n"
                        "set encoding utf8\n"

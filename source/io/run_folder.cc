@@ -27,6 +27,24 @@ namespace birdstrike
       return extension == ".pvd" || extension == ".vtu" || extension == ".checkpoint";
     }
 
+    /// Throws InputError where somebody else holds the folder.
+    void lock_alone(const int lock, const fs::path &directory)
+    {
+      // Some network file systems know no locks: there, nothing stops a second run.
+      if (::flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        throw InputError("The folder '" + directory.string() +
+                         "' is in use: another run writes into it, or a comparison reads it.\n  Action: wait for it, "
+                         "or choose another folder with --output DIR.");
+    }
+
+    void write_state(const int lock, const fs::path &directory, const std::string &state)
+    {
+      // In place, not by rename: the lock belongs to this very file.
+      const std::string line = state + "\n";
+      if (::ftruncate(lock, 0) != 0 || ::pwrite(lock, line.data(), line.size(), 0) != static_cast<ssize_t>(line.size()))
+        throw std::runtime_error("Cannot write " + (directory / marker).string() + ": " + std::strerror(errno));
+    }
+
     /// Removes the files of an earlier run and folders that this leaves empty.
     void remove_results(const fs::path &folder)
     {
@@ -83,20 +101,36 @@ namespace birdstrike
     lock = ::open(file(marker).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (lock < 0)
       throw fs::filesystem_error("marker", file(marker), std::error_code(errno, std::generic_category()));
-    // Some network file systems know no locks: there, nothing stops a second run.
-    if (::flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-      throw InputError("Another run is writing into the folder '" + directory.string() +
-                       "'.\n  Action: wait for it, or choose another folder with --output DIR.");
-    remove_results(directory);
+    lock_alone(lock, directory);
+    // In this order: whoever kills the program in between leaves nothing that looks like a complete run.
     mark("running");
+    fs::remove(file("summary.json"));
+    remove_results(directory);
   }
 
   void RunFolder::mark(const std::string &state) const
   {
-    // In place, not by rename: the lock belongs to this very file.
-    const std::string line = state + "\n";
-    if (::ftruncate(lock, 0) != 0 || ::pwrite(lock, line.data(), line.size(), 0) != static_cast<ssize_t>(line.size()))
-      throw std::runtime_error("Cannot write " + file(marker).string() + ": " + std::strerror(errno));
+    write_state(lock, directory, state);
+  }
+
+  void drop_results(const fs::path &directory)
+  {
+    const int lock = ::open((directory / marker).c_str(), O_RDWR | O_CLOEXEC);
+    if (lock < 0)
+      return; // no run's folder
+    try
+      {
+        lock_alone(lock, directory);
+        write_state(lock, directory, "failed: it never started");
+        for (const char *name : {"summary.json", "history.csv", "results.h5"})
+          fs::remove(directory / name);
+      }
+    catch (...)
+      {
+        ::close(lock);
+        throw;
+      }
+    ::close(lock);
   }
 
   const fs::path &RunFolder::path() const
@@ -134,6 +168,24 @@ namespace birdstrike
     write_text("summary.json", summary_json);
     is_ended = true;
     mark("done");
+  }
+
+  RunFolderInUse::RunFolderInUse(const fs::path &directory)
+    : lock(::open((directory / marker).c_str(), O_RDONLY | O_CLOEXEC))
+  {
+    // Some network file systems know no locks: there, nothing stops a run.
+    is_being_written = lock >= 0 && ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  }
+
+  RunFolderInUse::~RunFolderInUse()
+  {
+    if (lock >= 0)
+      ::close(lock);
+  }
+
+  bool RunFolderInUse::is_of_a_running_run() const
+  {
+    return is_being_written;
   }
 
   void RunFolder::fail(const std::string &reason) noexcept

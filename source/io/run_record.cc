@@ -44,6 +44,15 @@ namespace birdstrike
     read_history();
   }
 
+  RunRecord RunRecord::unreadable(const std::filesystem::path &folder, const std::string &why)
+  {
+    RunRecord record;
+    record.directory = folder;
+    record.marker    = why;
+    record.has_files = false;
+    return record;
+  }
+
   void RunRecord::read_summary()
   {
     const auto    file = directory / "summary.json";
@@ -72,6 +81,8 @@ namespace birdstrike
       {
         if (line.empty() || line[0] == '#')
           continue;
+        if (in.eof())
+          return; // without a line feed: a run that was killed may have left half a line, or half of its last number
         const std::vector<std::string> fields = split(line);
         if (names.empty())
           {
@@ -82,8 +93,6 @@ namespace birdstrike
         bool                is_whole = fields.size() == names.size();
         for (std::size_t i = 0; i < fields.size(); ++i)
           is_whole = parse(fields[i], row[i]) && is_whole;
-        if (!is_whole && in.eof())
-          return; // a run that was killed may have left half a line
         ++n_rows;
         if (!is_whole)
           throw std::runtime_error("Cannot read " + file.string() + ": row " + std::to_string(n_rows) +
@@ -137,6 +146,6 @@ namespace birdstrike
 
   std::vector<double> RunRecord::dataset(const std::string &name) const
   {
-    return read_result(directory / "results.h5", name);
+    return has_files ? read_result(directory / "results.h5", name) : std::vector<double>();
   }
 } // namespace birdstrike

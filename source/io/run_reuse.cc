@@ -1,6 +1,7 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/input_files.h>
 #include <birdstrike/io/parameter_tree.h>
 #include <birdstrike/io/run_record.h>
 #include <birdstrike/io/run_reuse.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
 
 namespace birdstrike
 {
@@ -36,17 +38,60 @@ namespace birdstrike
       return a == b || (parse(a, of_a) && parse(b, of_b) && of_a == of_b);
     }
 
-    /// The first file that an entry names and that was changed after `time`; empty if there is none.
-    std::string newer_file(const CaseParameters &parameters, const fs::file_time_type time)
+    /// The first file that is not what the run has read, or is missing on one side; empty if there is none.
+    std::string changed_file(const RunRecord &run, const CaseParameters &wanted)
     {
-      const ParameterTree tree = parameters.file.tree();
-      for (const KnownEntry &entry : tree.entries())
+      const std::vector<InputFile> now = list_input_files(wanted);
+      for (std::size_t k = 0;; ++k)
         {
-          std::error_code error;
-          if (!entry.value.empty() && fs::is_regular_file(entry.value, error) &&
-              fs::last_write_time(entry.value, error) > time)
-            return entry.value;
+          const std::string key  = "inputs/" + std::to_string(k);
+          const InputFile   then = {run.text(key + "/name"), run.text(key + "/fingerprint")};
+          if (k == now.size())
+            return then.name;
+          if (now[k] != then)
+            return then.name.empty() ? now[k].name : then.name;
         }
+    }
+
+    /// What a folder lacks or what it says against itself, whatever the parameters.
+    std::string judge_folder(const RunRecord &run, const bool has_results)
+    {
+      if (!run.is_complete())
+        return "there is no complete run";
+      if (run.text("program/version") != program_identity().version)
+        return "another release of the program made it";
+      if (run.text("program/build") != program_identity().build)
+        return "another build of the program made it";
+      if (run.text("end/reason") == stopped_by_signal)
+        return "a signal ended it";
+      if (run.text("end/reason") == stopped_by_clock)
+        return "Time/Maximum wall time ended it, which depends on the machine";
+      if (run.state() != "done")
+        return "its state is '" + run.state() + "'";
+      if (run.column("time").empty())
+        return "it has no history";
+      if (has_results && run.dataset("history/time").empty())
+        return "it has no results.h5";
+      return "";
+    }
+
+    std::string judge(const RunRecord &run, const CaseParameters &wanted)
+    {
+      if (const std::string reason = judge_folder(run, wanted.output.hdf5); !reason.empty())
+        return reason;
+      CaseParameters made_from;
+      try
+        {
+          made_from.read((run.folder() / "parameters.prm").string());
+        }
+      catch (const InputError &)
+        {
+          return "its parameters.prm cannot be read";
+        }
+      if (const std::string entry = first_difference(wanted, made_from, place_of_the_run); !entry.empty())
+        return entry + " differs";
+      if (const std::string file = changed_file(run, wanted); !file.empty())
+        return "'" + file + "' is not what it was";
       return "";
     }
   } // namespace
@@ -66,28 +111,13 @@ namespace birdstrike
 
   std::string reason_not_to_reuse(const fs::path &folder, const CaseParameters &wanted)
   {
-    const RunRecord run(folder);
-    if (!run.is_complete())
-      return "there is no complete run";
-    if (run.text("program/version") != program_identity().version)
-      return "another release of the program made it";
-    if (run.text("program/build") != program_identity().build)
-      return "another build of the program made it";
-    if (run.text("end/reason") == stopped_by_signal)
-      return "a signal ended it";
-    CaseParameters made_from;
     try
       {
-        made_from.read((folder / "parameters.prm").string());
+        return judge(RunRecord(folder), wanted);
       }
-    catch (const InputError &)
+    catch (const std::runtime_error &) // the record's: there is a file that is none of a run's
       {
-        return "its parameters.prm cannot be read";
+        return "its files cannot be read";
       }
-    if (const std::string entry = first_difference(wanted, made_from, place_of_the_run); !entry.empty())
-      return entry + " differs";
-    if (const std::string file = newer_file(wanted, fs::last_write_time(folder / "summary.json")); !file.empty())
-      return "'" + file + "' was changed since";
-    return "";
   }
 } // namespace birdstrike

@@ -53,7 +53,6 @@ namespace birdstrike
     , balance(parameters.time.energy_error_limit)
     , progress(parameters.time.end_time, parameters.output.console_interval)
   {
-    stop_requested = false;
     if (!folder.empty())
       recorder.emplace(scene, parameters, folder, observed, balance);
     has_contact = scene.contact != nullptr;
@@ -176,7 +175,7 @@ namespace birdstrike
     if (stop_requested)
       return stopped_by_signal;
     if (limits.maximum_wall_time > 0. && timings.wall() > limits.maximum_wall_time)
-      return "maximum wall time reached";
+      return stopped_by_clock;
     if (limits.stop_at_tip_peak && observed.first_tip_peak.is_passed(now, limits.tip_peak_wait))
       return tip_peak_passed;
     return "";
@@ -190,6 +189,11 @@ namespace birdstrike
     if (recorder)
       recorder->finish(now, n_steps);
     progress.finish();
+  }
+
+  void BirdStrike::forget_stop_requests()
+  {
+    stop_requested = false;
   }
 
   void BirdStrike::request_stop()

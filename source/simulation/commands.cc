@@ -36,22 +36,27 @@ namespace birdstrike
   {
     CaseParameters parameters;
     read(parameters, request);
+    const auto        inputs = list_input_files(parameters);
     Scene             scene(parameters); // refuses a bad case before a folder is touched
     const std::string forecast = explain(parameters, scene);
-    RunFolder         folder(parameters.run_directory());
+
+    // From the moment that there is a folder on, a run that is stopped ends in order.
+    BirdStrike::forget_stop_requests();
+    std::signal(SIGINT, stop_on_signal);
+    std::signal(SIGTERM, stop_on_signal);
+    RunFolder folder(parameters.run_directory());
     log_to_file(folder.file("log.txt").string());
     folder.write_text("original.prm", parameters.file.original());
     folder.write_text("parameters.prm", parameters.file.as_prm());
     log().info("{}", forecast);
-
-    std::signal(SIGINT, stop_on_signal);
-    std::signal(SIGTERM, stop_on_signal);
     try
       {
         BirdStrike strike(parameters, scene, folder.path());
         strike.run();
         log().info("{}", strike.closing_report());
-        folder.finish(to_text(strike.compute_summary()));
+        Summary summary = strike.compute_summary();
+        summary.inputs  = inputs;
+        folder.finish(to_text(summary));
         log().info("Results in {}", folder.path().string());
       }
     catch (const std::exception &error)

@@ -19,7 +19,7 @@ namespace birdstrike
   {
     std::vector<std::string> arguments_for(const char *verb, const PlannedCase &planned)
     {
-      std::vector<std::string> arguments{path_of_this_program(), verb, planned.prm_file};
+      std::vector<std::string> arguments{"birdstrike", verb, planned.prm_file};
       for (const std::string &text : planned.overrides)
         arguments.insert(arguments.end(), {"--set", text});
       arguments.insert(arguments.end(), {"--output", planned.folder.string()});
@@ -39,7 +39,7 @@ namespace birdstrike
     /// A case that cannot be run is refused before any other has taken its hours.
     void validate(const PlannedCase &planned)
     {
-      const ChildResult result = run_child({arguments_for("validate", planned), "", true});
+      const ChildResult result = run_child({arguments_for("validate", planned), "", true, this_program});
       end_if_stopped(result);
       const std::string said = result.output.substr(0, result.output.find_last_not_of('\n') + 1);
       if (result.exit_code == static_cast<int>(ExitCode::bad_input))
@@ -48,30 +48,85 @@ namespace birdstrike
         throw std::runtime_error("'" + planned.name + "' could not be checked:\n" + said);
     }
 
-    /// Returns the exit code of the run.
-    int run(const PlannedCase &planned, const std::size_t number, const std::size_t n_to_run)
+    /// Returns the exit code of the run. What an earlier run has left goes first, lest it be taken for this one's.
+    int run(PlannedCase &planned, const std::size_t number, const std::size_t n_to_run)
     {
       log().info("Case {} of {} to run: {}, into {}{}", number, n_to_run, planned.name, planned.folder.string(),
                  planned.why_run.empty() ? "" : " (" + planned.why_run + ")");
-      std::filesystem::remove(planned.folder / "summary.json"); // of an earlier run: nobody takes it for this one's
-      const ChildResult result = run_child({arguments_for("run", planned), "", false});
+      try
+        {
+          drop_results(planned.folder);
+        }
+      catch (const InputError &error)
+        {
+          log().error("{}", error.what());
+          return static_cast<int>(ExitCode::bad_input);
+        }
+      const ChildResult result = run_child({arguments_for("run", planned), "", false, this_program});
       end_if_stopped(result);
-      if (result.exit_code == static_cast<int>(ExitCode::bad_input))
-        throw InputError("'" + planned.name + "' was refused, as said above.");
+      planned.in_use = std::make_unique<RunFolderInUse>(planned.folder);
       return result.exit_code;
+    }
+
+    /// A record that cannot be read is a loss of its own case only.
+    RunRecord read_record(const PlannedCase &planned)
+    {
+      try
+        {
+          RunRecord record(planned.folder);
+          record.dataset("history/time"); // raises if results.h5 is there and damaged
+          return record;
+        }
+      catch (const std::runtime_error &error)
+        {
+          return RunRecord::unreadable(planned.folder, error.what());
+        }
     }
 
     void draw(const ComparisonFolder &folder)
     {
-      const ChildResult result = run_child({{"gnuplot", "figures.gp"}, folder.path().string(), true});
-      if (!result.was_found)
+      const auto result =
+        run_child_if_found({{"gnuplot", "--default-settings", "figures.gp"}, folder.path().string(), true});
+      if (!result)
         log().info("The curves are not drawn, for gnuplot is not installed: apt-get install gnuplot-nox, then "
                    "(cd {} && gnuplot figures.gp).",
                    folder.path().string());
-      else if (result.exit_code != 0)
+      else if (result->exit_code != 0)
         log().warn("gnuplot could not draw {}: {}", (folder.path() / "figures.gp").string(),
-                   result.output.substr(0, 300));
+                   result->output.substr(0, 300));
     }
+
+    /// What the runs that came to no result ended with.
+    class Losses
+    {
+    public:
+      void add(const std::string &name, const int code)
+      {
+        if (code == 0)
+          return;
+        names += (names.empty() ? "'" : ", '") + name + "' (exit code " + std::to_string(code) + ")";
+        has_refused    = has_refused || code == static_cast<int>(ExitCode::bad_input);
+        are_all_lawful = are_all_lawful && (code == static_cast<int>(ExitCode::bad_input) ||
+                                            code == static_cast<int>(ExitCode::numerical_failure));
+      }
+
+      /// Throws what gives the comparison the exit code that says most: of a crash before a refusal before a lost
+      /// state.
+      void raise() const
+      {
+        if (names.empty())
+          return;
+        if (!are_all_lawful)
+          throw std::runtime_error("a case ended as none should: " + names + ".");
+        if (has_refused)
+          throw InputError("Refused or lost: " + names + ". The table holds what the other cases came to.");
+        throw NumericalFailure("Lost: " + names + ". The table holds what the other cases came to.");
+      }
+
+    private:
+      std::string names;
+      bool        has_refused = false, are_all_lawful = true;
+    };
 
     std::string make_report(const ComparisonTable &table, const std::vector<Figure> &figures,
                             const std::vector<PlannedCase> &cases)
@@ -95,14 +150,13 @@ namespace birdstrike
       });
     }
 
-    void write(const CompareRequest &request, const std::vector<PlannedCase> &cases)
+    void write(const ComparisonFolder &folder, const std::vector<PlannedCase> &cases)
     {
       std::vector<ComparedRun> runs;
       for (const PlannedCase &planned : cases)
-        runs.push_back({planned.name, RunRecord(planned.folder)});
-      const ComparisonTable  table(runs);
-      const auto             figures = make_comparison_figures(runs);
-      const ComparisonFolder folder(request.output);
+        runs.push_back({planned.name, read_record(planned)});
+      const ComparisonTable table(runs);
+      const auto            figures = make_comparison_figures(runs);
       folder.write_text("comparison.csv", table.as_csv());
       folder.write_text("comparison.md", make_report(table, figures, cases));
       folder.write_text("figures.gp", script_of(figures));
@@ -118,8 +172,8 @@ namespace birdstrike
 
   void compare_cases(const CompareRequest &request)
   {
-    const std::vector<PlannedCase> cases    = plan_comparison(request);
-    const auto                     is_ready = [](const PlannedCase &planned) { return planned.is_reused; };
+    std::vector<PlannedCase> cases    = plan_comparison(request);
+    const auto               is_ready = [](const PlannedCase &planned) { return planned.is_reused; };
     const auto n_to_run = cases.size() - static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), is_ready));
     for (const PlannedCase &planned : cases)
       if (planned.is_reused)
@@ -127,22 +181,13 @@ namespace birdstrike
       else
         validate(planned);
 
-    ComparisonFolder(request.output); // takes it before hours of computing
-    std::string lost;
-    bool        is_numerical = true;
-    std::size_t number       = 0;
-    for (const PlannedCase &planned : cases)
+    const ComparisonFolder folder(request.output); // takes it before hours of computing
+    Losses                 losses;
+    std::size_t            number = 0;
+    for (PlannedCase &planned : cases)
       if (!planned.is_reused)
-        if (const int code = run(planned, ++number, n_to_run); code != 0)
-          {
-            lost += (lost.empty() ? "'" : ", '") + planned.name + "' (exit code " + std::to_string(code) + ")";
-            is_numerical = is_numerical && code == static_cast<int>(ExitCode::numerical_failure);
-          }
-    write(request, cases);
-    if (lost.empty())
-      return;
-    if (is_numerical)
-      throw NumericalFailure("Lost: " + lost + ". The table holds what the other cases came to.");
-    throw std::runtime_error("a case ended as none should: " + lost + ".");
+        losses.add(planned.name, run(planned, ++number, n_to_run));
+    write(folder, cases);
+    losses.raise();
   }
 } // namespace birdstrike

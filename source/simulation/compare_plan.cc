@@ -2,7 +2,6 @@
 
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/comparison_folder.h>
-#include <birdstrike/io/run_record.h>
 #include <birdstrike/io/run_reuse.h>
 
 #include <fmt/format.h>
@@ -47,15 +46,30 @@ namespace birdstrike
                                      a.prm_file + (a.prm_file == b.prm_file ? " (" + a.name + ")" : ""),
                                      b.prm_file + (a.prm_file == b.prm_file ? " (" + b.name + ")" : "")));
       if (a.folder == b.folder)
-        throw InputError(fmt::format("'{}' and '{}' are both called '{}'.\n  Action: give one of them another "
-                                     "Case/Name.",
-                                     a.prm_file, b.prm_file, b.name));
+        throw InputError(fmt::format("'{}' and '{}' would both run in the folder '{}'.\n  Action: give one of them "
+                                     "another Case/Name.",
+                                     a.prm_file, b.prm_file, b.folder.string()));
+    }
+
+    /// The name of the case that a folder holds a run of, complete or not; empty if it says none.
+    std::string name_of_run_in(const fs::path &folder)
+    {
+      try
+        {
+          CaseParameters parameters;
+          parameters.read((folder / "parameters.prm").string());
+          return parameters.name;
+        }
+      catch (const InputError &)
+        {
+          return "";
+        }
     }
 
     /// The comparison's own folder may hold an earlier run of this case, of which nothing is lost when it is replaced.
     void require_own_folder(const PlannedCase &planned)
     {
-      const std::string other = RunRecord(planned.folder).text("case");
+      const std::string other = name_of_run_in(planned.folder);
       if (!other.empty() && other != planned.parameters->name)
         throw InputError(fmt::format("'{}' is to run in the folder '{}', which holds a run of another case, '{}'.\n  "
                                      "Action: choose another folder with --output DIR.",
@@ -64,16 +78,20 @@ namespace birdstrike
 
     void look_for_run(PlannedCase &planned)
     {
-      const fs::path beside = fs::path(planned.prm_file).parent_path();
+      const fs::path parent = fs::path(planned.prm_file).parent_path(), beside = parent.empty() ? "." : parent;
       for (const fs::path &candidate : {planned.folder, fs::path(planned.parameters->run_directory()), beside})
         {
           if (!fs::exists(candidate / "summary.json"))
             continue;
-          const std::string reason = reason_not_to_reuse(candidate, *planned.parameters);
+          auto              in_use = std::make_unique<RunFolderInUse>(candidate);
+          const std::string reason = in_use->is_of_a_running_run()
+                                       ? "a run is writing into it"
+                                       : reason_not_to_reuse(candidate, *planned.parameters);
           if (reason.empty())
             {
               planned.folder    = candidate;
               planned.is_reused = true;
+              planned.in_use    = std::move(in_use);
               return;
             }
           if (planned.why_run.empty())

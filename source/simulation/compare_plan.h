@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/run_folder.h>
 #include <birdstrike/simulation/compare.h>
 
 #include <filesystem>
@@ -19,6 +20,7 @@ namespace birdstrike
     std::unique_ptr<CaseParameters> parameters;
     std::filesystem::path           folder;
     bool                            is_reused = false;
+    std::unique_ptr<RunFolderInUse> in_use;  ///< from when its run is complete until the comparison is written
     std::string                     why_run; ///< where a run of the same name was found that cannot be reused
   };
 

@@ -107,8 +107,8 @@ namespace birdstrike
 
   void Stepper::set_in_transit(const double duration)
   {
-    if (duration != in_transit)
-      parts.blade->set_contact_in_transit(duration);
+    if (duration > 0. || in_transit > 0.)
+      parts.blade->set_contact_in_transit(duration); // the forces are others, even if the duration is the same
     in_transit = duration;
   }
 

@@ -41,9 +41,7 @@ for file in comparison.md comparison.csv figures.gp tip_deflection.csv root_mome
             profiles.csv quickstart/summary.json oblique/summary.json; do
   [ -s both/$file ] || fail "two cases left no $file"
 done
-if command -v gnuplot >/dev/null; then
-  require "its curves are drawn" '[ "$(grep -l "</svg>" both/*.svg | wc -l)" -eq 6 ]'
-fi
+require "its curves are drawn" '[ "$(grep -l "</svg>" both/*.svg | wc -l)" -eq 6 ]'
 
 # the numbers are those of the runs
 peak=$(sed -n 's/.*"peak_moment": \([^,]*\),/\1/p' both/oblique/summary.json)
@@ -81,6 +79,13 @@ sed 's/set End time = .*/set End time = 2e-3\n  set Energy error limit = 1e-12/'
 compare "a lost case" 3 "Case: ended .* lost" "'doomed' was lost: failed: .*energy" "Tip: peak" -- "$a" doomed.prm "${fast[@]}" --output lost
 require "the other one is compared" 'grep -qE "^Tip,peak \(mid-chord\),m,[0-9.e-]+,,$" lost/comparison.csv'
 
+# a run that cannot be read loses its own case only; a folder in use is left alone
+echo "no JSON" >plain/oblique/summary.json
+compare "a damaged run is made again" 0 "Case 1 of 1 to run: oblique" "its files cannot be read" -- "$b" "${fast[@]}" --set "Output/HDF5=false" --output plain
+flock plain/.birdstrike-comparison "$program" compare "$a" "${fast[@]}" --output plain >out.txt 2>&1
+code=$?
+require "one comparison a folder" '[ $code -eq 2 ] && grep -q "Another comparison is writing" out.txt'
+
 # an interrupted comparison ends its run in order, says so, and does not take it for a result
 "$program" compare "$a" "${fast[@]}" --set "Time/End time=10" --set "Time/Maximum wall time=60" --output stopped >out.txt 2>&1 &
 running=$!
@@ -107,7 +112,7 @@ refuse "the same file twice" "same case" -- "$a" "$a"
 cp "$a" copy.prm
 refuse "the same case by another name" "same case" -- "$a" copy.prm
 mkdir -p elsewhere && sed 's/0.1005/0.2/' "$a" >elsewhere/quickstart.prm
-refuse "two cases of one name" "both called 'quickstart'" -- "$a" elsewhere/quickstart.prm
+refuse "two cases of one name" "would both run in the folder" -- "$a" elsewhere/quickstart.prm
 refuse "an unknown kind of blade" "Kind.*wooden" "shell" -- "$a" --blade shell,wooden
 refuse "the same kind twice" "same case" -- "$a" --blade shell,shell
 refuse "a misspelt override" "Mas" "Mass" -- "$a" --set "Bird/Mas=1"

@@ -7,11 +7,15 @@ namespace birdstrike
 {
   /// The folder of one comparison: its table, figures and data, and below it one run folder for each case that had to
   /// be run. It is recognised by a marker file, `.birdstrike-comparison`. A missing or empty folder is taken, one with
-  /// the marker is written over; a run folder and a folder of someone else's are refused with an InputError.
+  /// the marker is written over; a run folder, a folder of someone else's and one that another comparison is writing
+  /// into are refused with an InputError. It is locked while this object lives.
   class ComparisonFolder
   {
   public:
     explicit ComparisonFolder(const std::filesystem::path &directory);
+    ~ComparisonFolder();
+    ComparisonFolder(const ComparisonFolder &)            = delete;
+    ComparisonFolder &operator=(const ComparisonFolder &) = delete;
 
     const std::filesystem::path &path() const;
 
@@ -26,5 +30,6 @@ namespace birdstrike
 
   private:
     std::filesystem::path directory;
+    int                   lock = -1;
   };
 } // namespace birdstrike

@@ -41,4 +41,26 @@ namespace birdstrike
     void take();
     void mark(const std::string &state) const;
   };
+
+  /// Removes what could be taken for results of a run that is still to start in this folder: summary and histories of
+  /// the one before. Its parameters stay, for they may be what that run is made of. A folder of no run is left alone,
+  /// one in use refused with an InputError.
+  void drop_results(const std::filesystem::path &directory);
+
+  /// While this lives no run takes the folder; any number of readers may.
+  class RunFolderInUse
+  {
+  public:
+    explicit RunFolderInUse(const std::filesystem::path &directory); ///< of a run, or of nobody
+    ~RunFolderInUse();
+    RunFolderInUse(const RunFolderInUse &)            = delete;
+    RunFolderInUse &operator=(const RunFolderInUse &) = delete;
+
+    /// A run is writing into it: what is there will change.
+    bool is_of_a_running_run() const;
+
+  private:
+    int  lock             = -1;
+    bool is_being_written = false;
+  };
 } // namespace birdstrike

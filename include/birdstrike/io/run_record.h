@@ -17,6 +17,9 @@ namespace birdstrike
   public:
     explicit RunRecord(const std::filesystem::path &folder);
 
+    /// Of a run whose files cannot be read: it is not complete, and its state says why.
+    static RunRecord unreadable(const std::filesystem::path &folder, const std::string &why);
+
     const std::filesystem::path &folder() const;
 
     /// Whether the run came to its end: summary.json is written last.
@@ -39,9 +42,11 @@ namespace birdstrike
     std::vector<double> dataset(const std::string &name) const;
 
   private:
+    RunRecord() = default;
+
     std::filesystem::path                      directory;
     std::string                                marker;
-    bool                                       has_summary = false;
+    bool                                       has_summary = false, has_files = true;
     std::map<std::string, double>              numbers;
     std::map<std::string, std::string>         texts;
     std::map<std::string, std::vector<double>> columns;

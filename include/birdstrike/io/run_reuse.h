@@ -15,10 +15,10 @@ namespace birdstrike
   /// `ignored`; empty if none does. Numbers are compared as numbers, all else as text.
   std::string first_difference(const CaseParameters &a, const CaseParameters &b, const EntryNames &ignored);
 
-  /// Whether the run in a folder can stand for a run of these parameters by this program: it is complete, was not ended
-  /// by a signal, this very build made it, its parameters.prm has the same value in every entry but Output/Directory,
-  /// and no file that an entry names (a mesh) is newer. Results do not depend on the machine's number of cores, so that
-  /// is not asked.
+  /// Whether the run in a folder can stand for a run of these parameters by this program: it is complete, with its
+  /// histories, neither a signal nor the clock ended it, this very build made it, its parameters.prm has the same value
+  /// in every entry but Output/Directory, and the files that entries name (meshes) have the same contents. Results do
+  /// not depend on the machine's number of cores, so that is not asked.
   ///
   /// Empty if so, else why not, in words that follow "because".
   std::string reason_not_to_reuse(const std::filesystem::path &folder, const CaseParameters &wanted);

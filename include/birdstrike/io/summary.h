@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/io/input_files.h>
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -12,6 +14,8 @@ namespace birdstrike
 {
   /// Key "end/reason" of a run that was ended from outside: its results are not those of its parameters.
   inline constexpr const char *stopped_by_signal = "stopped by a signal";
+  /// The same of a run whose time was up on the wall's clock.
+  inline constexpr const char *stopped_by_clock = "maximum wall time reached";
 
   /// Work that a run did not do: what, how much of it, and the share of the run time that it would have been (NaN: no
   /// estimate).
@@ -32,6 +36,7 @@ namespace birdstrike
     {
       std::string version, build; ///< as in ProgramIdentity
     } program;
+    std::vector<InputFile> inputs; ///< as they were when the run read them
     struct
     {
       double      time = 0.; ///< s

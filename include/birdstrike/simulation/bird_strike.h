@@ -31,8 +31,9 @@ namespace birdstrike
     /// Steps until a stop criterion is met.
     void run();
 
-    /// Asks a running loop to end after its present step, e.g. from a signal handler.
+    /// Asks the loop, running or still to come, to end after its present step, e.g. from a signal handler.
     static void request_stop();
+    static void forget_stop_requests();
 
     double             time() const;
     const std::string &end_reason() const;

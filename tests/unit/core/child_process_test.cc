@@ -5,14 +5,16 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
 
 using birdstrike::program_identity;
 using birdstrike::run_child;
+using birdstrike::run_child_if_found;
 
 TEST(ChildProcess, TellsOutputAndExitCode)
 {
   const auto result = run_child({{"sh", "-c", "echo out; echo err >&2; exit 3"}, "", true});
-  EXPECT_TRUE(result.was_found);
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.output, "out\nerr\n");
   EXPECT_EQ(result.stopped_by, 0);
@@ -31,7 +33,15 @@ TEST(ChildProcess, RunsInTheGivenFolder)
 
 TEST(ChildProcess, SaysThatAProgramIsMissing)
 {
-  EXPECT_FALSE(run_child({{"no-such-program-of-birdstrike"}, "", true}).was_found);
+  EXPECT_FALSE(run_child_if_found({{"no-such-program-of-birdstrike"}, "", true}));
+  EXPECT_THROW(run_child({{"no-such-program-of-birdstrike"}, "", true}), std::runtime_error);
+}
+
+TEST(ChildProcess, StartsTheRunningProgramAgain)
+{
+  const auto result = run_child({{"another name", "--gtest_list_tests"}, "", true, birdstrike::this_program});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.output.find("StartsTheRunningProgramAgain"), std::string::npos);
 }
 
 TEST(ChildProcess, NamesTheSignalThatEndedIt)
@@ -43,7 +53,9 @@ TEST(ChildProcess, HandsSignalsOnAndSaysSo)
 {
   // The child asks its parent, this process, to terminate, and ends in its own way when that is handed on.
   const auto result =
-    run_child({{"sh", "-c", "trap 'exit 7' TERM; kill -TERM $PPID; while :; do sleep 0.01; done"}, "", true});
+    run_child({{"sh", "-c", "trap 'exit 7' TERM; kill -TERM $PPID; for i in $(seq 3000); do sleep 0.01; done; exit 8"},
+               "",
+               true});
   EXPECT_EQ(result.exit_code, 7);
   EXPECT_EQ(result.stopped_by, SIGTERM);
 }
@@ -64,7 +76,7 @@ TEST(Program, KnowsItsReleaseAndItsBuild)
   EXPECT_FALSE(program_identity().version.empty());
   EXPECT_EQ(program_identity().build.size(), 16u);
   // as binutils read it
-  const auto notes = run_child({{"readelf", "-n", birdstrike::path_of_this_program()}, "", true});
-  ASSERT_TRUE(notes.was_found) << "readelf is of binutils, which linked this test";
+  const std::string file  = std::filesystem::read_symlink(birdstrike::this_program);
+  const auto        notes = run_child({{"readelf", "-n", file}, "", true});
   EXPECT_NE(notes.output.find("Build ID: " + program_identity().build), std::string::npos) << notes.output;
 }

@@ -47,7 +47,6 @@ TEST(Figure, GnuplotDrawsIt)
   scratch.write("tip.csv", data_of(make_figure()));
   scratch.write("figures.gp", script_of({make_figure()}));
   const auto result = birdstrike::run_child({{"gnuplot", "figures.gp"}, scratch.path().string(), true});
-  ASSERT_TRUE(result.was_found) << "gnuplot is not installed: apt-get install gnuplot-nox (tests/run.sh does)";
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.output, "") << "warnings, too, are faults of the script";
   const std::string svg = read_text(scratch.path() / "tip.svg");

@@ -43,6 +43,7 @@ struct RecordedRun
     history.add_column("time", "s", [&] { return t; });
     history.add_column("tip_mid_chord", "m", [&] { return stays - (peak - stays) * std::cos(phase()); });
     history.add_column("root_bending_moment", "N m", [&] { return 400. * std::sin(phase()); });
+    history.add_column("blade_kinetic", "J", [&] { return t == 0. ? 2.5 : 1.; });
     for (const std::string axis : {"x", "y", "z"})
       history.add_column("contact_force_" + axis, "N", [] { return 1000.; });
     for (int row = 0; row < 2600; ++row)
@@ -63,6 +64,8 @@ struct RecordedRun
     birdstrike::RunFolder run(folder);
     run.write_text("parameters.prm", parameters.file.as_prm());
     write_history(folder);
-    run.finish(to_text(make_summary(parameters.name)));
+    birdstrike::Summary made = make_summary(parameters.name);
+    made.inputs              = list_input_files(parameters);
+    run.finish(to_text(made));
   }
 };

@@ -1,9 +1,9 @@
+#include <birdstrike/core/errors.h>
 #include <birdstrike/io/run_record.h>
 #include <birdstrike/io/run_reuse.h>
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "recorded_run.h"
@@ -62,11 +62,14 @@ TEST_F(RunReuse, AnIncompleteRunWillNotDo)
   EXPECT_EQ(reason(), "there is no complete run");
 }
 
-TEST_F(RunReuse, ARunThatASignalEndedWillNotDo)
+TEST_F(RunReuse, ARunThatWasEndedFromOutsideWillNotDo)
 {
   run.reason = stopped_by_signal;
   run.write(folder, prm);
   EXPECT_EQ(reason(), "a signal ended it");
+  run.reason = stopped_by_clock;
+  run.write(folder, prm);
+  EXPECT_EQ(reason(), "Time/Maximum wall time ended it, which depends on the machine");
 }
 
 TEST_F(RunReuse, AnotherProgramsRunWillNotDo)
@@ -91,11 +94,57 @@ TEST_F(RunReuse, AMeshThatWasChangedSinceMatters)
   const std::string of_mesh = "Blade/Mesh/File=" + mesh;
   run.overrides             = {of_mesh};
   run.write(folder, prm);
-  const auto when = std::filesystem::last_write_time(folder / "summary.json");
-  std::filesystem::last_write_time(mesh, when - std::chrono::seconds(1));
   EXPECT_EQ(reason({of_mesh}), "");
-  std::filesystem::last_write_time(mesh, when + std::chrono::seconds(1));
-  EXPECT_EQ(reason({of_mesh}), "'" + mesh + "' was changed since");
+  const auto when = std::filesystem::last_write_time(mesh);
+  scratch.write("plate.msh", "mend");
+  std::filesystem::last_write_time(mesh, when); // as a copy that keeps times does
+  EXPECT_EQ(reason({of_mesh}), "'" + mesh + "' is not what it was");
+  scratch.write("plate.msh", "mesh");
+  EXPECT_EQ(reason({of_mesh}), "") << "the contents count";
+  std::filesystem::remove(mesh);
+  EXPECT_EQ(reason({of_mesh}), "'" + mesh + "' is not what it was");
+}
+
+TEST_F(RunReuse, AnIncompleteFolderWillNotDo)
+{
+  run.write(folder, prm);
+  scratch.write("run/.birdstrike", "running\n");
+  EXPECT_EQ(reason(), "its state is 'running'");
+  scratch.write("run/.birdstrike", "done\n");
+  EXPECT_EQ(reason(), "");
+  std::filesystem::remove(folder / "results.h5");
+  EXPECT_EQ(reason(), "it has no results.h5");
+  std::filesystem::remove(folder / "history.csv");
+  EXPECT_EQ(reason(), "it has no history");
+}
+
+TEST_F(RunReuse, AFolderThatIsDamagedWillNotDo)
+{
+  run.write(folder, prm);
+  scratch.write("run/results.h5", "no HDF5");
+  EXPECT_EQ(reason(), "its files cannot be read");
+  scratch.write("run/summary.json", "no JSON");
+  EXPECT_EQ(reason(), "its files cannot be read");
+}
+
+TEST_F(RunReuse, NoRunTakesAFolderInUse)
+{
+  run.write(folder, prm);
+  {
+    const RunFolderInUse reader(folder), another(folder);
+    EXPECT_FALSE(reader.is_of_a_running_run());
+    EXPECT_FALSE(another.is_of_a_running_run());
+    EXPECT_THROW(RunFolder{folder}, InputError);
+    EXPECT_THROW(drop_results(folder), InputError);
+    EXPECT_TRUE(std::filesystem::exists(folder / "summary.json"));
+  }
+  drop_results(folder);
+  EXPECT_EQ(RunRecord(folder).state(), "failed: it never started");
+  EXPECT_TRUE(RunRecord(folder).column("time").empty());
+  EXPECT_TRUE(std::filesystem::exists(folder / "parameters.prm")) << "what the next run may be made of";
+  const RunFolder writer(folder);
+  EXPECT_TRUE(RunFolderInUse(folder).is_of_a_running_run());
+  EXPECT_FALSE(std::filesystem::exists(folder / "summary.json"));
 }
 
 TEST_F(RunReuse, ParametersThatAreNoLongerKnownWillNotDo)
@@ -127,7 +176,7 @@ TEST_F(RunReuse, TheRecordHasWhatTheRunLeft)
 TEST_F(RunReuse, TheRecordOfAKilledRunEndsWithItsLastWholeRow)
 {
   std::filesystem::create_directories(folder);
-  scratch.write("run/history.csv", "# 1: time [s]\n# 2: x [m]\ntime,x\n0,1\n1,2\n2,");
+  scratch.write("run/history.csv", "# 1: time [s]\n# 2: x [m]\ntime,x\n0,1\n1,2\n2,31");
   const RunRecord record(folder);
   EXPECT_FALSE(record.is_complete());
   EXPECT_EQ(record.column("x"), (std::vector<double>{1., 2.}));

@@ -14,6 +14,7 @@ TEST(Summary, HasTheStableKeys)
   const std::vector<std::pair<std::string, std::vector<std::string>>> keys{
     {"case", {}},
     {"program", {"version", "build"}},
+    {"inputs", {}},
     {"end", {"time", "reason"}},
     {"blade", {"kind", "elements", "nodes", "mass"}},
     {"bird", {"particles", "mass", "kinetic_energy", "momentum"}},

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  struct CaseParameters;
+
+  /// A file that a case reads besides its parameters, a mesh.
+  struct InputFile
+  {
+    std::string name;
+    std::string fingerprint; ///< of its contents: 16 hexadecimal digits (FNV-1a, Fowler, Noll & Vo 1991)
+
+    bool operator==(const InputFile &) const = default;
+  };
+
+  /// The files that entries name, in the order of declaration. One that cannot be read is left out: whoever needs it
+  /// will say so.
+  std::vector<InputFile> list_input_files(const CaseParameters &parameters);
+} // namespace birdstrike
