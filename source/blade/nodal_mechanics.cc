@@ -11,7 +11,7 @@ namespace birdstrike
   {
     const bool    first = half == HalfKick::first;
     double       *v     = velocity.data();
-    const double *f = force.data(), *inverse = inverse_mass.data();
+    const double *f = scaled ? scaled->forces() : force.data(), *inverse = inverse_mass.data();
 
     if (loads.damping() == 0. && !loads.is_active())
       for_nodes([=](const std::size_t begin, const std::size_t end) {
@@ -31,7 +31,8 @@ namespace birdstrike
   {
     const double  decay = std::exp(-loads.damping() * half_step);
     double       *v     = velocity.data();
-    const double *f = force.data(), *f_external = external.data(), *inverse = inverse_mass.data(), *m = mass.data();
+    const double *f = scaled ? scaled->forces() : force.data(), *f_external = external.data();
+    const double *inverse = inverse_mass.data(), *m = mass.data();
     const Sums    sums = sum_nodes([=](const std::size_t n, Sums &sum) {
       for (std::size_t i = n_unknowns * n; i < n_unknowns * n + n_unknowns; ++i)
         {
@@ -47,6 +48,8 @@ namespace birdstrike
     });
     booked.external_work += sums[0];
     booked.dissipated += sums[1];
+    if (scaled)
+      booked.dissipated += scaled->dissipated({v, f_external, inverse, half_step, decay}, first);
     for (unsigned int d = 0; d < 3; ++d)
       impulses.external_impulse[d] += sums[2 + d];
   }
@@ -56,25 +59,40 @@ namespace birdstrike
   {
     const bool    first = half == HalfKick::first;
     double       *v     = velocity.data();
-    const double *f = contact.data(), *inverse = inverse_mass.data();
+    const double *f = contact.data(), *kicking = f, *inverse = inverse_mass.data();
+    if (scaled)
+      {
+        scaled->update_contact(f);
+        kicking = scaled->contact();
+      }
 
     // contact leaves the moments at zero: what happens to rotations is nothing
-    const auto sums = sum_components<2>([=](const std::size_t i, Eight *sum) {
-      Eight force_on, before, mobility;
-      read(f + i, force_on);
-      read(v + i, before);
-      read(inverse + i, mobility);
-      const Eight impulse = half_step * force_on, after = before + impulse * mobility;
-      write(after, v + i);
-      sum[0] += impulse;
-      sum[1] += impulse * (first ? after : before);
-    });
+    const auto kick = [=, this](const auto is_scaled) {
+      return sum_components<2>([=](const std::size_t i, Eight *sum) {
+        Eight force_on, before, mobility;
+        read(f + i, force_on);
+        read(v + i, before);
+        read(inverse + i, mobility);
+        const Eight impulse = half_step * force_on;
+        Eight       change  = impulse * mobility;
+        if constexpr (is_scaled)
+          {
+            read(kicking + i, change);
+            change = half_step * change * mobility;
+          }
+        const Eight after = before + change;
+        write(after, v + i);
+        sum[0] += impulse;
+        sum[1] += impulse * (first ? after : before);
+      });
+    };
+    const auto sums = scaled ? kick(std::true_type{}) : kick(std::false_type{});
     for (unsigned int d = 0; d < 3; ++d)
       impulses.contact_impulse[d] += sums[0][d];
     booked.contact_work += sums[1][0] + sums[1][1] + sums[1][2];
     for (const std::uint32_t dof : held_dofs)
       if (dof % n_unknowns < 3)
-        impulses.support_impulse[dof % n_unknowns] += half_step * f[dof];
+        impulses.support_impulse[dof % n_unknowns] += half_step * kicking[dof];
     contact_half = first ? 0. : half_step;
   }
 
@@ -105,6 +123,8 @@ namespace birdstrike
   void NodalMechanics<n_unknowns>::clear_contact_forces()
   {
     std::fill(contact.begin(), contact.end(), 0.);
+    if (scaled)
+      scaled->clear_contact();
   }
 
   template <unsigned int n_unknowns>
@@ -122,6 +142,15 @@ namespace birdstrike
       return;
     std::fill(external.begin(), external.end(), 0.);
     loads.add_forces(time, position.data(), external.data());
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::scale(const NodeColumns  &columns,
+                                         std::vector<double> coupling) requires(n_unknowns == 3)
+  {
+    scaled = std::make_unique<ScaledNodes>(
+      ColumnMass(columns, std::move(coupling), mass.data(), inverse_mass.data(), pool), n_padded);
+    scaled->update_forces(force.data(), external.data());
   }
 
   template class NodalMechanics<3>;

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "registers.h"
+#include "scaled_nodes.h"
 
 #include <birdstrike/blade/loads.h>
 #include <birdstrike/blade/node_arrays.h>
 #include <birdstrike/blade/reports.h>
 #include <birdstrike/blade/supports.h>
-#include <birdstrike/core/aligned_vector.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/energy_report.h>
 #include <birdstrike/core/fields.h>
@@ -49,6 +49,8 @@ namespace birdstrike
     void initialize_velocity(const BladeParameters::Loads &parameters);
     /// Watches the nodes nearest to the points of a list "name: x y z; ...". Throws InputError.
     void watch(const std::string &probes);
+    /// From now on the nodes of a solid have the mass matrix of column_mass.h; `coupling` (kg) as there.
+    void scale(const NodeColumns &columns, std::vector<double> coupling) requires(n_unknowns == 3);
 
     void kick_internal(double half_step, HalfKick half);
     void kick_contact(double half_step, HalfKick half);
@@ -70,6 +72,8 @@ namespace birdstrike
         elements.compute_internal_forces(position.data(), increment.data(), increment_time, force.data());
       increment_time = 0.;
       update_loads();
+      if (scaled)
+        scaled->update_forces(force.data(), external.data());
     }
 
     EnergyReport             energies() const; ///< kinetic, dissipated, works: nothing that elements store
@@ -118,7 +122,7 @@ namespace birdstrike
 
     static constexpr std::size_t block = 24;                ///< entries
     static constexpr std::size_t chunk = 3072 / n_unknowns; ///< nodes, whole blocks
-    /// Chunks a thread takes at least: offering a range to one that is awake costs 1-2 us, as a kick of some hundred
+    /// Chunks a thread takes at least: offering a range to one that is awake costs 1-2 us, a kick of some hundred
     /// nodes.
     static constexpr std::size_t grain = 2;
 
@@ -132,6 +136,7 @@ namespace birdstrike
     AlignedVector<double>                              reference, position; ///< [3 n_nodes]
     std::vector<double>                                node_inverse_mass;   ///< [n_nodes], 0 where all three are held
     std::vector<std::pair<std::string, std::uint32_t>> watched;             ///< probes: name, node
+    std::unique_ptr<ScaledNodes>                       scaled;              ///< none: masses are those of the nodes
 
     double time           = 0.;                   ///< s
     double increment_time = 0.;                   ///< s since the last compute_internal_forces

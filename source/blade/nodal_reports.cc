@@ -99,9 +99,10 @@ namespace birdstrike
   EnergyReport NodalMechanics<n_unknowns>::energies() const
   {
     const double  decay = std::exp(-loads.damping() * internal_half);
-    const double *v = velocity.data(), *f = force.data(), *m = mass.data();
+    const double *v = velocity.data(), *f = scaled ? scaled->forces() : force.data(), *m = mass.data();
     const double  h = internal_half, h_c = contact_half;
-    const double *f_contact = contact.data(), *f_external = external.data(), *inverse = inverse_mass.data();
+    const double *f_contact  = scaled ? scaled->contact() : contact.data();
+    const double *f_external = external.data(), *inverse = inverse_mass.data();
     const double  back   = 1. - 1. / decay;
     const auto    sums   = sum_components<1>([=](const std::size_t i, Eight *sum) {
       Eight speed, inner, outer_contact, outer_load, inertia, mobility;
@@ -116,6 +117,8 @@ namespace birdstrike
     });
     EnergyReport  report = booked;
     report.kinetic       = std::accumulate(sums[0].begin(), sums[0].end(), 0.);
+    if (scaled)
+      report.kinetic += scaled->kinetic({v, f_external, inverse, h, decay}, h_c);
     return report;
   }
 
@@ -141,6 +144,12 @@ namespace birdstrike
       {
         report.momentum[d]         = sums[d];
         report.angular_momentum[d] = sums[3 + d];
+      }
+    if (scaled)
+      {
+        const auto added = scaled->angular_momentum(x, v);
+        for (unsigned int d = 0; d < 3; ++d)
+          report.angular_momentum[d] += added[d];
       }
     if (in_transit > 0.)
       {
@@ -195,6 +204,8 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   FacetsView NodalMechanics<n_unknowns>::facets()
   {
+    if (scaled)
+      scaled->forget_contact(); // whoever asks may add forces
     FacetsView view;
     view.n_nodes         = n_nodes;
     view.position        = position.data();
@@ -222,7 +233,8 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   std::size_t NodalMechanics<n_unknowns>::bytes() const
   {
-    return sizeof(double) * (8 * n_padded + 7 * n_nodes); // eight vectors of unknowns, two of coordinates, one scalar
+    // eight vectors of unknowns, two of coordinates, one scalar
+    return sizeof(double) * (8 * n_padded + 7 * n_nodes) + (scaled ? scaled->bytes() : 0);
   }
 
   template class NodalMechanics<3>;

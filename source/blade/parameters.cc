@@ -1,3 +1,4 @@
+#include "mass_scaling.h"
 #include "mesh_parameters.h"
 #include "section_choices.h"
 
@@ -159,6 +160,7 @@ namespace birdstrike
     declare_mesh(prm, mesh);
     declare_thickness(prm, thickness);
     declare_element(prm, element);
+    declare_mass_scaling(prm, mass_scaling);
     prm.enter_subsection("Material");
     material.declare(prm);
     prm.leave_subsection();
@@ -219,6 +221,10 @@ namespace birdstrike
     add("solid", "Loads/Pressure boundaries", loads.pressure_boundaries != defaults.loads.pressure_boundaries);
     add("solid", "Mesh/Layers", mesh.n_layers != defaults.mesh.n_layers);
     add("solid", "Mesh/Layer grading", differ(mesh.layer_grading, defaults.mesh.layer_grading));
+    const MassScaling &m = mass_scaling, &n = defaults.mass_scaling;
+    add("solid", "Mass scaling/Method", m.method != n.method);
+    add("solid", "Mass scaling/Largest added inertia", differ(m.largest_added, n.largest_added));
+    add("solid", "Mass scaling/Target step", m.target_step != n.target_step);
     return unused;
   }
 } // namespace birdstrike

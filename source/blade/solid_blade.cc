@@ -1,3 +1,4 @@
+#include "mass_scaling.h"
 #include "section_choices.h"
 #include "solid_blade_state.h"
 
@@ -64,8 +65,20 @@ namespace birdstrike
     , half_thickness(mesh.volume().skin.cells.size(), 0.)
   {
     elements.use_nodal_masses(lumped.node);
+    if (parameters.mass_scaling.method == "selective")
+      scale_masses(parameters);
     nodes.initialize_velocity(parameters.loads);
     nodes.watch(parameters.probes);
+  }
+
+  void SolidBlade::State::scale_masses(const BladeParameters &parameters)
+  {
+    const NodeColumns columns(mesh.volume());
+    MassScaling       chosen = choose_mass_scaling(parameters, mesh.volume(), columns, elements, lumped.node);
+    elements.scale_masses(chosen.scale);
+    nodes.scale(columns, std::move(chosen.coupling));
+    scaling      = chosen.report;
+    scaling.step = elements.largest_stable_step();
   }
 
   SolidBlade::SolidBlade(const BladeParameters &parameters, ThreadPool &pool)

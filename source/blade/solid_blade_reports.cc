@@ -97,6 +97,7 @@ namespace birdstrike
     census.mass                   = mass();
     census.n_held_dofs            = state->supports.held_dofs.size();
     census.n_elements_with_points = census.n_elements;
+    census.mass_scaling           = state->scaling;
     // and about 1200 bytes a cell of deal.II's mesh
     census.bytes              = state->nodes.bytes() + state->elements.bytes() + 1200. * census.n_elements;
     census.bytes_per_snapshot = 8. * (9. * census.n_nodes + 9. * census.n_elements) + 32. * census.n_elements;

@@ -13,6 +13,7 @@ namespace birdstrike
   struct SolidBlade::State
   {
     State(const BladeParameters &parameters, ThreadPool &pool);
+    void scale_masses(const BladeParameters &parameters);
 
     SolidMesh           mesh;
     Supports            supports;
@@ -21,6 +22,7 @@ namespace birdstrike
     NodalMechanics<3>   nodes;
     SolidRootSection    root;
     TipRow              tip;
+    MassScalingReport   scaling;
     std::vector<double> half_thickness; ///< m, per facet of the skin: nothing lies beyond it
   };
 } // namespace birdstrike

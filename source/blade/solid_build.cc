@@ -166,6 +166,7 @@ namespace birdstrike
         Chunk &chunk          = chunks[e / n_lanes / batches_per_chunk];
         chunk.frequency       = max(chunk.frequency, Lanes(value));
       }
+    update_scaled_frequencies();
   }
 
   std::size_t SolidElements::Implementation::n_points() const

@@ -125,6 +125,6 @@ namespace birdstrike
     const Implementation &my = *implementation;
     return bytes_of(my.cells) + my.blocks.bytes() + bytes_of(my.mass) + bytes_of(my.work_begin) + bytes_of(my.records) +
            bytes_of(my.corner_force) + bytes_of(my.node_force) + bytes_of(my.work) + bytes_of(my.batches) +
-           bytes_of(my.chunks) + bytes_of(my.points) + bytes_of(my.stabilisation);
+           bytes_of(my.mass_factors) + bytes_of(my.chunks) + bytes_of(my.points) + bytes_of(my.stabilisation);
   }
 } // namespace birdstrike

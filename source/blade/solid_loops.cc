@@ -123,8 +123,14 @@ namespace birdstrike
                                                                            const SolidModes<Lanes>    &force,
                                                                            const Step &step, Chunk &chunk)
   {
-    Batch &batch    = batches[b];
-    batch.frequency = compute_frequency_bound(end, batch.inverse_mass, step.drag, law, section.formulation);
+    Batch &batch = batches[b];
+    if (mass_factors.empty())
+      batch.frequency = compute_frequency_bound(end, batch.inverse_mass, step.drag, law, section.formulation);
+    else
+      {
+        const SolidModes<Lanes> copy = end.x; // only this goes to memory
+        batch.frequency              = compute_scaled_frequency(copy, batch.inverse_mass, step.drag, mass_factors[b]);
+      }
     chunk.frequency = max(chunk.frequency, batch.frequency);
     Corners corner;
     force.sum_at_corners(corner);

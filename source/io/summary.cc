@@ -17,9 +17,12 @@ namespace birdstrike
       json["inputs"]  = nlohmann::ordered_json::array();
       for (const InputFile &file : s.inputs)
         json["inputs"].push_back({{"name", file.name}, {"fingerprint", file.fingerprint}});
-      json["end"]   = {{"time", s.end.time}, {"reason", s.end.reason}};
-      json["blade"] = {
-        {"kind", s.blade.kind}, {"elements", s.blade.elements}, {"nodes", s.blade.nodes}, {"mass", s.blade.mass}};
+      json["end"]     = {{"time", s.end.time}, {"reason", s.end.reason}};
+      json["blade"]   = {{"kind", s.blade.kind},
+                         {"elements", s.blade.elements},
+                         {"nodes", s.blade.nodes},
+                         {"mass", s.blade.mass},
+                         {"added_rotary_inertia", s.blade.added_rotary_inertia}};
       json["bird"]    = {{"particles", s.bird.particles},
                          {"mass", s.bird.mass},
                          {"kinetic_energy", s.bird.kinetic_energy},

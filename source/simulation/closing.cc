@@ -51,10 +51,11 @@ namespace birdstrike
     summary.end.reason      = why_ended;
     if (scene.blade)
       {
-        summary.blade.kind     = scene.blade->kind();
-        summary.blade.elements = scene.symmetry.factor() * scene.blade->n_elements();
-        summary.blade.nodes    = scene.blade->n_nodes();
-        summary.blade.mass     = scene.symmetry.factor() * scene.blade->mass();
+        summary.blade.kind                 = scene.blade->kind();
+        summary.blade.elements             = scene.symmetry.factor() * scene.blade->n_elements();
+        summary.blade.nodes                = scene.blade->n_nodes();
+        summary.blade.mass                 = scene.symmetry.factor() * scene.blade->mass();
+        summary.blade.added_rotary_inertia = scene.blade->census().mass_scaling.added_rotary_inertia;
       }
     summary.bird.particles      = scene.symmetry.factor() * n_particles_at_start;
     summary.bird.mass           = bird_mass;

@@ -27,6 +27,22 @@ namespace birdstrike
       return fmt::format("({:.4g}, {:.4g}, {:.4g}) {}", a[0], a[1], a[2], unit);
     }
 
+    void add_mass_scaling(TextTable &table, const MassScalingReport &scaling, const std::size_t n_elements)
+    {
+      if (scaling.step == 0.)
+        return;
+      table.add("selective mass scaling",
+                fmt::format("stable step {} instead of {}, {} of {} elements scaled",
+                            format_quantity(scaling.step, "s"), format_quantity(scaling.step_before, "s"),
+                            format_count(scaling.n_scaled), format_count(n_elements)));
+      table.add("inertia through the thickness",
+                fmt::format("times {:.3g} at most; translation has its mass", scaling.largest_factor));
+      table.add("rotary inertia of the blade",
+                fmt::format("+{} about its slenderest axis: first torsion -{}, bending less",
+                            format_share(scaling.added_rotary_inertia),
+                            format_share(0.5 * scaling.added_rotary_inertia)));
+    }
+
     void add_blade(TextTable &table, const Blade &blade)
     {
       const BladeCensus census = blade.census();
@@ -40,6 +56,7 @@ namespace birdstrike
                 format_quantity(census.smallest_edge, "m") + " at " + vector_text(census.smallest_at, "m"));
       table.add("largest over smallest element", fmt::format("{:.3g}", census.largest_edge_ratio));
       table.add("held unknowns", format_count(census.n_held_dofs));
+      add_mass_scaling(table, census.mass_scaling, census.n_elements);
       table.add("memory", format_bytes(census.bytes));
     }
 

@@ -77,6 +77,13 @@ namespace birdstrike
       std::string solid_formulation() const;
     };
 
+    struct MassScaling
+    {
+      std::string method        = "off"; ///< off | selective (solids)
+      double      largest_added = 0.02;  ///< of the blade's smallest moment of inertia
+      double      target_step   = 0.;    ///< s; 0: automatic
+    };
+
     struct Supports
     {
       std::string clamped = "0"; ///< boundary ids
@@ -114,6 +121,7 @@ namespace birdstrike
     Thickness       thickness;
     Element         element;
     MetalParameters material;
+    MassScaling     mass_scaling;
     Supports        supports;
     Loads           loads;
     Rigid           rigid;

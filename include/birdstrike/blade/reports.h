@@ -8,6 +8,16 @@
 /// What a blade tells the rest of the program about itself.
 namespace birdstrike
 {
+  /// What selective mass scaling does (source/blade/mass_scaling.h); without it all is zero. Translation has its mass.
+  struct MassScalingReport
+  {
+    double      step_before          = 0.; ///< s, stable step without it
+    double      step                 = 0.; ///< s, with it
+    double      added_rotary_inertia = 0.; ///< share of the blade's own, largest over all axes
+    double      largest_factor       = 1.; ///< on an element's inertia against differences through the thickness
+    std::size_t n_scaled             = 0;  ///< elements
+  };
+
   /// What will be computed, known before the first step (all but the elements with points, which grow in number).
   struct BladeCensus
   {
@@ -22,6 +32,7 @@ namespace birdstrike
     std::size_t           n_elements_with_points = 0;  ///< that hold points through the thickness at present
     double                bytes                  = 0.; ///< estimated memory of state, elements and surface
     double                bytes_per_snapshot     = 0.;
+    MassScalingReport     mass_scaling;
   };
 
   /// What has failed of a blade so far. Failed elements carry nothing; their mass stays on their nodes, and nodes

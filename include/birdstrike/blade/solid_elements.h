@@ -37,6 +37,14 @@ namespace birdstrike
     double                volume;             ///< m^3
   };
 
+  /// Selective mass scaling of one element: `factor` (>= 1) times the inertia against differences along `axis` of its
+  /// reference cube, 0, 1 or 2.
+  struct MassScale
+  {
+    unsigned int axis   = 2;
+    double       factor = 1.;
+  };
+
   /// All 8-node bricks of a blade: their strain increments, stresses, internal forces and energies.
   ///
   /// Strains are taken on the midpoint geometry x - dx/2, forces on the end geometry; stresses are rotated by Hughes &
@@ -66,6 +74,16 @@ namespace birdstrike
     double    largest_stable_step() const; ///< s, the value of the same without its words: nothing is searched
     /// Masses (kg) that the nodes really carry, [n_nodes]: the bound then allows for shares other than an eighth.
     void use_nodal_masses(std::span<const double> mass);
+    /// Scales masses, [n_elements]: the bound then counts with element masses of v.M v = sum over the four edges along
+    /// the axis of  m (|v_a|^2 + |v_b|^2) + k |v_b - v_a|^2,  m = edge_mass, k = m (factor - 1)/2, which whoever owns
+    /// the nodes adds up (ColumnMass). Throws InputError for an impossible scale.
+    void scale_masses(std::span<const MassScale> scale);
+    /// The smallest factor for each element and its axis with which its bound allows `step` (s); where none does, the
+    /// one that allows most.
+    std::vector<double> compute_mass_factors(std::span<const unsigned int> axis, double step) const;
+    /// The step (s) that all elements allow at best, with the largest factors that help.
+    double compute_reachable_step(std::span<const unsigned int> axis) const;
+    double edge_mass(std::size_t element) const; ///< kg, that each node carries for it at least
     /// An eighth of each element's mass to each of its nodes (kg), [n_nodes].
     std::vector<double> compute_nodal_masses() const;
 

@@ -2,6 +2,7 @@
 
 #include <birdstrike/blade/element_blocks.h>
 #include <birdstrike/blade/solid_law.h>
+#include <birdstrike/blade/solid_step_bound.h>
 #include <birdstrike/core/aligned_vector.h>
 
 namespace birdstrike
@@ -49,6 +50,12 @@ namespace birdstrike
     void update_chunk(std::size_t chunk, double dt);
     void gather_forces(const ElementBlocks::Block &block, double *force);
     void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: eighths
+    void update_scaled_frequencies();                              ///< of all, at rest
+    /// The bound with scaled masses: a function of its own, for what does not happen shall cost no register.
+    Lanes compute_scaled_frequency(const SolidModes<Lanes> &modes, const Lanes &inverse_mass, const Lanes &drag,
+                                   const InverseMassFactors<Lanes> &factors) const;
+    Lanes compute_frequency_at_rest(std::size_t batch, const InverseMassFactors<Lanes> &factors) const;
+    class Trial; ///< of factors
 
     std::size_t           n_elements_of(std::size_t batch) const;
     SolidModes<double>    modes(std::size_t element) const; ///< of its geometry
@@ -70,6 +77,7 @@ namespace birdstrike
     AlignedVector<Force>                      node_force;   ///< [n_nodes], of the last step
     AlignedVector<Force>                      work;         ///< [chunks of nodes], J by component, cumulative
     AlignedVector<Batch>                      batches;
+    AlignedVector<InverseMassFactors<Lanes>>  mass_factors; ///< [n_batches] with scaled masses, else none
     AlignedVector<Chunk>                      chunks;
     AlignedVector<SolidPoint<Lanes>>          points;        ///< [n_batches][n_points]
     AlignedVector<Stabilisation>              stabilisation; ///< [n_batches], one point only

@@ -44,10 +44,11 @@ namespace birdstrike
     } end;
     struct
     {
-      std::string kind     = "none"; ///< shell, solid, rigid, none
-      std::size_t elements = 0;
-      std::size_t nodes    = 0;
-      double      mass     = 0.; ///< kg
+      std::string kind                 = "none"; ///< shell, solid, rigid, none
+      std::size_t elements             = 0;
+      std::size_t nodes                = 0;
+      double      mass                 = 0.; ///< kg
+      double      added_rotary_inertia = 0.; ///< by selective mass scaling, share of its own
     } blade;
     struct
     {

@@ -16,7 +16,7 @@ TEST(Summary, HasTheStableKeys)
     {"program", {"version", "build"}},
     {"inputs", {}},
     {"end", {"time", "reason"}},
-    {"blade", {"kind", "elements", "nodes", "mass"}},
+    {"blade", {"kind", "elements", "nodes", "mass", "added_rotary_inertia"}},
     {"bird", {"particles", "mass", "kinetic_energy", "momentum"}},
     {"steps", {"blade", "bird"}},
     {"tip", {"peak", "peak_time", "final"}},
