@@ -39,8 +39,9 @@ namespace birdstrike
         "Automatic: physical for a shell, one point for a solid. Shells: one point with physical "
         "stabilisation and warping correction, or plain Belytschko-Tsay with perturbation hourglass "
         "control; or fully integrated (2 x 2 points, MITC4), the reference for both. Solids: one point with "
-        "physical stabilisation, which bends right in a single layer, or B-bar, fully integrated, which "
-        "needs layers. [-]",
+        "physical stabilisation, which bends right in a single layer but flows as a whole; solid-shell, the same "
+        "with points through the thickness, which yields layer by layer in a single one; or B-bar, fully "
+        "integrated, which needs layers. [-]",
         Selection("automatic|" + shell_formulations().selection() + "|" + solid_formulations().selection()));
       prm.add_parameter("Points rule", p.rule,
                         "Integration through the thickness; Lobatto has points on both faces, Gauss is exacter. [-]",
@@ -211,8 +212,11 @@ namespace birdstrike
     };
     const Element &e = element, &d = defaults.element;
     const auto     differ = [](const double a, const double b) { return std::abs(a - b) > 1e-5 * b; }; // printed digits
-    add("shell", "Element/Points rule", e.rule != d.rule);
-    add("shell", "Element/Points through thickness", e.n_points != d.n_points);
+    if (element.solid_formulation() != "solid-shell")
+      {
+        add("shell", "Element/Points rule", e.rule != d.rule);
+        add("shell", "Element/Points through thickness", e.n_points != d.n_points);
+      }
     add("shell", "Element/Hourglass coefficient", differ(e.hourglass, d.hourglass));
     add("shell", "Element/Shear factor", differ(e.shear_factor, d.shear_factor));
     add("shell", "Element/Thinning", e.has_thinning != d.has_thinning);

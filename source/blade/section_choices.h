@@ -17,6 +17,7 @@ namespace birdstrike
   inline const NamedChoices<SolidFormulation> &solid_formulations()
   {
     static const NamedChoices<SolidFormulation> choices{{"one point", SolidFormulation::one_point},
+                                                        {"solid-shell", SolidFormulation::solid_shell},
                                                         {"B-bar", SolidFormulation::b_bar}};
     return choices;
   }

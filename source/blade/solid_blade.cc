@@ -17,6 +17,8 @@ namespace birdstrike
       SolidSection section;
       section.formulation         = solid_formulations().at(parameters.element.solid_formulation());
       section.material            = parameters.material.metal();
+      section.rule                = thickness_rules().at(parameters.element.rule);
+      section.n_points            = parameters.element.n_points;
       section.linear_viscosity    = parameters.element.linear_viscosity;
       section.quadratic_viscosity = parameters.element.quadratic_viscosity;
       return section;

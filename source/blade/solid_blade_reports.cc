@@ -96,7 +96,7 @@ namespace birdstrike
     BladeCensus census            = compute_census(state->mesh.volume());
     census.mass                   = mass();
     census.n_held_dofs            = state->supports.held_dofs.size();
-    census.n_elements_with_points = census.n_elements;
+    census.n_elements_with_points = state->elements.n_promoted();
     census.mass_scaling           = state->scaling;
     // and about 1200 bytes a cell of deal.II's mesh
     census.bytes              = state->nodes.bytes() + state->elements.bytes() + 1200. * census.n_elements;

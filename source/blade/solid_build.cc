@@ -18,8 +18,8 @@ namespace birdstrike
       return buffer;
     }
 
-    std::vector<std::array<std::uint32_t, 8>> checked(std::vector<std::array<std::uint32_t, 8>> cells,
-                                                      const std::size_t                         n_nodes)
+    const std::vector<std::array<std::uint32_t, 8>> &checked(const std::vector<std::array<std::uint32_t, 8>> &cells,
+                                                             const std::size_t                                n_nodes)
     {
       if (cells.empty())
         throw InputError("Solid elements: no elements; at least one is needed.");
@@ -43,10 +43,47 @@ namespace birdstrike
           ? "linear viscosity " + text(section.linear_viscosity) + ", must not be negative"
         : !(section.quadratic_viscosity >= 0.)
           ? "quadratic viscosity " + text(section.quadratic_viscosity) + ", must not be negative"
+        : section.formulation == SolidFormulation::solid_shell && m.failure.can_fail()
+          ? "Blade/Material/Failure is not there for solid-shells; set it to none, or Blade/Element/Formulation to "
+            "another element"
           : "";
       if (!bad.empty())
         throw InputError("Solid elements: " + bad + ".");
       return section;
+    }
+
+    /// Which axis of each cell is its thickness: the shortest, but the third where none is shorter by a hundredth.
+    std::vector<std::uint8_t> find_thickness_axes(const std::vector<Point3>                       &nodes,
+                                                  const std::vector<std::array<std::uint32_t, 8>> &cells)
+    {
+      std::vector<std::uint8_t> axes;
+      for (const auto &cell : cells)
+        {
+          Vector3<double> x[8];
+          for (int i = 0; i < 8; ++i)
+            x[i] = nodes[cell[i]];
+          const SolidModes<double> modes(x);
+          std::uint8_t             shortest = 2;
+          for (std::uint8_t k = 0; k < 2; ++k)
+            if (modes.linear[k].norm() < 0.99 * modes.linear[shortest].norm())
+              shortest = k;
+          axes.push_back(shortest);
+        }
+      return axes;
+    }
+
+    /// Turns the axes of cells so that the given ones become the third (none given: as they are).
+    std::vector<std::array<std::uint32_t, 8>> with_third(const std::vector<std::uint8_t>          &axes,
+                                                         std::vector<std::array<std::uint32_t, 8>> cells)
+    {
+      for (std::size_t e = 0; e < axes.size(); ++e)
+        {
+          const auto old    = cells[e];
+          const auto [i, j] = following(axes[e]);
+          for (unsigned int c = 0; c < 8; ++c)
+            cells[e][c] = old[(c & 1) << i | (c >> 1 & 1) << j | (c >> 2) << axes[e]];
+        }
+      return cells;
     }
 
     std::span<const std::uint32_t> flat(const std::vector<std::array<std::uint32_t, 8>> &cells)
@@ -62,7 +99,10 @@ namespace birdstrike
     , law(section)
     , pool(pool)
     , n_nodes(nodes.size())
-    , cells(checked(std::move(cells), nodes.size()))
+    , thickness_axis(section.formulation == SolidFormulation::solid_shell
+                       ? find_thickness_axes(nodes, checked(cells, nodes.size()))
+                       : std::vector<std::uint8_t>())
+    , cells(with_third(thickness_axis, checked(cells, nodes.size())))
     , blocks(flat(this->cells), 8, nodes.size(), elements_per_block)
     , records(nodes.size())
     , corner_force(blocks.n_rows + 1) // the last one takes what copies of the last element write
@@ -119,7 +159,12 @@ namespace birdstrike
     point.plastic_strain = point.plastic_work = 0.;
     point.yield                               = law.initial_yield();
     points.assign(n_batches * n_points(), point);
-    if (section.formulation == SolidFormulation::one_point)
+    if (section.formulation == SolidFormulation::solid_shell)
+      {
+        rule = make_thickness_points(section.rule, section.n_points);
+        layers.resize(n_batches);
+      }
+    if (section.formulation != SolidFormulation::b_bar)
       {
         stabilisation.resize(n_batches);
         for (auto &s : stabilisation)
@@ -171,7 +216,7 @@ namespace birdstrike
 
   std::size_t SolidElements::Implementation::n_points() const
   {
-    return section.formulation == SolidFormulation::one_point ? 1 : b_bar_solid::n_points;
+    return section.formulation == SolidFormulation::b_bar ? b_bar_solid::n_points : 1;
   }
 
   EntityPlace SolidElements::Implementation::place(const std::size_t element) const

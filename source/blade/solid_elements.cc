@@ -111,6 +111,17 @@ namespace birdstrike
     return implementation->cells.size();
   }
 
+  std::size_t SolidElements::n_promoted() const
+  {
+    const Implementation &my = *implementation;
+    if (my.section.formulation != SolidFormulation::solid_shell)
+      return n_elements();
+    std::size_t n = 0;
+    for (std::size_t e = 0; e < n_elements(); ++e)
+      n += !my.layers[e / n_lanes].empty();
+    return n;
+  }
+
   namespace
   {
     template <class Vector>
@@ -122,9 +133,13 @@ namespace birdstrike
 
   std::size_t SolidElements::bytes() const
   {
-    const Implementation &my = *implementation;
-    return bytes_of(my.cells) + my.blocks.bytes() + bytes_of(my.mass) + bytes_of(my.work_begin) + bytes_of(my.records) +
-           bytes_of(my.corner_force) + bytes_of(my.node_force) + bytes_of(my.work) + bytes_of(my.batches) +
-           bytes_of(my.mass_factors) + bytes_of(my.chunks) + bytes_of(my.points) + bytes_of(my.stabilisation);
+    const Implementation &my     = *implementation;
+    std::size_t           layers = bytes_of(my.layers) + bytes_of(my.thickness_axis);
+    for (const auto &points : my.layers)
+      layers += bytes_of(points);
+    return layers + bytes_of(my.cells) + my.blocks.bytes() + bytes_of(my.mass) + bytes_of(my.work_begin) +
+           bytes_of(my.records) + bytes_of(my.corner_force) + bytes_of(my.node_force) + bytes_of(my.work) +
+           bytes_of(my.batches) + bytes_of(my.mass_factors) + bytes_of(my.chunks) + bytes_of(my.points) +
+           bytes_of(my.stabilisation);
   }
 } // namespace birdstrike

@@ -56,8 +56,29 @@ namespace birdstrike
       law.compute_viscous_pressure(Lanes(step.dilatation * (1. / dt)), midpoint.compute_height(), step.drag);
   }
 
+  /// Of a solid-shell; axes at the midpoint, `end` the geometry of the end of the step.
+  [[gnu::always_inline]] inline SolidWork<Lanes>
+  SolidElements::Implementation::update_section(const std::size_t b, const Matrix3<Lanes> &gradient,
+                                                const one_point_solid::Axes<Lanes> &axes, const Stabilisation &strain,
+                                                const double dt, const SolidModes<Lanes> &end)
+  {
+    using namespace solid_shell;
+    SolidPoint<Lanes> &mean = points[b];
+    Stabilisation     &s    = stabilisation[b];
+    mean.rotate_and_strain(law.elasticity, gradient);
+    const Lanes before = compute_varying_work(s, strain);
+    add_stress(law.elasticity, axes, strain, s);
+    SolidWork<Lanes> work{Lanes(0.), Lanes(0.)};
+    const Lanes      bound = Squares<Lanes>(axes, s).compute_bound(von_mises_squared(mean.stress));
+    if (!layers[b].empty() || any(bound > mean.yield * mean.yield))
+      work = update_layers(b, dt, end);
+    work.hourglass += 0.5 * (before + compute_varying_work(s, strain));
+    return work;
+  }
+
   // One body each, although long: all of it works on the same registers. Without `flatten` GCC leaves the vector
   // operations of Eigen as calls with their operands in memory.
+  template <bool has_layers>
   [[gnu::flatten]] void SolidElements::Implementation::update_one_point(const std::size_t b, const double dt,
                                                                         Chunk &chunk)
   {
@@ -72,7 +93,10 @@ namespace birdstrike
 
     Step step;
     update_viscosity(midpoint, gradient, dt, step);
-    step.work = law.update_one_point(gradient, axes, strain, dt, points[b], stabilisation[b]);
+    if constexpr (has_layers)
+      step.work = update_section(b, gradient, axes, strain, dt, x);
+    else
+      step.work = law.update_one_point(gradient, axes, strain, dt, points[b], stabilisation[b]);
     step.work.plastic *= step.midpoint_volume;
     step.work.hourglass *= step.midpoint_volume;
 
@@ -157,10 +181,17 @@ namespace birdstrike
     Chunk            &chunk = chunks[c];
     chunk.frequency         = Lanes(0.);
     for (std::size_t b = c * batches_per_chunk; b < last; ++b)
-      if (section.formulation == SolidFormulation::one_point)
-        update_one_point(b, dt, chunk);
-      else
-        update_b_bar(b, dt, chunk);
+      switch (section.formulation)
+        {
+        case SolidFormulation::one_point:
+          update_one_point<false>(b, dt, chunk);
+          break;
+        case SolidFormulation::solid_shell:
+          update_one_point<true>(b, dt, chunk);
+          break;
+        case SolidFormulation::b_bar:
+          update_b_bar(b, dt, chunk);
+        }
   }
 
   void SolidElements::Implementation::update_nodes(const ElementBlocks::Block &block, const double *position,

@@ -16,6 +16,43 @@ namespace birdstrike
     return result;
   }
 
+  std::array<double, 6> SolidElements::Implementation::stabilised_stress(const std::size_t            element,
+                                                                         const std::array<double, 3> &xi) const
+  {
+    const std::size_t                      b = element / n_lanes, lane_of = element % n_lanes;
+    const SolidModes<double>               x = modes(element);
+    one_point_solid::Stabilisation<double> s;
+    for (int k = 0; k < 3; ++k)
+      {
+        s.last[k] = lane(stabilisation[b].last[k], lane_of);
+        for (int c = 0; c < 3; ++c)
+          s.linear[k][c] = lane(stabilisation[b].linear[k][c], lane_of);
+      }
+    double                residual[5]{}, stress[6]{};
+    std::array<double, 3> at = xi;
+    if (!thickness_axis.empty())
+      {
+        const int axis    = thickness_axis[element];
+        const auto [i, j] = following(axis);
+        at                = {xi[i], xi[j], xi[axis]};
+        if (!layers[b].empty()) // at the outermost point
+          {
+            const unsigned int k = at[2] < 0. ? 0 : rule.n - 1;
+            for (double &component : s.linear[2])
+              component *= std::abs(rule.position[k]);
+            for (int c = 0; c < 5; ++c)
+              residual[c] = lane(layers[b][k].residual[c], lane_of);
+          }
+        solid_shell::Frame<double>(x, one_point_solid::Axes<double>(x)).add_to(residual, 0., stress);
+      }
+    std::array<double, 6> result      = point_stress(element, 0);
+    const Matrix3<double> rest        = one_point_solid::compute_stress_at(x, s, at);
+    constexpr int         pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
+    for (int c = 0; c < 6; ++c)
+      result[c] += rest(pairs[c][0], pairs[c][1]) + stress[c];
+    return result;
+  }
+
   SolidState SolidElements::state(const std::size_t element) const
   {
     const Implementation       &my = *implementation;
@@ -34,6 +71,9 @@ namespace birdstrike
         state.plastic_strain += share * strain;
         state.max_plastic_strain = std::max(state.max_plastic_strain, strain);
       }
+    if (!my.layers.empty())
+      for (const auto &point : my.layers[element / n_lanes])
+        state.max_plastic_strain = std::max(state.max_plastic_strain, lane(point.plastic_strain, element % n_lanes));
     return state;
   }
 
@@ -42,23 +82,8 @@ namespace birdstrike
     const Implementation       &my = *implementation;
     const std::array<double, 3> xi = {corner & 1 ? 1. : -1., corner & 2 ? 1. : -1., corner & 4 ? 1. : -1.};
     std::array<double, 6>       result{};
-    if (my.section.formulation == SolidFormulation::one_point)
-      {
-        one_point_solid::Stabilisation<double> s;
-        const auto                            &of_batch = my.stabilisation[element / n_lanes];
-        for (int k = 0; k < 3; ++k)
-          {
-            s.last[k] = lane(of_batch.last[k], element % n_lanes);
-            for (int c = 0; c < 3; ++c)
-              s.linear[k][c] = lane(of_batch.linear[k][c], element % n_lanes);
-          }
-        result                            = my.point_stress(element, 0);
-        const Matrix3<double> rest        = one_point_solid::compute_stress_at(my.modes(element), s, xi);
-        constexpr int         pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
-        for (int c = 0; c < 6; ++c)
-          result[c] += rest(pairs[c][0], pairs[c][1]);
-        return result;
-      }
+    if (my.section.formulation != SolidFormulation::b_bar)
+      return my.stabilised_stress(element, xi);
     // the trilinear field through the points, which lie at 1/sqrt(3)
     for (int p = 0; p < b_bar_solid::n_points; ++p)
       {
@@ -77,10 +102,15 @@ namespace birdstrike
     const Implementation &my = *implementation;
     MaxPlasticStrain      result;
     for (std::size_t e = 0; e < n_elements(); ++e)
-      for (std::size_t p = 0; p < my.n_points(); ++p)
-        if (const double strain = lane(my.points[e / n_lanes * my.n_points() + p].plastic_strain, e % n_lanes);
-            strain > result.value)
-          result = {strain, e};
+      {
+        const auto look = [&](const auto &point) {
+          if (const double strain = lane(point.plastic_strain, e % n_lanes); strain > result.value)
+            result = {strain, e};
+        };
+        std::for_each_n(my.points.begin() + std::ptrdiff_t(e / n_lanes * my.n_points()), my.n_points(), look);
+        if (!my.layers.empty())
+          std::for_each(my.layers[e / n_lanes].begin(), my.layers[e / n_lanes].end(), look);
+      }
     return result;
   }
 } // namespace birdstrike

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/blade/shell_elements.h>
 #include <birdstrike/blade/through_thickness.h>
 
 namespace birdstrike

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/blade/thickness_points.h>
 #include <birdstrike/core/number.h>
 #include <birdstrike/core/step_limit.h>
 #include <birdstrike/core/thread_pool.h>
@@ -18,12 +19,6 @@ namespace birdstrike
     one_point_physical, ///< covariant one-point quadrilateral with physical stabilisation (default)
     belytschko_tsay,    ///< Belytschko, Lin & Tsay (1984) with perturbation hourglass control
     fully_integrated    ///< 2 x 2 points, MITC4 shear, assumed membrane strain: the reference
-  };
-
-  enum class ThicknessRule
-  {
-    gauss,
-    lobatto
   };
 
   /// What all elements of a blade share.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/blade/thickness_points.h>
 #include <birdstrike/core/number.h>
 #include <birdstrike/core/step_limit.h>
 #include <birdstrike/core/thread_pool.h>
@@ -15,8 +16,9 @@ namespace birdstrike
 {
   enum class SolidFormulation
   {
-    one_point, ///< mean gradient and assumed-strain (physical) stabilisation; bends right with one layer (default)
-    b_bar      ///< 2 x 2 x 2 points with mean dilatation: the reference, which locks in the bending of thin bricks
+    one_point,  ///< mean gradient and assumed-strain (physical) stabilisation; bends right with one layer (default)
+    b_bar,      ///< 2 x 2 x 2 points with mean dilatation: the reference, which locks in the bending of thin bricks
+    solid_shell ///< the one-point brick with points through its thickness once it yields: one layer yields as a shell
   };
 
   /// What all solid elements of a blade share.
@@ -24,6 +26,8 @@ namespace birdstrike
   {
     SolidFormulation formulation = SolidFormulation::one_point;
     Metal            material;
+    ThicknessRule    rule                = ThicknessRule::gauss; ///< of solid_shell, as n_points
+    unsigned int     n_points            = 5;                    ///< through the thickness: 3, 5 or 7
     double           linear_viscosity    = 0.06; ///< b1, share of critical damping at the highest frequency, -
     double           quadratic_viscosity = 1.2;  ///< b2, in compression only, -
   };
@@ -96,7 +100,8 @@ namespace birdstrike
     double viscous_energy() const; ///< of the bulk viscosity
 
     std::size_t n_elements() const;
-    std::size_t bytes() const; ///< counted, of all that these elements hold
+    std::size_t n_promoted() const; ///< elements that hold points through the thickness; all that are no solid-shells
+    std::size_t bytes() const;      ///< counted, of all that these elements hold
     SolidState  state(std::size_t element) const;
     /// xx, yy, zz, xy, yz, zx (Pa) in global axes at a corner (0..7): the mean and what varies within the element.
     std::array<double, 6> corner_stress(std::size_t element, unsigned corner) const;

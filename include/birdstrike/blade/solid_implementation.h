@@ -1,7 +1,7 @@
 #pragma once
 
 #include <birdstrike/blade/element_blocks.h>
-#include <birdstrike/blade/solid_law.h>
+#include <birdstrike/blade/solid_shell.h>
 #include <birdstrike/blade/solid_step_bound.h>
 #include <birdstrike/core/aligned_vector.h>
 
@@ -36,6 +36,7 @@ namespace birdstrike
       std::uint32_t corner[8][n_lanes]; ///< which rows the corners' forces go to
     };
     using Stabilisation = one_point_solid::Stabilisation<Lanes>;
+    using LayerPoint    = solid_shell::LayerPoint<Lanes>;
 
     /// Batches of one chunk belong to one thread; sums over chunks do not depend on the number of threads.
     struct Chunk
@@ -63,12 +64,15 @@ namespace birdstrike
     double                sum(Lanes Chunk::*energy) const;
     EntityPlace           place(std::size_t element) const; ///< its middle
     std::array<double, 6> point_stress(std::size_t element, std::size_t point) const;
+    /// At natural coordinates of the mesh's cell, of one point and of solid-shells.
+    std::array<double, 6> stabilised_stress(std::size_t element, const std::array<double, 3> &xi) const;
 
     SolidSection                              section;
     SolidLaw                                  law;
     ThreadPool                               &pool;
     std::size_t                               n_nodes;
-    std::vector<std::array<std::uint32_t, 8>> cells;
+    std::vector<std::uint8_t>                 thickness_axis; ///< [n_elements] of solid-shells, in the mesh's cells
+    std::vector<std::array<std::uint32_t, 8>> cells;          ///< of solid-shells with the thickness as third axis
     ElementBlocks                             blocks;
     std::vector<double>                       mass;       ///< [n_elements], kg
     std::vector<std::uint32_t>                work_begin; ///< [blocks], first of their sums in `work`
@@ -80,7 +84,9 @@ namespace birdstrike
     AlignedVector<InverseMassFactors<Lanes>>  mass_factors; ///< [n_batches] with scaled masses, else none
     AlignedVector<Chunk>                      chunks;
     AlignedVector<SolidPoint<Lanes>>          points;        ///< [n_batches][n_points]
-    AlignedVector<Stabilisation>              stabilisation; ///< [n_batches], one point only
+    AlignedVector<Stabilisation>              stabilisation; ///< [n_batches], not of B-bar
+    ThicknessPoints                           rule;          ///< of solid-shells, as:
+    std::vector<AlignedVector<LayerPoint>>    layers;        ///< [n_batches], empty while elastic
 
   private:
     using Corners = Vector3<Lanes>[8];
@@ -96,8 +102,13 @@ namespace birdstrike
     void check_shape(std::size_t element);
     void build_batches();
     void update_viscosity(const SolidGeometry<Lanes> &midpoint, const Matrix3<Lanes> &gradient, double dt, Step &step);
-    void update_one_point(std::size_t batch, double dt, Chunk &chunk);
-    void update_b_bar(std::size_t batch, double dt, Chunk &chunk);
+    template <bool has_layers>
+    void             update_one_point(std::size_t batch, double dt, Chunk &chunk);
+    SolidWork<Lanes> update_section(std::size_t batch, const Matrix3<Lanes> &gradient,
+                                    const one_point_solid::Axes<Lanes> &axes, const Stabilisation &strain, double dt,
+                                    const SolidModes<Lanes> &end);
+    SolidWork<Lanes> update_layers(std::size_t batch, double dt, const SolidModes<Lanes> &end);
+    void             update_b_bar(std::size_t batch, double dt, Chunk &chunk);
     void finish(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &force, const Step &step,
                 Chunk &chunk);
     [[noreturn]] void report_failure(std::size_t batch) const;

@@ -80,13 +80,34 @@ namespace birdstrike
       return -density * drag * rate;
     }
 
+    /// 1 - T*^m after a plastic work (J/m^3).
+    template <class Number>
+    Number compute_softening(const Number &plastic_work) const
+    {
+      return thermal_softening(hardening, adiabatic_temperature(hardening, plastic_work));
+    }
+
+    /// Books plastic strain and work per volume of a step to a point, and the static flow stress that the next one
+    /// starts from.
+    template <class Number, class Point>
+    void add_flow(const Number &strain, const Number &work, const double dt, Point &point) const
+    {
+      point.plastic_strain += strain;
+      point.plastic_work += work;
+      const Number softening = compute_softening(point.plastic_work);
+      if (hardening.law == HardeningLaw::perfect)
+        point.yield = hardening.yield * softening;
+      else
+        point.yield = compute_flow_stress(hardening, point.plastic_strain, Number(0.), dt, softening).value;
+    }
+
   private:
     /// Radial return of a point, its q^2 given; returns the plastic work per volume.
     template <class Number>
     [[gnu::noinline, gnu::flatten]] Number flow(const Number &q2, const double dt, SolidPoint<Number> &point) const
     {
       const auto   step = radial_return(elasticity, hardening, point.plastic_strain, point.yield,
-                                        compute_softening(point), dt, q2, point.stress);
+                                        compute_softening(point.plastic_work), dt, q2, point.stress);
       const Number work = step.stress * step.strain;
       add_flow(step.strain, work, dt, point);
       return work;
@@ -98,37 +119,13 @@ namespace birdstrike
     flow_together(const one_point_solid::Axes<Number> &axes, const Number (&squares)[4], const double dt,
                   SolidPoint<Number> &point, one_point_solid::Stabilisation<Number> &s) const
     {
-      const SolidFlow<Number> step(elasticity, hardening, point.plastic_strain, point.yield, compute_softening(point),
-                                   dt, squares);
+      const SolidFlow<Number> step(elasticity, hardening, point.plastic_strain, point.yield,
+                                   compute_softening(point.plastic_work), dt, squares);
       const Number            work = step.stress * step.strain;
       add_flow(step.strain, work, dt, point);
       scale_deviator(step.mean_factor, point.stress);
       scale_back(axes, step.trace_factor, step.shear_factor, step.last_factor, s);
       return {work, -work * step.rest};
-    }
-
-    template <class Number>
-    Number compute_softening(const SolidPoint<Number> &point) const
-    {
-      return thermal_softening(hardening, adiabatic_temperature(hardening, point.plastic_work));
-    }
-
-    template <class Number>
-    void add_flow(const Number &strain, const Number &work, const double dt, SolidPoint<Number> &point) const
-    {
-      point.plastic_strain += strain;
-      point.plastic_work += work;
-      point.yield = compute_static_yield(point, dt);
-    }
-
-    /// The static flow stress that the next step starts from.
-    template <class Number>
-    Number compute_static_yield(const SolidPoint<Number> &point, const double dt) const
-    {
-      const Number softening = compute_softening(point);
-      if (hardening.law == HardeningLaw::perfect)
-        return hardening.yield * softening;
-      return compute_flow_stress(hardening, point.plastic_strain, Number(0.), dt, softening).value;
     }
   };
 } // namespace birdstrike

@@ -31,6 +31,21 @@ namespace birdstrike
         }
     }
 
+    /// Of a plane stress in a skew plane: the square of its trace and s:s (Pa^2).
+    template <class Number>
+    struct PlaneSquares
+    {
+      Number trace, all;
+
+      [[gnu::always_inline]] PlaneSquares(const Number &cosine, const Number (&s)[3])
+      {
+        const Number &c = cosine, &ii = s[0], &jj = s[1], &ij = s[2];
+        const Number  direct = ii + jj, cij = c * ij, sum = direct + 2. * cij;
+        trace = sum * sum;
+        all   = ii * ii + jj * jj + 2. * (ij * ij + cij * (cij + 2. * direct) + c * c * ii * jj);
+      }
+    };
+
     /// Squares of what the stresses are to plastic flow (Pa^2): von Mises stresses, each over what it becomes when the
     /// whole section flows, 3/2 of the yield stress for what is linear (a plastic moment) and 9/4 for the last ones. Of
     /// a plane stress the trace and the rest, which return at different rates.
@@ -45,11 +60,9 @@ namespace birdstrike
 #pragma GCC unroll 3
         for (int k = 0; k < 3; ++k)
           {
-            const Number c = axes.cosine[k], ii = s.linear[k][0], jj = s.linear[k][1], ij = s.linear[k][2];
-            const Number direct = ii + jj, cij = c * ij, sum = direct + 2. * cij, sum2 = sum * sum;
-            const Number square = ii * ii + jj * jj + 2. * (ij * ij + cij * (cij + 2. * direct) + c * c * ii * jj);
-            trace += sum2;
-            shear += 1.5 * square - 0.75 * sum2;
+            const PlaneSquares<Number> plane(axes.cosine[k], s.linear[k]);
+            trace += plane.trace;
+            shear += 1.5 * plane.all - 0.75 * plane.trace;
             last += s.last[k] * s.last[k];
           }
         trace *= 1. / 9.;

@@ -106,7 +106,7 @@ namespace
 // The tolerances are those of the finest mesh, 21.5 +- .15, 7.05 +- .15, 3.0 +- .25; 27 x 27 is there already.
 TEST(SolidImpact, TaylorBar)
 {
-  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar})
+  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar, SolidFormulation::solid_shell})
     {
       const Taylor bar = strike(3, 27, formulation);
       EXPECT_NEAR(bar.length, 21.5e-3, 0.15e-3);
@@ -145,7 +145,7 @@ TEST(SolidImpact, ThickCylinderConvergesAtOrderTwo)
     const Eigen::VectorXd u = model.solve(load, held);
     return std::hypot(u[0] / 9.53333e-5 - 1., u[3 * n] / 6.06667e-5 - 1.);
   };
-  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar})
+  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar, SolidFormulation::solid_shell})
     {
       const double coarse = error(10, formulation), fine = error(20, formulation);
       EXPECT_LT(fine, 0.01);

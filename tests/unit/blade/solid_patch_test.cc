@@ -19,7 +19,7 @@ namespace
 // The trap: with the gradient at the centre stresses come out between 1738 and 2143 instead of 2000.
 TEST(SolidPatch, IsExactInAnyAttitude)
 {
-  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar})
+  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar, SolidFormulation::solid_shell})
     for (const auto &[R, shift] : {std::pair<Matrix3<double>, Point3>(Matrix3<double>::Identity(), Point3::Zero()),
                                    {some_rotation, Point3(1., -2., 0.5)}})
       {
@@ -56,7 +56,7 @@ TEST(SolidPatch, IsExactInAnyAttitude)
 
 TEST(SolidPatch, RigidMotionMakesNoForceAndNothingElseIsFree)
 {
-  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar})
+  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar, SolidFormulation::solid_shell})
     for (const double aspect : {1., 0.05})
       {
         const Mesh mesh = make_grid({1, 1, 1}, [aspect](const double x, const double y, const double z) {
@@ -83,7 +83,7 @@ TEST(SolidPatch, RigidMotionMakesNoForceAndNothingElseIsFree)
 TEST(SolidPatch, AFiniteRotationMakesNoStrain)
 {
   // midpoint increments of a rigid turn are antisymmetric about the midpoint geometry: no order in the angle is left
-  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar})
+  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar, SolidFormulation::solid_shell})
     {
       Model                   model(make_patch(), make_section(1., 0.3, formulation));
       const Eigen::AngleAxisd turn(0.5, Point3(1., 2., -0.5).normalized());

@@ -66,7 +66,7 @@ TEST(SolidStepBound, HoldsForDistortedElements)
 {
   std::mt19937                           random(7);
   std::uniform_real_distribution<double> number(-1., 1.);
-  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar})
+  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar, SolidFormulation::solid_shell})
     for (const double size : {0.02, 0.1, 0.2, 0.3})
       {
         double mean = 0.;
@@ -96,7 +96,7 @@ TEST(SolidStepBound, HoldsForAMeshAndForTheMassesThatItsNodesCarry)
   const Mesh curved = make_grid({4, 3, 2}, [](const double x, const double y, const double z) {
     return Point3(x + 0.1 * y * y, y + 0.05 * std::sin(7. * x), 0.3 * z * (1. + 0.3 * x) + 0.2 * x * y);
   });
-  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar})
+  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar, SolidFormulation::solid_shell})
     {
       const Steps steps = compute_steps(curved, 0.3, formulation);
       EXPECT_LT(steps.bound, steps.exact);
