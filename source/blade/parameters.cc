@@ -197,9 +197,6 @@ namespace birdstrike
     require(element.n_points == 3 || element.n_points == 5 || element.n_points == 7,
             "Element/Points through thickness: " + std::to_string(element.n_points) + " was read.\nAllowed: 3, 5, 7.");
     material.check();
-    require(
-      !is_solid || !material.metal().failure.can_fail(),
-      "Material/Failure: solid elements do not fail yet.\nSet Failure = none, or Kind = shell, whose elements do.");
   }
 
   std::vector<std::string> BladeParameters::unused_entries() const

@@ -1,3 +1,4 @@
+#include "failure_report.h"
 #include "shell_blade_state.h"
 
 #include <birdstrike/blade/census.h>
@@ -175,21 +176,7 @@ namespace birdstrike
 
   FailureReport ShellBlade::failure() const
   {
-    State        &s = *state;
-    FailureReport report;
-    report.can_fail = s.can_fail;
-    if (s.n_failed == 0)
-      return report;
-    report.n_elements = s.n_failed;
-    report.n_at_root  = s.root.count_failed(s.elements);
-    report.mass       = s.elements.failed_mass();
-    for (std::size_t n = 0; n < s.lumped.node.size(); ++n)
-      if (s.elements.is_free(n))
-        {
-          ++report.n_free_nodes;
-          report.free_mass += s.lumped.node[n];
-        }
-    report.has_lost_tip = s.tip.has_any([&](const std::uint32_t n) { return s.elements.is_free(n); });
-    return report;
+    const State &s = *state;
+    return make_failure_report(s.elements, s.root, s.tip, s.lumped.node, s.can_fail);
   }
 } // namespace birdstrike

@@ -138,6 +138,9 @@ namespace birdstrike
         batch.eigenvalue[k]   = value;
         Chunk &chunk          = chunks[e / n_lanes / batches_per_chunk];
         chunk.eigenvalue      = max(chunk.eigenvalue, Lanes(value));
+        if (erosion)
+          erosion->batches[e / n_lanes].allowed[k] =
+            value / (section.material.failure.smallest_step * section.material.failure.smallest_step);
       }
   }
 
@@ -182,22 +185,29 @@ namespace birdstrike
                            : compute_eigenvalue_bound<true>(g, t, inverse_mass, law);
   }
 
-  void ShellElements::Implementation::report_failure(const std::size_t b) const
+  void ShellElements::Implementation::report_failure(const std::size_t b)
   {
-    std::size_t e        = b * n_lanes;
-    const auto  is_sound = [this](const std::size_t element) {
-      double sum = 0.;
+    const auto is_sound = [this](const std::size_t element) {
+      double sum = lane(batches[element / n_lanes].eigenvalue, element % n_lanes);
       for (const auto &corner : batches[element / n_lanes].corner)
         for (const double f : corner_force[corner[element % n_lanes]].value)
           sum += f;
       return std::isfinite(sum) && smallest_area(element) > 0.;
     };
-    for (std::size_t k = n_elements_of(b); k-- > 0;)
-      if (!is_failed(b * n_lanes + k) && !is_sound(b * n_lanes + k))
-        e = b * n_lanes + k;
-    throw NumericalFailure("Shell " + place(e).text() + ": force is not finite or area not positive (area " +
-                           text(smallest_area(e)) +
-                           " m^2, fully integrated four times that at the worst point).\n"
-                           "The step was too large or the element collapsed: reduce the step factor.");
+    for (std::size_t k = 0; k < n_elements_of(b); ++k)
+      if (const std::size_t e = b * n_lanes + k; !is_failed(e) && !is_sound(e))
+        {
+          // of a state that is finite only the geometry of the end can be to blame
+          if (!can_collapse() || !has_finite_state(e))
+            throw NumericalFailure("Shell " + place(e).text() + ": force is not finite or area not positive (area " +
+                                   text(smallest_area(e)) +
+                                   " m^2, fully integrated four times that at the worst point).\n"
+                                   "The step was too large or the element collapsed: reduce the step factor" +
+                                   (erosion ? ", or let it erode (Blade/Material/Smallest step)." : "."));
+          erosion->batches[b].collapsed |= 1u << k;
+        }
+    // copies do as the last element, and write nowhere
+    for (std::size_t k = n_elements_of(b); erosion && k < n_lanes; ++k)
+      erosion->batches[b].collapsed |= (erosion->batches[b].collapsed >> (n_elements_of(b) - 1) & 1u) << k;
   }
 } // namespace birdstrike

@@ -10,7 +10,11 @@ namespace birdstrike
     erosion           = std::make_unique<ShellErosion>();
     erosion->n_needed = n_points_to_fail(section.material.failure, n_in_plane * law.rule.n);
     erosion->batches.resize(batches.size());
+    erosion->has_new.resize(batches.size(), 0);
     erosion->damage.resize(points.size());
+    const double share = section.material.failure.smallest_step;
+    for (std::size_t b = 0; b < batches.size(); ++b)
+      erosion->batches[b].allowed = batches[b].eigenvalue / (share * share);
     erosion->entering_of.resize(n_nodes);
     for (std::uint32_t k = 0; k < entering.size(); ++k)
       erosion->entering_of[entering[k].node] = k;
@@ -29,19 +33,7 @@ namespace birdstrike
 
   bool ShellElements::Implementation::is_failed(const std::size_t element) const
   {
-    return erosion && lane(erosion->batches[element / n_lanes].alive, element % n_lanes) == 0.;
-  }
-
-  void ShellElements::Implementation::book_failed(const std::size_t b, const LanesMask &fails, const Lanes &energy)
-  {
-    ShellErosion::OfBatch &of_batch = erosion->batches[b];
-    for (std::size_t k = 0; k < n_lanes; ++k)
-      {
-        if (k < n_elements_of(b)) // copies of the last element do not count
-          of_batch.energy[k] += energy[k];
-        if (of_batch.alive[k] > 0. && fails[k])
-          of_batch.dying |= 1u << k;
-      }
+    return erosion && erosion->is_failed(element);
   }
 
   // Apart from metals that cannot fail, whose loop stays as small as it is.
@@ -58,7 +50,7 @@ namespace birdstrike
     const LanesMask fails  = count_failed(damage.data(), law.rule.n) >= Lanes(erosion->n_needed);
     Lanes           eroded = release_section(law, fails, strain, stress[b], points[b].data(), damage.data());
     work.hourglass -= release_stabilisation(law, fails, strain, stress[b], eroded);
-    book_failed(b, fails, area * eroded);
+    erosion->book(b, n_elements_of(b), fails, area * eroded);
     return work;
   }
 
@@ -70,7 +62,7 @@ namespace birdstrike
     damage.resize(law.rule.n, Lanes(0.));
     FailingPoints<Lanes> failing{section.material.failure, section.material.hardening, dt, damage.data()};
     const Lanes          work = law.update_plastic(strain, dt, sections[k], points[k].data(), failing);
-    erosion->batches[k / n_in_plane].has_new |= failing.has_new;
+    erosion->has_new[k / n_in_plane] |= failing.has_new;
     return work;
   }
 
@@ -90,8 +82,8 @@ namespace birdstrike
           area[i] * release_section(law, fails, strain[i], sections[of(i)], has_points ? points[of(i)].data() : nullptr,
                                     has_points ? erosion->damage[of(i)].data() : nullptr);
       }
-    book_failed(b, fails, energy);
-    erosion->batches[b].has_new = false;
+    erosion->book(b, n_elements_of(b), fails, energy);
+    erosion->has_new[b] = 0;
   }
 
   void ShellElements::Implementation::take_out(const std::size_t b, const std::size_t k,
@@ -105,8 +97,7 @@ namespace birdstrike
     if (k >= n_elements_of(b))
       return;
     const auto &cell = cells[b * n_lanes + k];
-    ++erosion->n_failed;
-    erosion->mass += mass[b * n_lanes + k];
+    erosion->count_out(cell, mass[b * n_lanes + k], (erosion->batches[b].collapsed >> k & 1u) != 0);
     for (std::uint32_t i = 0; i < 4; ++i)
       {
         const std::uint32_t n = cell[i];
@@ -114,7 +105,6 @@ namespace birdstrike
           std::find_if(corners.begin() + corner_begin[n], corners.begin() + corner_begin[n + 1],
                        [&](const Corner &c) { return c.next == cell[(i + 1) % 4] && c.previous == cell[(i + 3) % 4]; });
         *corner = {n, n}; // spans no area, so adds nothing to the normal
-        --erosion->n_left[n];
         nodes.push_back(n);
       }
   }
@@ -129,7 +119,7 @@ namespace birdstrike
           for (std::size_t k = 0; k < n_lanes; ++k)
             if ((dying >> k & 1u) != 0)
               take_out(b, k, nodes);
-          erosion->batches[b].dying = 0;
+          erosion->batches[b].dying = erosion->batches[b].collapsed = 0;
         }
     if (nodes.empty())
       return;
@@ -147,16 +137,17 @@ namespace birdstrike
 
   double ShellElements::eroded_energy() const
   {
-    double sum = 0.;
-    if (implementation->erosion)
-      for (const auto &of_batch : implementation->erosion->batches)
-        sum += stdx::reduce(of_batch.energy);
-    return sum;
+    return implementation->erosion ? implementation->erosion->energy() : 0.;
   }
 
   std::size_t ShellElements::n_failed() const
   {
     return implementation->erosion ? implementation->erosion->n_failed : 0;
+  }
+
+  std::size_t ShellElements::n_collapsed() const
+  {
+    return implementation->erosion ? implementation->erosion->n_collapsed : 0;
   }
 
   bool ShellElements::is_failed(const std::size_t element) const
@@ -176,12 +167,7 @@ namespace birdstrike
 
   double ShellElements::damage(const std::size_t element) const
   {
-    const Implementation &my      = *implementation;
-    double                largest = 0.;
-    if (my.erosion)
-      for (std::size_t i = 0; i < my.n_in_plane; ++i)
-        for (const Lanes &damage : my.erosion->damage[my.n_in_plane * (element / n_lanes) + i])
-          largest = std::max(largest, lane(damage, element % n_lanes));
-    return largest;
+    const Implementation &my = *implementation;
+    return my.erosion ? my.erosion->largest_damage(element, my.n_in_plane) : 0.;
   }
 } // namespace birdstrike

@@ -56,7 +56,7 @@ namespace birdstrike
         thickness           = max(thickness, state.thickness);
         section_of_point[k] = compute_resultants(state);
       }
-    if (erosion && erosion->batches[b].has_new)
+    if (erosion && erosion->has_new[b] != 0)
       {
         const Lanes area[n_points] = {plane.point[0].area, plane.point[1].area, plane.point[2].area,
                                       plane.point[3].area};

@@ -102,6 +102,8 @@ namespace birdstrike
     const auto for_batches  = [&](const auto &update) {
       for (std::size_t b = c * batches_per_chunk; b < end; ++b)
         update(b);
+      if (can_collapse())
+        take_collapsed(c);
     };
     switch (section.formulation)
       {

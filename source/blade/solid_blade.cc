@@ -38,8 +38,9 @@ namespace birdstrike
       return points;
     }
 
-    /// The skin facets that pressure acts on, turned so that their normals point inwards.
-    std::vector<Loads::Quadrilateral> pressed_facets(const VolumeMesh &mesh, const BladeParameters::Loads &parameters)
+    /// The skin facets that pressure acts on, turned so that their normals point inwards, and the cells behind them.
+    std::vector<Loads::Quadrilateral> pressed_facets(const VolumeMesh &mesh, const BladeParameters::Loads &parameters,
+                                                     std::vector<std::uint32_t> &cells)
     {
       std::vector<Loads::Quadrilateral> pressed;
       if (!is_present(parameters.pressure))
@@ -47,7 +48,10 @@ namespace birdstrike
       const auto ids = parse_ids(parameters.pressure_boundaries, "Loads/Pressure boundaries");
       for (const auto &face : mesh.faces)
         if (std::find(ids.begin(), ids.end(), face.id) != ids.end())
-          pressed.push_back({{face.nodes[0], face.nodes[3], face.nodes[2], face.nodes[1]}});
+          {
+            pressed.push_back({{face.nodes[0], face.nodes[3], face.nodes[2], face.nodes[1]}});
+            cells.push_back(face.cell);
+          }
       if (pressed.empty())
         throw InputError("Blade/Loads/Pressure boundaries: no face of the mesh has one of the ids '" +
                          parameters.pressure_boundaries + "'.\nPressure on a solid needs faces to act on.");
@@ -60,11 +64,14 @@ namespace birdstrike
     , supports(parameters.supports, with_dofs(mesh).volume())
     , lumped(mesh.compute_mass(parameters.material.metal().density))
     , elements(points_of(mesh.volume()), mesh.volume().cells, make_section(parameters), pool)
-    , nodes(mesh.volume().nodes, {lumped.node, {}}, supports,
-            Loads(parameters.loads, mesh.volume().skin, pressed_facets(mesh.volume(), parameters.loads), 3), pool)
+    , nodes(
+        mesh.volume().nodes, {lumped.node, {}}, supports,
+        Loads(parameters.loads, mesh.volume().skin, pressed_facets(mesh.volume(), parameters.loads, pressed_cells), 3),
+        pool)
     , root(mesh.volume(), supports.root_ids, parameters.material.metal().hardening)
     , tip(make_tip_row(mesh.volume(), supports.tip_ids))
-    , half_thickness(mesh.volume().skin.cells.size(), 0.)
+    , skin(mesh.volume())
+    , can_fail(parameters.material.metal().failure.can_fail())
   {
     elements.use_nodal_masses(lumped.node);
     if (parameters.mass_scaling.method == "selective")
@@ -81,6 +88,15 @@ namespace birdstrike
     nodes.scale(columns, std::move(chosen.coupling));
     scaling      = chosen.report;
     scaling.step = elements.largest_stable_step();
+  }
+
+  void SolidBlade::State::update_failed()
+  {
+    n_failed = elements.n_failed();
+    skin.remove([this](const std::size_t element) { return elements.is_failed(element); });
+    for (std::size_t k = 0; k < pressed_cells.size(); ++k)
+      if (elements.is_failed(pressed_cells[k]))
+        nodes.stop_pressing(k);
   }
 
   SolidBlade::SolidBlade(const BladeParameters &parameters, ThreadPool &pool)
@@ -108,6 +124,8 @@ namespace birdstrike
   void SolidBlade::compute_internal_forces()
   {
     state->nodes.compute_internal_forces(state->elements);
+    if (state->elements.n_failed() != state->n_failed)
+      state->update_failed();
   }
 
   void SolidBlade::clear_contact_forces()
@@ -122,14 +140,10 @@ namespace birdstrike
 
   FacetsView SolidBlade::facets()
   {
-    const VolumeMesh &mesh = state->mesh.volume();
-    FacetsView        view = state->nodes.facets();
-    view.n_nodes           = mesh.n_skin_nodes;
-    view.n_facets          = mesh.skin.cells.size();
-    view.nodes             = mesh.skin.cells.data();
-    view.neighbor          = mesh.skin.neighbors.data();
-    view.half_thickness    = state->half_thickness.data();
-    view.two_sided         = false;
+    FacetsView view = state->nodes.facets();
+    if (!state->can_fail) // else nodes inside may become the skin's
+      view.n_nodes = state->mesh.volume().n_skin_nodes;
+    state->skin.offer(view);
     return view;
   }
 

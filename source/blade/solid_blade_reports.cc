@@ -1,3 +1,4 @@
+#include "failure_report.h"
 #include "solid_blade_state.h"
 
 #include <birdstrike/blade/census.h>
@@ -14,12 +15,14 @@ namespace birdstrike
       return std::sqrt(0.5 * (a * a + b * b + c * c) + 3. * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
     }
 
+    /// Of the elements that have not failed.
     void add_element_fields(const SolidElements &elements, std::vector<Field> &fields)
     {
       static const std::array<std::string, 6> components{{"xx", "yy", "zz", "xy", "yz", "zx"}};
       std::vector<SolidState>                 states;
       for (std::size_t e = 0; e < elements.n_elements(); ++e)
-        states.push_back(elements.state(e));
+        if (!elements.is_failed(e))
+          states.push_back(elements.state(e));
       const auto add = [&](const std::string &name, const std::string &unit, const auto &value) {
         Field field{name, unit, true, 1, {}};
         field.values.reserve(states.size());
@@ -68,6 +71,7 @@ namespace birdstrike
     report.elastic      = state->elements.elastic_energy() + state->elements.hourglass_energy();
     report.plastic      = state->elements.plastic_work();
     report.viscous      = state->elements.viscous_energy();
+    report.eroded       = state->elements.eroded_energy();
     return report;
   }
 
@@ -111,10 +115,18 @@ namespace birdstrike
     snapshot.dim = 3;
     for (const auto &x : mesh.nodes)
       snapshot.points.insert(snapshot.points.end(), x.begin(), x.end());
-    for (const auto &cell : mesh.cells)
-      snapshot.cells.insert(snapshot.cells.end(), cell.begin(), cell.end());
+    Field damage{"damage", "-", true, 1, {}}, number{"element", "-", true, 1, {}};
+    for (std::size_t e = 0; e < mesh.cells.size(); ++e)
+      if (!state->elements.is_failed(e)) // failed elements are not shown
+        {
+          snapshot.cells.insert(snapshot.cells.end(), mesh.cells[e].begin(), mesh.cells[e].end());
+          damage.values.push_back(state->elements.damage(e));
+          number.values.push_back(static_cast<double>(e));
+        }
     state->nodes.add_fields(snapshot.fields);
     add_element_fields(state->elements, snapshot.fields);
+    if (state->can_fail)
+      snapshot.fields.insert(snapshot.fields.end(), {std::move(damage), std::move(number)});
     return snapshot;
   }
 
@@ -143,5 +155,11 @@ namespace birdstrike
     const auto   peak = state->elements.max_plastic_strain();
     const Point3 c    = state->mesh.volume().centroid(peak.element);
     return {peak.value, peak.element, {{c[0], c[1], c[2]}}};
+  }
+
+  FailureReport SolidBlade::failure() const
+  {
+    const State &s = *state;
+    return make_failure_report(s.elements, s.root, s.tip, s.lumped.node, s.can_fail);
   }
 } // namespace birdstrike

@@ -2,6 +2,7 @@
 
 #include "nodal_mechanics.h"
 
+#include <birdstrike/blade/eroding_skin.h>
 #include <birdstrike/blade/solid_blade.h>
 #include <birdstrike/blade/solid_elements.h>
 #include <birdstrike/blade/solid_mesh.h>
@@ -15,14 +16,20 @@ namespace birdstrike
     State(const BladeParameters &parameters, ThreadPool &pool);
     void scale_masses(const BladeParameters &parameters);
 
-    SolidMesh           mesh;
-    Supports            supports;
-    SolidMesh::Mass     lumped;
-    SolidElements       elements;
-    NodalMechanics<3>   nodes;
-    SolidRootSection    root;
-    TipRow              tip;
-    MassScalingReport   scaling;
-    std::vector<double> half_thickness; ///< m, per facet of the skin: nothing lies beyond it
+    /// After elements have failed: the skin is that of the others, and nothing presses on them.
+    void update_failed();
+
+    SolidMesh                  mesh;
+    Supports                   supports;
+    SolidMesh::Mass            lumped;
+    SolidElements              elements;
+    std::vector<std::uint32_t> pressed_cells; ///< behind the quadrilaterals that pressure acts on
+    NodalMechanics<3>          nodes;
+    SolidRootSection           root;
+    TipRow                     tip;
+    MassScalingReport          scaling;
+    ErodingSkin                skin;
+    bool                       can_fail;
+    std::size_t                n_failed = 0; ///< elements, as the skin knows them
   };
 } // namespace birdstrike

@@ -104,7 +104,7 @@ namespace birdstrike
                        : std::vector<std::uint8_t>())
     , cells(with_third(thickness_axis, checked(cells, nodes.size())))
     , blocks(flat(this->cells), 8, nodes.size(), elements_per_block)
-    , records(nodes.size())
+    , records(nodes.size() + (section.material.failure.can_fail() ? n_resting_records : 0))
     , corner_force(blocks.n_rows + 1) // the last one takes what copies of the last element write
     , node_force(nodes.size())
   {
@@ -182,6 +182,8 @@ namespace birdstrike
             batch.corner[i][k] = e < cells.size() ? blocks.corner_row[8 * e + i] : blocks.n_rows;
           }
       }
+    if (section.material.failure.can_fail())
+      build_erosion();
     set_inverse_masses({});
   }
 
@@ -210,6 +212,8 @@ namespace birdstrike
         batch.frequency[k]    = value;
         Chunk &chunk          = chunks[e / n_lanes / batches_per_chunk];
         chunk.frequency       = max(chunk.frequency, Lanes(value));
+        if (erosion)
+          erosion->batches[e / n_lanes].allowed[k] = value / section.material.failure.smallest_step;
       }
     update_scaled_frequencies();
   }
@@ -251,10 +255,11 @@ namespace birdstrike
     };
     std::size_t e = b * n_lanes;
     for (std::size_t k = n_elements_of(b); k-- > 0;)
-      if (!is_sound(b * n_lanes + k))
+      if (!is_failed(b * n_lanes + k) && !is_sound(b * n_lanes + k))
         e = b * n_lanes + k;
     throw NumericalFailure("Solid " + place(e).text() + ": turned inside out, or its force is not finite (volume " +
                            text(smallest_volume(e)) +
-                           " m^3).\nThe step was too large or the element collapsed: reduce the step factor.");
+                           " m^3).\nThe step was too large or the element collapsed: reduce the step factor" +
+                           (erosion ? ", or let it erode (Blade/Material/Smallest step)." : "."));
   }
 } // namespace birdstrike

@@ -35,6 +35,8 @@ namespace birdstrike
         my.pool.parallel_for(n_chunks, 1, std::cref(body));
         my.gather_forces(block, force);
       }
+    if (my.erosion)
+      my.erode();
   }
 
   double SolidElements::largest_stable_step() const
@@ -91,7 +93,7 @@ namespace birdstrike
     for (const auto &sum : implementation->work)
       for (const double part : sum.value)
         total += part;
-    return total - plastic_work() - hourglass_energy() - viscous_energy();
+    return total - plastic_work() - hourglass_energy() - viscous_energy() - eroded_energy();
   }
   double SolidElements::plastic_work() const
   {
@@ -140,6 +142,6 @@ namespace birdstrike
     return layers + bytes_of(my.cells) + my.blocks.bytes() + bytes_of(my.mass) + bytes_of(my.work_begin) +
            bytes_of(my.records) + bytes_of(my.corner_force) + bytes_of(my.node_force) + bytes_of(my.work) +
            bytes_of(my.batches) + bytes_of(my.mass_factors) + bytes_of(my.chunks) + bytes_of(my.points) +
-           bytes_of(my.stabilisation);
+           bytes_of(my.stabilisation) + (my.erosion ? my.erosion->bytes() : 0);
   }
 } // namespace birdstrike

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <functional>
+#include <type_traits>
 
 namespace birdstrike
 {
@@ -78,14 +79,17 @@ namespace birdstrike
 
   // One body each, although long: all of it works on the same registers. Without `flatten` GCC leaves the vector
   // operations of Eigen as calls with their operands in memory.
-  template <bool has_layers>
+  template <bool has_layers, bool can_fail>
   [[gnu::flatten]] void SolidElements::Implementation::update_one_point(const std::size_t b, const double dt,
                                                                         Chunk &chunk)
   {
     using namespace one_point_solid;
     Corners corner[2];
     load_nodes(records[0].value, batches[b].record, corner[0], corner[1]);
-    const SolidModes<Lanes>    x(corner[0]), u(corner[1]), middle = compute_midpoint_modes(x, u);
+    Motion motion{SolidModes<Lanes>(corner[0]), SolidModes<Lanes>(corner[1])};
+    if constexpr (can_fail)
+      begin_failing(b, motion);
+    const SolidModes<Lanes>    x = motion.x, u = motion.u, middle = compute_midpoint_modes(x, u);
     const SolidGeometry<Lanes> midpoint(middle);
     const Matrix3<Lanes>       gradient = midpoint.compute_mean_gradient(u);
     const Axes<Lanes>          axes(middle);
@@ -93,10 +97,15 @@ namespace birdstrike
 
     Step step;
     update_viscosity(midpoint, gradient, dt, step);
+    Lanes plastic_strain; // before the step
+    if constexpr (can_fail)
+      plastic_strain = points[b].plastic_strain;
     if constexpr (has_layers)
       step.work = update_section(b, gradient, axes, strain, dt, x);
     else
       step.work = law.update_one_point(gradient, axes, strain, dt, points[b], stabilisation[b]);
+    if constexpr (can_fail)
+      add_damage(b, axes, plastic_strain, dt);
     step.work.plastic *= step.midpoint_volume;
     step.work.hourglass *= step.midpoint_volume;
 
@@ -104,15 +113,22 @@ namespace birdstrike
     Lanes                      stress[6];
     std::copy(points[b].stress, points[b].stress + 6, stress);
     add_pressure(step.pressure, stress);
-    finish(b, end, compute_mode_forces(end, stress, stabilisation[b]), step, chunk);
+    SolidModes<Lanes> force = compute_mode_forces(end, stress, stabilisation[b]);
+    if constexpr (can_fail)
+      release(b, end, u, force, step);
+    finish(b, end, force, step, chunk);
   }
 
+  template <bool can_fail>
   [[gnu::flatten]] void SolidElements::Implementation::update_b_bar(const std::size_t b, const double dt, Chunk &chunk)
   {
     using namespace b_bar_solid;
     Corners corner[2];
     load_nodes(records[0].value, batches[b].record, corner[0], corner[1]);
-    const SolidModes<Lanes>    x(corner[0]), u(corner[1]), middle = compute_midpoint_modes(x, u);
+    Motion motion{SolidModes<Lanes>(corner[0]), SolidModes<Lanes>(corner[1])};
+    if constexpr (can_fail)
+      begin_failing(b, motion);
+    const SolidModes<Lanes>    x = motion.x, u = motion.u, middle = compute_midpoint_modes(x, u);
     const SolidGeometry<Lanes> midpoint(middle), end(x);
 
     Step step;
@@ -128,8 +144,12 @@ namespace birdstrike
       {
         SolidPoint<Lanes>    &point = points[b * b_bar_solid::n_points + p];
         const Jacobian<Lanes> at_midpoint(Derivatives<Lanes>(middle, p)), at_end(Derivatives<Lanes>(x, p));
-        const Lanes           work =
-          law.update_point(at_midpoint.compute_gradient(Derivatives<Lanes>(u, p), step.dilatation), dt, point);
+        const Matrix3<Lanes>  gradient = at_midpoint.compute_gradient(Derivatives<Lanes>(u, p), step.dilatation);
+        Lanes                 work;
+        if constexpr (can_fail)
+          work = update_failing_point(b, p, gradient, Lanes((1. / 512.) * at_midpoint.det), dt);
+        else
+          work = law.update_point(gradient, dt, point);
         step.work.plastic += (1. / 512.) * at_midpoint.det * work;
         add_point_forces(at_end, point.stress, p, force, pressure);
         smallest = min(smallest, at_end.det);
@@ -139,6 +159,8 @@ namespace birdstrike
     const Lanes          none = select(smallest > Lanes(0.), Lanes(0.), Lanes(std::nan(""))); // reported in `finish`
     const Matrix3<Lanes> volumetric = Vector3<Lanes>::Constant(Lanes(scaled + none)).asDiagonal();
     end.add_mean_forces(volumetric, force);
+    if constexpr (can_fail)
+      release(b, end, u, force, step);
     finish(b, end, force, step, chunk);
   }
 
@@ -180,18 +202,21 @@ namespace birdstrike
     const std::size_t last  = std::min(batches.size(), (c + 1) * batches_per_chunk);
     Chunk            &chunk = chunks[c];
     chunk.frequency         = Lanes(0.);
-    for (std::size_t b = c * batches_per_chunk; b < last; ++b)
-      switch (section.formulation)
-        {
-        case SolidFormulation::one_point:
-          update_one_point<false>(b, dt, chunk);
-          break;
-        case SolidFormulation::solid_shell:
-          update_one_point<true>(b, dt, chunk);
-          break;
-        case SolidFormulation::b_bar:
-          update_b_bar(b, dt, chunk);
-        }
+    const auto update       = [&]<bool can_fail>(std::bool_constant<can_fail>) {
+      for (std::size_t b = c * batches_per_chunk; b < last; ++b)
+        switch (section.formulation)
+          {
+          case SolidFormulation::one_point:
+            update_one_point<false, can_fail>(b, dt, chunk);
+            break;
+          case SolidFormulation::solid_shell:
+            update_one_point<true, false>(b, dt, chunk);
+            break;
+          case SolidFormulation::b_bar:
+            update_b_bar<can_fail>(b, dt, chunk);
+          }
+    };
+    erosion ? update(std::true_type()) : update(std::false_type());
   }
 
   void SolidElements::Implementation::update_nodes(const ElementBlocks::Block &block, const double *position,

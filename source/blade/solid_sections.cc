@@ -165,6 +165,8 @@ namespace birdstrike
 
   double SolidRootSection::stress(const Facet &facet, const double *position, const SolidElements &elements) const
   {
+    if (elements.is_failed(facet.cell))
+      return 0.;
     std::array<double, 6> mean{};
     for (const unsigned int corner : facet.corners)
       {
@@ -190,6 +192,16 @@ namespace birdstrike
         report.stress_top.push_back(stress(facets[1][k], position, elements));
       }
     return report;
+  }
+
+  std::size_t SolidRootSection::count_failed(const SolidElements &elements) const
+  {
+    std::set<std::uint32_t> failed; // with one layer both faces are of the same element
+    for (const auto &side : facets)
+      for (const Facet &facet : side)
+        if (elements.is_failed(facet.cell))
+          failed.insert(facet.cell);
+    return failed.size();
   }
 
   TipRow make_tip_row(const VolumeMesh &mesh, const std::vector<unsigned int> &tip_ids)

@@ -39,11 +39,9 @@ namespace birdstrike
                          {"max_penetration_over_spacing", s.contact.max_penetration_over_spacing}};
       json["plastic"] = {
         {"max_strain", s.plastic.max_strain}, {"position", s.plastic.position}, {"work", s.plastic.work}};
-      json["failed"]   = {{"elements", s.failed.elements},
-                          {"at_root", s.failed.at_root},
-                          {"mass", s.failed.mass},
-                          {"free_mass", s.failed.free_mass},
-                          {"energy", s.failed.energy}};
+      json["failed"]   = {{"elements", s.failed.elements},   {"collapsed", s.failed.collapsed},
+                          {"at_root", s.failed.at_root},     {"mass", s.failed.mass},
+                          {"free_mass", s.failed.free_mass}, {"energy", s.failed.energy}};
       json["energy"]   = {{"initial", s.energy.initial},
                           {"final", s.energy.final},
                           {"max_relative_error", s.energy.max_relative_error},

@@ -53,6 +53,11 @@ namespace birdstrike
                       "choice, waits for the last one. A point on the neutral axis of bending hardly strains: 0.8 does "
                       "not wait for one of five. [-]",
                       Patterns::Double(1e-3, 1.));
+    prm.add_parameter("Smallest step", smallest_step,
+                      "Where the metal can fail, an element is also taken away when its stable step falls below this "
+                      "share of what it was at first, or when it is turned inside out; 0: never, and an element "
+                      "turned inside out ends the run. [-]",
+                      Patterns::Double(0., 0.9));
   }
 
   Failure FailureParameters::failure(const Failure &table, const std::string &metal) const
@@ -61,6 +66,11 @@ namespace birdstrike
     result.law            = failure_laws().at(law);
     result.plastic_strain = plastic_strain;
     result.failed_share   = failed_share;
+    result.smallest_step  = smallest_step;
+    if (result.law == FailureLaw::none && smallest_step > 0.)
+      throw InputError("Blade/Material/Smallest step: " + std::to_string(smallest_step) +
+                       " was read, but Failure is none, and no element of such a metal is taken away.\nSet Smallest "
+                       "step = 0, or name a law of failure.");
     for (std::size_t k = 0; k < d.size(); ++k)
       replace(result.d[k], d[k], entry_of(k), k == 0 || k == 2 ? -100. : 0., 100.);
     const bool has_no_constants = std::all_of(result.d.begin(), result.d.end(), [](const double x) { return x == 0.; });

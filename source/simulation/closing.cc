@@ -83,6 +83,7 @@ namespace birdstrike
     summary.plastic.work       = balance.state().blade.plastic;
 
     summary.failed.elements  = observed.failure.n_elements;
+    summary.failed.collapsed = observed.failure.n_collapsed;
     summary.failed.at_root   = observed.failure.n_at_root;
     summary.failed.mass      = observed.failure.mass;
     summary.failed.free_mass = observed.failure.free_mass;
@@ -135,6 +136,8 @@ namespace birdstrike
         table.add("failed elements",
                   fmt::format("{} of {}, {}", format_count(summary.failed.elements),
                               format_count(summary.blade.elements), format_quantity(summary.failed.mass, "kg")));
+        if (summary.failed.collapsed > 0)
+          table.add("  of these, collapsed", format_count(summary.failed.collapsed) + ": below the smallest step");
         table.add("mass flying free of all elements", summary.failed.free_mass, "kg");
         table.add("energy eroded with them", summary.failed.energy, "J");
         if (summary.failed.at_root > 0)

@@ -35,7 +35,7 @@ namespace birdstrike
 
   FailureReport Symmetry::whole(FailureReport failure) const
   {
-    for (std::size_t *count : {&failure.n_elements, &failure.n_at_root, &failure.n_free_nodes})
+    for (std::size_t *count : {&failure.n_elements, &failure.n_collapsed, &failure.n_at_root, &failure.n_free_nodes})
       *count *= factor();
     for (double *mass : {&failure.mass, &failure.free_mass})
       *mass *= factor();

@@ -42,6 +42,7 @@ namespace birdstrike
   {
     bool        can_fail     = false; ///< whether the metal has a failure law
     std::size_t n_elements   = 0;     ///< failed
+    std::size_t n_collapsed  = 0;     ///< of these, not by damage but by the smallest step
     std::size_t n_at_root    = 0;     ///< of these, at the root section
     std::size_t n_free_nodes = 0;
     double      mass         = 0.;    ///< kg, of failed elements

@@ -60,10 +60,11 @@ namespace birdstrike
   /// component along the averaged normal there (not so with Belytschko-Tsay), and the rotation about it has no effect.
   ///
   /// Where the metal can fail (material/failure.h), a point with D >= 1 carries nothing from then on, and an element
-  /// whose stated share of points has failed neither (shell_failure.h). Other metals pay nothing for it.
+  /// whose stated share of points has failed, or which has collapsed, neither (shell_failure.h, erosion.h). Other
+  /// metals pay nothing for it.
   ///
   /// Not here: mass, supports, loads, time. Throws InputError for a degenerate element or an impossible section,
-  /// NumericalFailure when an element collapses or a force is not finite.
+  /// NumericalFailure when an element collapses (unless Failure::smallest_step erodes it) or a force is not finite.
   class ShellElements
   {
   public:
@@ -102,6 +103,7 @@ namespace birdstrike
 
     /// Failed elements carry nothing and have no vote on the step; their nodes keep their masses. Once failed, always.
     std::size_t n_failed() const;
+    std::size_t n_collapsed() const; ///< of these, those taken away by Failure::smallest_step
     bool        is_failed(std::size_t element) const;
     double      failed_mass() const;               ///< kg
     bool        is_free(std::size_t node) const;   ///< all its elements have failed

@@ -1,9 +1,7 @@
 #pragma once
 
+#include <birdstrike/blade/erosion.h>
 #include <birdstrike/blade/shell_section.h>
-
-#include <algorithm>
-#include <cmath>
 
 /// What failure takes from shells, once `FailingPoints` has found points that have failed.
 ///
@@ -13,22 +11,6 @@
 /// transverse shear (M = kappa G) and stabilisation (E, kappa G), of which a third counts, a ninth in bending.
 namespace birdstrike
 {
-  /// Number of failed points (of n) that make an element fail.
-  inline unsigned int n_points_to_fail(const Failure &failure, const unsigned int n)
-  {
-    return std::max(1u, static_cast<unsigned int>(std::ceil(failure.failed_share * n - 1e-9)));
-  }
-
-  /// Points with D >= 1 of n.
-  template <class Number>
-  Number count_failed(const Number *damage, const unsigned int n)
-  {
-    Number count = 0.;
-    for (unsigned int k = 0; k < n; ++k)
-      count += select(damage[k] >= Number(1.), Number(1.), Number(0.));
-    return count;
-  }
-
   namespace internal
   {
     /// Takes a scalar stress where `fails`; returns its energy u (J/m^3, times share), and `unpaid` gets u's part that

@@ -81,7 +81,7 @@ namespace birdstrike
     bool is_failed(std::size_t element) const;
     void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: quarters
 
-    /// Section k < n_in_plane of a batch, and its points through the thickness.
+    /// Section k of a batch, and its points through the thickness.
     const SectionStress<Lanes>             &section_of(std::size_t batch, std::size_t k) const;
     const AlignedVector<ShellPoint<Lanes>> &points_of(std::size_t batch, std::size_t k) const;
     bool                                    has_points(std::size_t batch) const;          ///< any of its sections
@@ -131,17 +131,21 @@ namespace birdstrike
                       const double *last);
     void update_irregular(std::size_t node, const double *position);
     template <bool physical>
-    void              update_batch(std::size_t batch, double dt, Chunk &chunk);
-    ShellWork<Lanes>  update_points(std::size_t batch, const ShellVector<Lanes> &strain, const Lanes &area, double dt);
-    ShellWork<Lanes>  update_failing_points(std::size_t batch, const ShellVector<Lanes> &strain, const Lanes &area,
-                                            double dt);
-    void              update_fully_integrated(std::size_t batch, double dt, Chunk &chunk);
-    Lanes             update_section(std::size_t section, const SectionVector<Lanes> &strain, double dt);
-    Lanes             update_failing_section(std::size_t section, const SectionVector<Lanes> &strain, double dt);
-    void              release_sections(std::size_t batch, const SectionVector<Lanes> *strain, const Lanes *area);
-    void              book_failed(std::size_t batch, const LanesMask &fails, const Lanes &energy);
-    void              build_erosion();
-    void              take_out(std::size_t batch, std::size_t lane, std::vector<std::uint32_t> &nodes);
-    [[noreturn]] void report_failure(std::size_t batch) const;
+    void             update_batch(std::size_t batch, double dt, Chunk &chunk);
+    ShellWork<Lanes> update_points(std::size_t batch, const ShellVector<Lanes> &strain, const Lanes &area, double dt);
+    ShellWork<Lanes> update_failing_points(std::size_t batch, const ShellVector<Lanes> &strain, const Lanes &area,
+                                           double dt);
+    void             update_fully_integrated(std::size_t batch, double dt, Chunk &chunk);
+    Lanes            update_section(std::size_t section, const SectionVector<Lanes> &strain, double dt);
+    Lanes            update_failing_section(std::size_t section, const SectionVector<Lanes> &strain, double dt);
+    void             release_sections(std::size_t batch, const SectionVector<Lanes> *strain, const Lanes *area);
+    bool             can_collapse() const; ///< whether elements that do are eroded
+    bool             has_finite_state(std::size_t element) const;
+    void             take_collapsed(std::size_t chunk);
+    void             collapse(std::size_t batch, Chunk &chunk);
+    double           drop_forces(std::size_t batch, std::size_t lane);
+    void             build_erosion();
+    void             take_out(std::size_t batch, std::size_t lane, std::vector<std::uint32_t> &nodes);
+    void             report_failure(std::size_t batch); ///< throws, unless what is unsound collapses and goes
   };
 } // namespace birdstrike

@@ -17,7 +17,9 @@ namespace birdstrike
   /// face at minus the normal this is the shell's direction); contact sees the skin, closed and one-sided, without any
   /// thickness beyond it; the tip row is the mean of both faces, the root stress that on both faces.
   ///
-  /// Not here: erosion, spin of the hub, several ranks.
+  /// Elements of a metal that can fail do so (solid_elements.h); what is left keeps a closed skin (eroding_skin.h).
+  ///
+  /// Not here: spin of the hub, several ranks.
   class SolidBlade : public Blade
   {
   public:
@@ -51,6 +53,7 @@ namespace birdstrike
     TipDeflection            tip_deflection() const override;
     PeakPlasticStrain        peak_plastic_strain() const override;
     std::optional<SpanLine>  span_line() const override;
+    FailureReport            failure() const override;
 
     NodeArrays nodes(); ///< for initial states and checks
 

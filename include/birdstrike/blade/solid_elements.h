@@ -55,8 +55,13 @@ namespace birdstrike
   /// Winget (1980). The theory stands in solid_one_point.h and solid_b_bar.h, plasticity in solid_law.h and
   /// solid_flow.h.
   ///
+  /// Where the metal can fail (material/failure.h), a point with D >= 1 carries nothing from then on, and an element
+  /// whose stated share of points has failed, or which has collapsed, neither (solid_erosion.h). Other metals pay
+  /// nothing for it.
+  ///
   /// Not here: mass of nodes, supports, loads, time. Throws InputError for a degenerate element or an impossible
-  /// section, NumericalFailure when an element is turned inside out or a force is not finite.
+  /// section, NumericalFailure when an element is turned inside out (unless Failure::smallest_step erodes it) or a
+  /// force is not finite.
   class SolidElements
   {
   public:
@@ -98,6 +103,16 @@ namespace birdstrike
     /// plastic work.
     double hourglass_energy() const;
     double viscous_energy() const; ///< of the bulk viscosity
+    /// What elements and points stored, of both of the first kinds, when they failed; it has left these.
+    double eroded_energy() const;
+
+    /// Failed elements carry nothing and have no vote on the step; their nodes keep their masses. Once failed, always.
+    std::size_t n_failed() const;
+    std::size_t n_collapsed() const; ///< of these, those taken away by Failure::smallest_step
+    bool        is_failed(std::size_t element) const;
+    double      failed_mass() const;               ///< kg
+    bool        is_free(std::size_t node) const;   ///< all its elements have failed
+    double      damage(std::size_t element) const; ///< largest D of its points; 1 and more: such a point failed
 
     std::size_t n_elements() const;
     std::size_t n_promoted() const; ///< elements that hold points through the thickness; all that are no solid-shells

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/blade/element_blocks.h>
+#include <birdstrike/blade/solid_erosion.h>
 #include <birdstrike/blade/solid_shell.h>
 #include <birdstrike/blade/solid_step_bound.h>
 #include <birdstrike/core/aligned_vector.h>
@@ -45,11 +46,13 @@ namespace birdstrike
       Lanes frequency = 0.;                             ///< largest of the chunk
     };
     static constexpr std::size_t batches_per_chunk = 16, nodes_per_chunk = 512;
-    static constexpr std::size_t elements_per_block = 8192;
+    static constexpr std::size_t elements_per_block = 8192, n_resting_records = 8;
 
     void update_nodes(const ElementBlocks::Block &block, const double *position, const double *increment);
     void update_chunk(std::size_t chunk, double dt);
     void gather_forces(const ElementBlocks::Block &block, double *force);
+    void erode(); ///< after all forces: takes out the elements that have failed
+    bool is_failed(std::size_t element) const;
     void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: eighths
     void update_scaled_frequencies();                              ///< of all, at rest
     /// The bound with scaled masses: a function of its own, for what does not happen shall cost no register.
@@ -87,9 +90,15 @@ namespace birdstrike
     AlignedVector<Stabilisation>              stabilisation; ///< [n_batches], not of B-bar
     ThicknessPoints                           rule;          ///< of solid-shells, as:
     std::vector<AlignedVector<LayerPoint>>    layers;        ///< [n_batches], empty while elastic
+    std::unique_ptr<SolidErosion>             erosion;       ///< null where the metal cannot fail
 
   private:
     using Corners = Vector3<Lanes>[8];
+    /// Position at the end of the step and increment, m.
+    struct Motion
+    {
+      SolidModes<Lanes> x, u;
+    };
     /// What the end of a step takes from its strains.
     struct Step
     {
@@ -102,15 +111,26 @@ namespace birdstrike
     void check_shape(std::size_t element);
     void build_batches();
     void update_viscosity(const SolidGeometry<Lanes> &midpoint, const Matrix3<Lanes> &gradient, double dt, Step &step);
-    template <bool has_layers>
+    template <bool has_layers, bool can_fail>
     void             update_one_point(std::size_t batch, double dt, Chunk &chunk);
     SolidWork<Lanes> update_section(std::size_t batch, const Matrix3<Lanes> &gradient,
                                     const one_point_solid::Axes<Lanes> &axes, const Stabilisation &strain, double dt,
                                     const SolidModes<Lanes> &end);
     SolidWork<Lanes> update_layers(std::size_t batch, double dt, const SolidModes<Lanes> &end);
-    void             update_b_bar(std::size_t batch, double dt, Chunk &chunk);
-    void finish(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &force, const Step &step,
-                Chunk &chunk);
+    template <bool can_fail>
+    void  update_b_bar(std::size_t batch, double dt, Chunk &chunk);
+    void  finish(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &force, const Step &step,
+                 Chunk &chunk);
+    void  build_erosion();
+    void  begin_failing(std::size_t batch, Motion &motion);
+    void  add_damage(std::size_t batch, const one_point_solid::Axes<Lanes> &axes, const Lanes &plastic_strain,
+                     double dt);
+    Lanes compute_damage(const SolidPoint<Lanes> &point, const Lanes &strain, const Lanes &von_mises, double dt) const;
+    Lanes update_failing_point(std::size_t batch, int point, const Matrix3<Lanes> &gradient, const Lanes &volume,
+                               double dt);
+    void  release(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &u,
+                  SolidModes<Lanes> &force, Step &step);
+    void  take_out(std::size_t batch, std::size_t lane);
     [[noreturn]] void report_failure(std::size_t batch) const;
   };
 } // namespace birdstrike

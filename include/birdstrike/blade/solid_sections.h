@@ -46,6 +46,8 @@ namespace birdstrike
     /// the corners. A facet on the top without a counterpart is paired with the nearest below.
     RootSectionReport compute_report(const double *force, const double *position, const SolidElements &elements) const;
 
+    std::size_t count_failed(const SolidElements &elements) const; ///< of the elements whose stress it reports
+
     const SectionFrame &section() const
     {
       return frame;

@@ -90,7 +90,8 @@ namespace birdstrike
     struct
     {
       std::size_t elements  = 0;
-      std::size_t at_root   = 0;  ///< of these, at the root section
+      std::size_t collapsed = 0;  ///< of these, not by damage but by the smallest step
+      std::size_t at_root   = 0;  ///< of the failed, at the root section
       double      mass      = 0.; ///< kg, of failed elements
       double      free_mass = 0.; ///< kg, on nodes without any element left
       double      energy    = 0.; ///< J, eroded

@@ -32,6 +32,9 @@ namespace birdstrike
     double                plastic_strain = 0.2;                    ///< limit, -
     std::array<double, 5> d              = {{0., 0., 0., 0., 0.}}; ///< D1 ... D5, -
     double                failed_share   = 1.; ///< of an element's points, at which all of it has failed, -
+    /// Share of an element's stable step at first, below which it is taken away, as it is when turned inside out; 0:
+    /// never, and such an element ends the run. -
+    double smallest_step = 0.;
 
     static constexpr double smallest_strain = 1e-6, largest_triaxiality = 1.5;
 

@@ -19,7 +19,8 @@ namespace birdstrike
     std::string                law            = "none";
     double                     plastic_strain = Failure().plastic_strain; ///< -
     std::array<std::string, 5> d              = {{"table", "table", "table", "table", "table"}};
-    double                     failed_share   = Failure().failed_share; ///< -
+    double                     failed_share   = Failure().failed_share;  ///< -
+    double                     smallest_step  = Failure().smallest_step; ///< -
 
     /// Declares the entries in the section that the caller has entered.
     void declare(dealii::ParameterHandler &prm);

@@ -42,6 +42,15 @@ namespace birdstrike
     return sqrt(von_mises_squared(stress));
   }
 
+  /// Elastic energy (J/m^3) of a stress: q^2/(6 G) + p^2/(2 K).
+  template <class Number>
+  [[gnu::always_inline]] inline Number compute_elastic_energy(const Elasticity &elasticity, const Number (&stress)[6])
+  {
+    const Number mean = compute_mean_stress(stress);
+    return von_mises_squared(stress) / (6. * elasticity.shear_modulus()) +
+           mean * mean / (2. * elasticity.bulk_modulus());
+  }
+
   /// Scales the deviator of a stress.
   template <class Number>
   [[gnu::always_inline]] inline void scale_deviator(const Number &scale, Number (&stress)[6])

@@ -1,6 +1,7 @@
 #include "shell_harness.h"
 
 #include <birdstrike/blade/shell_failure.h>
+#include <birdstrike/core/errors.h>
 
 #include <gtest/gtest.h>
 
@@ -184,6 +185,72 @@ TEST(ShellFailure, NormalsStayInThePlaneOfSymmetry)
     u[6 * n + 2] = -1e-3 * torn.mesh.nodes[n][0];
   const auto f = torn.move(u, 1e-6);
   EXPECT_TRUE(f.allFinite());
+}
+
+// One strip of three, of which the last is crushed in its plane: its step falls with its length.
+TEST(ShellFailure, WhatCollapsesIsTakenAway)
+{
+  for (const auto formulation : all_formulations)
+    for (const double law_limit : {100., 0.02}) // plastic strain at which points fail: never, and before it collapses
+      {
+        auto section                           = failing_titanium(law_limit, 1., formulation);
+        section.material.failure.smallest_step = 0.3;
+        Model           model(plate(3, 1), 0.05, section);
+        const auto     &e    = model.elements;
+        Eigen::VectorXd u    = Eigen::VectorXd::Zero(model.n_dofs());
+        const double    step = e.largest_stable_step();
+        for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n)
+          if (model.mesh.nodes[n][0] == 3.)
+            u[6 * n] = -5e-3;
+        double least = step, before = 0.;
+        int    k = 0;
+        for (; k < 190 && e.n_failed() == 0; ++k)
+          {
+            before = e.elastic_energy() + e.hourglass_energy();
+            model.move(u, 1e-3);
+            least = std::min(least, e.largest_stable_step());
+          }
+        ASSERT_EQ(e.n_failed(), 1u) << k;
+        EXPECT_EQ(e.n_collapsed(), law_limit > 1. ? 1u : 0u);
+        EXPECT_TRUE(e.is_failed(2));
+        EXPECT_GT(least, 0.3 * step) << "it has no vote even in the step in which it goes";
+        if (law_limit > 1.)
+          {
+            EXPECT_LT(least, 0.33 * step);
+            // all that the element had, less the work of the last step; the others hold nothing
+            EXPECT_NEAR(e.elastic_energy() + e.hourglass_energy(), 0., 0.05 * before);
+          }
+        for (; k < 300; ++k)
+          EXPECT_EQ(model.move(u, 1e-3).cwiseAbs().maxCoeff(), 0.);
+        EXPECT_EQ(e.n_failed(), 1u);
+      }
+}
+
+// In one step and without warning: to a line, so that the area is zero and its forces are nothing finite.
+TEST(ShellFailure, WhatLosesItsAreaInOneStepIsTakenAwayOrEndsTheRun)
+{
+  for (const auto formulation : all_formulations)
+    for (const double smallest : {0., 0.01})
+      {
+        auto section                           = failing_titanium(100., 1., formulation);
+        section.material.failure.smallest_step = smallest;
+        Model       model(plate(3, 1), 0.05, section);
+        const auto &e = model.elements;
+        model.move(some_motion(model.n_dofs(), 1e-3, 1), 1e-5);
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(model.n_dofs());
+        for (const std::size_t n : {3u, 7u}) // onto their neighbours
+          u.segment<3>(6 * n) = Point3(&model.position[3 * (n - 1)]) - Point3(&model.position[3 * n]);
+        if (smallest == 0.)
+          {
+            EXPECT_THROW(model.move(u, 1e-3), NumericalFailure);
+            continue;
+          }
+        EXPECT_TRUE(model.move(u, 1e-3).allFinite());
+        EXPECT_EQ(e.n_collapsed(), 1u);
+        for (const double energy : {e.eroded_energy(), e.elastic_energy(), e.plastic_work(), e.hourglass_energy()})
+          EXPECT_TRUE(std::isfinite(energy));
+        EXPECT_TRUE(model.move(u, 1e-3).allFinite());
+      }
 }
 
 TEST(ShellFailure, IsBitwiseTheSameForOneAndTwoThreads)

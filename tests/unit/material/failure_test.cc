@@ -1,10 +1,13 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/material/metal_parameters.h>
 #include <birdstrike/material/plane_stress_return.h>
+#include <birdstrike/material/radial_return.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 using namespace birdstrike;
 
@@ -119,6 +122,16 @@ TEST(Failure, ElasticEnergyOfAPlaneState)
   EXPECT_NEAR(plane_stress_energy(metal, sheared), 200e6 * 200e6 / (2. * metal.shear_modulus()), 1e-6);
 }
 
+TEST(Failure, ElasticEnergyOfThreeDimensions)
+{
+  const Elasticity metal{73e9, 0.33};
+  const double     pulled[6] = {300e6, 0., 0., 0., 0., 0.}, sheared[6] = {0., 0., 0., 0., 200e6, 0.};
+  const double     pressed[6] = {-500e6, -500e6, -500e6, 0., 0., 0.};
+  EXPECT_NEAR(compute_elastic_energy(metal, pulled), 300e6 * 300e6 / (2. * 73e9), 1e-6);
+  EXPECT_NEAR(compute_elastic_energy(metal, sheared), 200e6 * 200e6 / (2. * metal.shear_modulus()), 1e-6);
+  EXPECT_NEAR(compute_elastic_energy(metal, pressed), 500e6 * 500e6 / (2. * metal.bulk_modulus()), 1e-6);
+}
+
 TEST(FailureParameters, AreReadAndRefused)
 {
   dealii::ParameterHandler prm;
@@ -126,11 +139,13 @@ TEST(FailureParameters, AreReadAndRefused)
   parameters.declare(prm);
   EXPECT_FALSE(parameters.metal().failure.can_fail());
   prm.parse_input_from_string("set Name = Al 2024 Johnson-Cook\nset Failure = Johnson-Cook\nset Damage D3 = -1.6\n"
-                              "set Failed share = 0.6\n");
+                              "set Failed share = 0.6\nset Smallest step = 0.05\n");
   const Failure failure = parameters.metal().failure;
   EXPECT_EQ(failure.law, FailureLaw::johnson_cook);
   EXPECT_EQ(failure.d, (std::array<double, 5>{{0.13, 0.13, -1.6, 0.011, 0.}}));
   EXPECT_EQ(failure.failed_share, 0.6);
+  EXPECT_EQ(failure.smallest_step, 0.05);
+  EXPECT_EQ(Failure().smallest_step, 0.) << "off";
 
   parameters.failure.d[2] = "-1.6 "; // not a number to the end
   EXPECT_THROW(parameters.check(), InputError);
@@ -139,6 +154,19 @@ TEST(FailureParameters, AreReadAndRefused)
   MetalParameters titanium;
   titanium.failure.law = "Johnson-Cook"; // the table has no damage constants
   EXPECT_THROW(titanium.check(), InputError);
+  titanium.failure.law = "plastic strain";
+  EXPECT_NO_THROW(titanium.check());
+  titanium.failure.law           = "none";
+  titanium.failure.smallest_step = 0.05; // of elements that never go
+  try
+    {
+      titanium.check();
+      ADD_FAILURE() << "accepted";
+    }
+  catch (const InputError &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("Blade/Material/Smallest step"), std::string::npos) << error.what();
+    }
   titanium.failure.law = "plastic strain";
   EXPECT_NO_THROW(titanium.check());
   titanium.hardening = "elastic"; // never yields, never fails

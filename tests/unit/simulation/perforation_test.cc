@@ -65,3 +65,39 @@ TEST(Perforation, HalfOfItTellsOfTheWhole)
   EXPECT_NEAR(half.contact.impulse[2] / whole.contact.impulse[2], 1., 0.01);
   EXPECT_LT(half.energy.max_relative_error, 5e-3);
 }
+
+// The same with bricks: the closed skin opens, and its facets of the inside meet the bird.
+TEST(Perforation, BricksLetTheBirdThroughAndTheBalanceHolds)
+{
+  for (const std::string layers : {"1", "2"})
+    {
+      const Strike  run     = run_coarse({"Blade/Kind=solid", "Blade/Mesh/Layers=" + layers, "Time/End time=0.15e-3"});
+      const Summary summary = run.summary;
+      EXPECT_EQ(summary.end.reason, "end time reached");
+      EXPECT_LT(summary.energy.max_relative_error, 5e-3); // coupled gate
+      EXPECT_LT(summary.momentum.max_relative_error, 1e-8);
+      EXPECT_GT(summary.failed.elements, 10u);
+      EXPECT_LT(summary.failed.elements, 900u * (layers == "2" ? 2 : 1) / 4);
+      EXPECT_GT(summary.failed.energy, 0.);
+      EXPECT_EQ(summary.energy.parts.at("blade_eroded"), summary.failed.energy);
+      EXPECT_GT(summary.contact.impulse[2], 1.);
+      EXPECT_LT(summary.contact.impulse[2], 0.3 * 30.15);
+      EXPECT_GT(run.curves.at("blade_momentum_z").back(), 0.) << "the plug flies on";
+      const auto &dissipated = run.curves.at("contact_dissipated");
+      for (std::size_t k = 1; k < dissipated.size(); ++k)
+        EXPECT_GT(dissipated[k], dissipated[k - 1] - 1e-3 * summary.energy.initial)
+          << "a facet that goes or comes gives nothing back";
+    }
+}
+
+TEST(Perforation, OfBricksIsBitwiseTheSameForOneAndTwoThreads)
+{
+  const std::vector<std::string> bricks{"Blade/Kind=solid", "Blade/Mesh/Layers=2", "Time/End time=0.06e-3"};
+  auto                           more = bricks;
+  more.push_back("Time/Threads=1");
+  const Strike one = run_coarse(more);
+  more.back()      = "Time/Threads=2";
+  const Strike two = run_coarse(more);
+  EXPECT_GT(one.summary.failed.elements, 0u);
+  EXPECT_EQ(one.curves, two.curves);
+}
