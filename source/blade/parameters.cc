@@ -197,6 +197,9 @@ namespace birdstrike
     require(element.n_points == 3 || element.n_points == 5 || element.n_points == 7,
             "Element/Points through thickness: " + std::to_string(element.n_points) + " was read.\nAllowed: 3, 5, 7.");
     material.check();
+    require(!is_solid || mass_scaling.method == "off" || !material.metal().failure.can_fail(),
+            "Mass scaling/Method: inertia that is added between nodes is not taken out again with elements that fail.\n"
+            "Set it to off, or Material/Failure to none.");
   }
 
   std::vector<std::string> BladeParameters::unused_entries() const

@@ -21,6 +21,11 @@ namespace birdstrike
     }
   } // namespace
 
+  unsigned int SolidElements::Implementation::axis_in_batch(const std::size_t element, const unsigned int axis) const
+  {
+    return thickness_axis.empty() ? axis : (axis + 5u - thickness_axis[element]) % 3u; // see with_third
+  }
+
   Lanes SolidElements::Implementation::compute_scaled_frequency(const SolidModes<Lanes> &modes,
                                                                 const Lanes &inverse_mass, const Lanes &drag,
                                                                 const InverseMassFactors<Lanes> &factors) const
@@ -65,7 +70,10 @@ namespace birdstrike
       : elements(elements), b(b)
     {
       for (std::size_t k = 0; k < n_lanes; ++k)
-        axes[k] = axis[std::min(b * n_lanes + k, elements.cells.size() - 1)];
+        {
+          const std::size_t element = std::min(b * n_lanes + k, elements.cells.size() - 1);
+          axes[k]                   = elements.axis_in_batch(element, axis[element]);
+        }
     }
 
     Lanes compute_frequency(const Lanes &exponent) const
@@ -110,7 +118,7 @@ namespace birdstrike
                            std::to_string(factor) + " along axis " + std::to_string(axis) +
                            ".\nAllowed: 1 to 1e12 along 0, 1 or 2.");
         for (unsigned int k = 0; k < 3; ++k)
-          my.mass_factors[e / n_lanes].axis[k][e % n_lanes] = k == axis ? 1. / factor : 1.;
+          my.mass_factors[e / n_lanes].axis[k][e % n_lanes] = k == my.axis_in_batch(element, axis) ? 1. / factor : 1.;
       }
     my.update_scaled_frequencies();
   }

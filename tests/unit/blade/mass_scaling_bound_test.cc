@@ -54,7 +54,8 @@ namespace
 // the bound is proven, and for these it is exact.
 TEST(MassScalingBound, ThinBricksReachTheCubesStep)
 {
-  for (const auto formulation : all_formulations)
+  // the cells of solid-shells are turned, the axes of factors are not
+  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar, SolidFormulation::solid_shell})
     for (const double nu : {0., 0.3, 0.45})
       for (const double height : {1., 0.5, 0.1, 0.02})
         for (unsigned int axis = 0; axis < 3; ++axis)
@@ -65,7 +66,7 @@ TEST(MassScalingBound, ThinBricksReachTheCubesStep)
             const Steps cube    = compute_steps(make_box({1, 1, 1}, Point3(1., 1., 1.)), section, {{axis, 1.}});
             const Steps thin    = compute_steps(make_box({1, 1, 1}, size), section, {{axis, 1. / (height * height)}});
             EXPECT_LE(thin.bound, thin.exact * (1. + 1e-9));
-            if (formulation == SolidFormulation::one_point)
+            if (formulation != SolidFormulation::b_bar)
               {
                 EXPECT_NEAR(thin.exact / cube.exact, 1., 1e-7) << "height " << height << ", nu " << nu;
                 EXPECT_NEAR(thin.bound / cube.bound, 1., 1e-12);
