@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Does a quadratic brick pay? Frequencies, stable step, cost and a plastic impulse of the plate of prm/frontal.prm in every
+# kind of element: tables, CSV and a chart of error against time. Takes some minutes on one core.
+# Usage: run.sh BUILD_FOLDER [OUTPUT_FOLDER]; the build needs -DBIRDSTRIKE_BENCHMARKS=ON, the chart gnuplot.
+#   bash tests/studies/quadratic_bricks/run.sh build quadratic-bricks
+# Errors are relative to the tip that 112 x 32 x 8 one-point bricks give, 76.26 mm ("REFERENCE=run" computes it anew).
+set -euo pipefail
+build=$1
+output=${2:-quadratic-bricks}
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+program=$build/bin/quadratic_bricks
+[ -x "$program" ] || make -C "$build" quadratic_bricks
+mkdir -p "$output"
+csv=$output/quadratic-bricks.csv
+: >"$csv"
+study() { "$program" "$@" | tee -a "$csv"; }
+
+for rule in g2-bare g2xg3-bare g2xg3 gl3 g3; do study modes "quadratic-$rule" 4x4x1; done
+for rule in g2xg3 g3 gl3; do
+  for mesh in 7x2x1 14x4x1 28x8x1; do study frequencies "quadratic-$rule" $mesh; done
+done
+for mesh in 14x4x1 28x8x1 56x16x1; do study frequencies one-point $mesh; done
+for mesh in 28x8x1 56x16x1; do study frequencies shell $mesh; done
+study frequencies b-bar 28x8x2
+for kind in shell one-point b-bar; do
+  study step $kind 28x8x1
+  study cost $kind 32x16x1
+done
+for rule in g2 g2xg3 g2xg5 gl3 g3; do
+  study step "quadratic-$rule" 14x4x1
+  study cost "quadratic-$rule" 16x8x1
+done
+for mesh in 14x4x1 28x8x1 56x16x1 112x32x1; do study impulse shell $mesh; done
+for mesh in 14x4x1 28x8x1 56x16x1 14x4x4 28x8x4 56x16x4; do study impulse one-point $mesh; done
+study impulse b-bar 28x8x4
+for mesh in 7x2x1 14x4x1 28x8x1; do
+  for rule in g2xg5 g2xg3 g3 gl3; do study impulse "quadratic-$rule" $mesh; done
+done
+for mesh in 7x2x2 14x4x2 28x8x2; do
+  for rule in g2xg3 g3 gl3; do study impulse "quadratic-$rule" $mesh; done
+done
+reference=76.26
+if [ "${REFERENCE:-}" = run ]; then
+  reference=$(study impulse one-point 112x32x8 | cut -d, -f5)
+fi
+
+command -v gnuplot >/dev/null || { echo "no chart without gnuplot: apt-get install gnuplot-nox"; exit 1; }
+gnuplot -e "csv='$csv'; chart='$output/quadratic-bricks.svg'; reference=$reference" "$here/chart.gp"
+echo "$csv, $output/quadratic-bricks.svg"
