@@ -2,6 +2,7 @@
 #include "solid_frequencies.h"
 
 #include <birdstrike/blade/make_blade.h>
+#include <birdstrike/blade/solid_blade.h>
 #include <birdstrike/core/errors.h>
 
 #include <gtest/gtest.h>

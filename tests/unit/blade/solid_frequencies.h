@@ -18,9 +18,10 @@ namespace birdstrike::test
   inline std::vector<std::set<std::uint32_t>> neighbours_of_nodes(const FieldSnapshot &snapshot)
   {
     std::vector<std::set<std::uint32_t>> neighbours(snapshot.points.size() / 3);
-    for (std::size_t cell = 0; cell < snapshot.cells.size(); cell += 8)
-      for (unsigned int a = 0; a < 8; ++a)
-        neighbours[snapshot.cells[cell + a]].insert(&snapshot.cells[cell], &snapshot.cells[cell] + 8);
+    const unsigned int                   n_corners = 1u << snapshot.dim;
+    for (std::size_t cell = 0; cell < snapshot.cells.size(); cell += n_corners)
+      for (unsigned int a = 0; a < n_corners; ++a)
+        neighbours[snapshot.cells[cell + a]].insert(&snapshot.cells[cell], &snapshot.cells[cell] + n_corners);
     return neighbours;
   }
 
@@ -47,34 +48,38 @@ namespace birdstrike::test
   }
 
   /// M^{-1/2} K M^{-1/2} over the free unknowns, K by moving groups of nodes with the blade's own verbs; `number` gives
-  /// the row of an unknown, -1 where it is held.
-  inline Eigen::SparseMatrix<double> scaled_stiffness(SolidBlade &blade, std::vector<Eigen::Index> &number)
+  /// the row of an unknown, -1 where it is held. Shells must lie in a plane z = const: the rotation about their normal,
+  /// which has no stiffness, is left out.
+  template <class AnyBlade>
+  Eigen::SparseMatrix<double> scaled_stiffness(AnyBlade &blade, std::vector<Eigen::Index> &number)
   {
-    const auto   nodes      = blade.nodes();
-    const auto   neighbours = neighbours_of_nodes(blade.snapshot());
-    Eigen::Index n_free     = 0;
-    for (std::size_t i = 0; i < 3 * nodes.n; ++i)
-      number.push_back(nodes.inverse_mass[i] > 0. ? n_free++ : -1);
+    const auto         nodes      = blade.nodes();
+    const auto         neighbours = neighbours_of_nodes(blade.snapshot());
+    const unsigned int n_unknowns = nodes.n_unknowns;
+    Eigen::Index       n_free     = 0;
+    for (std::size_t i = 0; i < n_unknowns * nodes.n; ++i)
+      number.push_back(nodes.inverse_mass[i] > 0. && i % n_unknowns != 5 ? n_free++ : -1);
 
     // the lowest mode stands 1e-9 below the stiffness of a brick's thickness: nonlinear terms of the step must vanish
     const double                        step = 1e-10;
     std::vector<Eigen::Triplet<double>> entries;
     const auto                          move = [&](const std::vector<std::uint32_t> &group, unsigned int c, double v) {
       for (const std::uint32_t n : group)
-        nodes.velocity[3 * n + c] = number[3 * n + c] < 0 ? 0. : v;
+        nodes.velocity[n_unknowns * n + c] = number[n_unknowns * n + c] < 0 ? 0. : v;
       blade.drift(step);
       blade.compute_internal_forces();
       for (const std::uint32_t n : group)
-        nodes.velocity[3 * n + c] = 0.;
+        nodes.velocity[n_unknowns * n + c] = 0.;
     };
     for (const auto &group : group_apart(neighbours))
-      for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int c = 0; c < n_unknowns; ++c)
         {
           move(group, c, 1.);
           for (const std::uint32_t n : group)
             for (const std::uint32_t m : neighbours[n])
-              for (unsigned int d = 0; d < 3; ++d)
-                if (const std::size_t row = 3 * m + d, column = 3 * n + c; number[row] >= 0 && number[column] >= 0)
+              for (unsigned int d = 0; d < n_unknowns; ++d)
+                if (const std::size_t row = n_unknowns * m + d, column = n_unknowns * n + c;
+                    number[row] >= 0 && number[column] >= 0)
                   entries.emplace_back(number[row], number[column],
                                        -nodes.force[row] / step / std::sqrt(nodes.mass[row] * nodes.mass[column]));
           move(group, c, -1.);
@@ -84,9 +89,10 @@ namespace birdstrike::test
     return matrix;
   }
 
-  /// Lowest natural frequencies (Hz) of a solid blade without bulk viscosity, by subspace iteration (Bathe 1971) on its
+  /// Lowest natural frequencies (Hz) of a blade without bulk viscosity, by subspace iteration (Bathe 1971) on its
   /// tangent stiffness and lumped mass.
-  inline std::vector<double> natural_frequencies(SolidBlade &blade, const unsigned int n_modes)
+  template <class AnyBlade>
+  std::vector<double> natural_frequencies(AnyBlade &blade, const unsigned int n_modes)
   {
     std::vector<Eigen::Index>   number;
     Eigen::SparseMatrix<double> matrix    = scaled_stiffness(blade, number);
