@@ -91,7 +91,6 @@ namespace birdstrike
     replace(inverted, 0., motion.u);
   }
 
-  /// dD of a plastic strain increment.
   Lanes SolidElements::Implementation::compute_damage(const SolidPoint<Lanes> &point, const Lanes &strain,
                                                       const Lanes &von_mises, const double dt) const
   {
@@ -114,8 +113,7 @@ namespace birdstrike
     erosion->damage[b][0] += compute_damage(point, strain, Lanes(sqrt(q2)), dt);
   }
 
-  // A step of a point that has not failed, or nothing; of one that fails the energy is taken. Returns the plastic work
-  // per volume.
+  // A step of a point unless it has failed; of one that fails the energy is taken. Returns the plastic work per volume.
   [[gnu::noinline, gnu::flatten]] Lanes
   SolidElements::Implementation::update_failing_point(const std::size_t b, const int p, const Matrix3<Lanes> &gradient,
                                                       const Lanes &volume, const double dt)

@@ -14,8 +14,7 @@ namespace birdstrike
   /// A step is three loops, each writing only what it owns, so that nothing depends on the number of threads:
   /// nodes (records with normals), batches (a row of force for every corner), nodes (sums over the corners, which lie
   /// side by side in a fixed order, and their work). Large meshes take them block by block of some thousand elements:
-  /// nodes enter with the first of their elements and leave with the last, their rows are used again by those that
-  /// come, and so records and rows stay in the cache between the loops.
+  /// nodes enter with the first of their elements and leave with the last; records and rows stay in the cache.
   class ShellElements::Implementation
   {
   public:
