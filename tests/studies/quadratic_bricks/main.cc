@@ -18,6 +18,7 @@ namespace birdstrike::studies
       "  frequencies   the first five of the plate clamped at one end (Hz)\n"
       "  step          stable step: exact, and the element's own bound or 0 (s)\n"
       "  modes         motions of the free plate that strain nothing\n"
+      "  check         patch test, and a turn of strained bricks (2x2x2 at least): errors\n"
       "  cost          ns per element and step, elastic and plastic; flops of quadratic bricks\n"
       "  impulse       tip at the end (mm), plastic work, hourglass energy (J), energy error over work, steps, time "
       "of\n"
@@ -96,6 +97,8 @@ namespace birdstrike::studies
         print_step(*part);
       else if (verb == "modes")
         std::printf(",%u", count_free_modes(*part));
+      else if (verb == "check")
+        std::printf(",%.1e,%.1e", check_patch(*part, plate), check_turning(*part));
       else if (verb == "cost")
         print_cost(kind, *part, *make(false));
       else if (verb == "impulse")

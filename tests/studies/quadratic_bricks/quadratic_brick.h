@@ -1,8 +1,6 @@
 #pragma once
 
-#include "rules.h"
-
-#include <birdstrike/core/number.h>
+#include "quadratic_fields.h"
 
 namespace birdstrike::studies
 {
@@ -17,6 +15,10 @@ namespace birdstrike::studies
   class QuadraticBrick
   {
   public:
+    using Fields                  = QuadraticFields<Number, in_plane, across>;
+    using Station                 = typename Fields::Station;
+    using Column                  = typename Fields::Column;
+    using Derivatives             = typename Fields::Derivatives;
     using Vector                  = Vector3<Number>;
     static constexpr int n_points = in_plane.n * in_plane.n * across.n;
     using Nodes                   = Vector3<Number>[27];
@@ -44,7 +46,7 @@ namespace birdstrike::studies
                 }
               fs.add(fc, j);
             }
-          add_to_nodes(fs, i, force);
+          fs.add_to_nodes(i, force);
         }
       return smallest;
     }
@@ -70,134 +72,6 @@ namespace birdstrike::studies
     }
 
   private:
-    [[gnu::always_inline]] static Vector zero()
-    {
-      return Vector::Constant(Number(0.));
-    }
-    [[gnu::always_inline]] static Vector combine(const std::array<double, 3> &c, const Vector &a, const Vector &b,
-                                                 const Vector &d)
-    {
-      return Number(c[0]) * a + Number(c[1]) * b + Number(c[2]) * d;
-    }
-
-    /// The three derivatives of a field by the natural coordinates.
-    struct Derivatives
-    {
-      Vector d[3];
-    };
-
-    /// At one station of the first coordinate: the field and its slope there, at the nodes of the others.
-    struct Station
-    {
-      Vector value[9], slope[9];
-
-      [[gnu::always_inline]] Station()
-      {
-        for (int n = 0; n < 9; ++n)
-          value[n] = slope[n] = zero();
-      }
-      [[gnu::always_inline]] Station(const Nodes &f, const int i)
-      {
-        for (int n = 0; n < 9; ++n)
-          {
-            const Vector *g = f + 3 * n;
-            if constexpr (in_plane.is_collocated)
-              value[n] = g[i];
-            else
-              value[n] = combine(in_plane.value[i], g[0], g[1], g[2]);
-            slope[n] = combine(in_plane.slope[i], g[0], g[1], g[2]);
-          }
-      }
-      template <class Part>
-      [[gnu::always_inline]] void add(const Part &column, const int j)
-      {
-        for (int c = 0; c < 3; ++c)
-          for (int b = 0; b < 3; ++b)
-            {
-              if constexpr (in_plane.is_collocated)
-                {
-                  if (b == j)
-                    {
-                      value[3 * c + b] += column.value[c];
-                      slope[3 * c + b] += column.first[c];
-                    }
-                }
-              else
-                {
-                  value[3 * c + b] += Number(in_plane.value[j][b]) * column.value[c];
-                  slope[3 * c + b] += Number(in_plane.value[j][b]) * column.first[c];
-                }
-              value[3 * c + b] += Number(in_plane.slope[j][b]) * column.second[c];
-            }
-      }
-    };
-
-    /// On one line of points: the field and its derivatives by the first two coordinates, at the nodes of the third.
-    struct Column
-    {
-      Vector value[3], first[3], second[3];
-
-      [[gnu::always_inline]] Column()
-      {
-        for (int c = 0; c < 3; ++c)
-          value[c] = first[c] = second[c] = zero();
-      }
-      [[gnu::always_inline]] Column(const Station &s, const int j)
-      {
-        for (int c = 0; c < 3; ++c)
-          {
-            const Vector *v = s.value + 3 * c, *d = s.slope + 3 * c;
-            if constexpr (in_plane.is_collocated)
-              {
-                value[c] = v[j];
-                first[c] = d[j];
-              }
-            else
-              {
-                value[c] = combine(in_plane.value[j], v[0], v[1], v[2]);
-                first[c] = combine(in_plane.value[j], d[0], d[1], d[2]);
-              }
-            second[c] = combine(in_plane.slope[j], v[0], v[1], v[2]);
-          }
-      }
-      [[gnu::always_inline]] Derivatives at(const int k) const
-      {
-        Derivatives g;
-        if constexpr (across.is_collocated)
-          {
-            g.d[0] = first[k];
-            g.d[1] = second[k];
-          }
-        else
-          {
-            g.d[0] = combine(across.value[k], first[0], first[1], first[2]);
-            g.d[1] = combine(across.value[k], second[0], second[1], second[2]);
-          }
-        g.d[2] = combine(across.slope[k], value[0], value[1], value[2]);
-        return g;
-      }
-      [[gnu::always_inline]] void add(const Derivatives &g, const int k)
-      {
-        for (int c = 0; c < 3; ++c)
-          {
-            if constexpr (across.is_collocated)
-              {
-                if (c == k)
-                  {
-                    first[c] += g.d[0];
-                    second[c] += g.d[1];
-                  }
-              }
-            else
-              {
-                first[c] += Number(across.value[k][c]) * g.d[0];
-                second[c] += Number(across.value[k][c]) * g.d[1];
-              }
-            value[c] += Number(across.slope[k][c]) * g.d[2];
-          }
-      }
-    };
-
     /// Inverse transpose of the Jacobian, times the determinant.
     struct Cofactors
     {
@@ -235,22 +109,6 @@ namespace birdstrike::studies
         }
       force.add(f, k);
       return end.det;
-    }
-
-    [[gnu::always_inline]] static void add_to_nodes(const Station &f, const int i, Nodes &force)
-    {
-      for (int n = 0; n < 9; ++n)
-        for (int a = 0; a < 3; ++a)
-          {
-            if constexpr (in_plane.is_collocated)
-              {
-                if (a == i)
-                  force[3 * n + a] += f.value[n];
-              }
-            else
-              force[3 * n + a] += Number(in_plane.value[i][a]) * f.value[n];
-            force[3 * n + a] += Number(in_plane.slope[i][a]) * f.slope[n];
-          }
     }
   };
 } // namespace birdstrike::studies

@@ -15,6 +15,7 @@ csv=$output/quadratic-bricks.csv
 : >"$csv"
 study() { "$program" "$@" | tee -a "$csv"; }
 
+for kind in one-point quadratic-g2xg3 quadratic-gl3 quadratic-g3; do study check $kind 3x3x3; done
 for rule in g2-bare g2xg3-bare g2xg3 gl3 g3; do study modes "quadratic-$rule" 4x4x1; done
 for rule in g2xg3 g3 gl3; do
   for mesh in 7x2x1 14x4x1 28x8x1; do study frequencies "quadratic-$rule" $mesh; done

@@ -18,6 +18,13 @@ namespace birdstrike::studies
   /// own), which is improved.
   double compute_stable_step(Part &part, const double *position, unsigned int n_iterations, std::vector<double> &mode);
 
+  /// Patch test (Irons): largest inner nodal force of a distorted brick mesh under uniform strain, over the largest at
+  /// its boundary. At least 2 x 2 x 2 elements.
+  double check_patch(const Part &part, const Plate &plate);
+
+  /// A strained block of bricks after one turn in 72 steps: change of the nodal forces over what they were.
+  double check_turning(Part &part);
+
   /// Force (N) along z that is the same on all of a disc, both faces alike: impulse over duration.
   struct Pulse
   {
