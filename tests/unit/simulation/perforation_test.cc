@@ -92,7 +92,7 @@ TEST(Perforation, BricksLetTheBirdThroughAndTheBalanceHolds)
 
 TEST(Perforation, OfBricksIsBitwiseTheSameForOneAndTwoThreads)
 {
-  const std::vector<std::string> bricks{"Blade/Kind=solid", "Blade/Mesh/Layers=2", "Time/End time=0.06e-3"};
+  const std::vector<std::string> bricks{"Blade/Kind=solid", "Blade/Mesh/Layers=2", "Time/End time=0.12e-3"};
   auto                           more = bricks;
   more.push_back("Time/Threads=1");
   const Strike one = run_coarse(more);
