@@ -1,5 +1,8 @@
 #include "study.h"
 
+#include <birdstrike/core/errors.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace birdstrike::studies
@@ -47,6 +50,8 @@ namespace birdstrike::studies
 
   double check_patch(const Part &original, const Plate &plate)
   {
+    if (original.n_unknowns != 3 || std::min({plate.n[0], plate.n[1], plate.n[2]}) < 2)
+      throw InputError("Checks are made on bricks, two at least in every direction.");
     const std::vector<double>   position = distort(original, plate);
     const std::unique_ptr<Part> part     = original.make_elastic(position.data());
     std::vector<double>         u, force(position.size()), x(position);

@@ -1,5 +1,7 @@
 #include "study.h"
 
+#include <birdstrike/core/errors.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -61,6 +63,9 @@ namespace birdstrike::studies
         if (const auto &g = part.grid[n];
             g[0] == part.n_grid[0] - 1 && 2 * g[1] == part.n_grid[1] - 1 && (g[2] == 0 || g[2] == part.n_grid[2] - 1))
           tip.push_back(n);
+      if (tip.empty())
+        throw InputError(
+          "The tip's deflection is that of mid-chord: an even number of linear elements is needed there.");
       return tip;
     }
 

@@ -4,7 +4,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <iostream>
 
 namespace birdstrike::studies
@@ -12,18 +11,17 @@ namespace birdstrike::studies
   namespace
   {
     const char *const usage =
-      "quadratic_bricks VERB KIND NxMxL [thickness (m) [impulse (N s) [end time (s)]]]: a line of CSV, after verb, "
-      "kind,\n"
-      "mesh and number of elements:\n"
+      "quadratic_bricks VERB KIND NxMxL [thickness (m) [impulse (N s) [end time (s)]]]\n"
+      "writes a line of CSV: verb, kind, mesh, number of elements, and of\n"
       "  frequencies   the first five of the plate clamped at one end (Hz)\n"
       "  step          stable step: exact, and the element's own bound or 0 (s)\n"
       "  modes         motions of the free plate that strain nothing\n"
-      "  check         patch test, and a turn of strained bricks (2x2x2 at least): errors\n"
+      "  check         bricks, 2x2x2 at least: errors of the patch test and of a turn of strained ones\n"
       "  cost          ns per element and step, elastic and plastic; flops of quadratic bricks\n"
-      "  impulse       tip at the end (mm), plastic work, hourglass energy (J), energy error over work, steps, time "
-      "of\n"
-      "                the forces (s), ns per element and step, largest tip deflection (mm) and when (ms)\n"
-      "KIND: shell, one-point, b-bar, quadratic-RULE with RULE g2, g3, gl3, g2xg3, g2xg5, or one of these and -bare\n";
+      "  impulse       tip at the end (mm), plastic work, hourglass energy (J), energy error over work,\n"
+      "                steps, time of the forces (s), ns per element and step, largest tip deflection\n"
+      "                (mm) and when (ms)\n"
+      "KIND: shell, one-point, b-bar, quadratic-RULE; RULE: g2, g3, gl3, g2xg3, g2xg5, or one of these and -bare\n";
 
     Metal make_titanium(const bool is_elastic)
     {
@@ -43,6 +41,15 @@ namespace birdstrike::studies
       if (std::sscanf(text, "%ux%ux%u%c", &n[0], &n[1], &n[2], &rest) != 3 || n[0] * n[1] * n[2] == 0)
         throw InputError(std::string("A mesh is given as 14x4x1, not \"") + text + "\".");
       return n;
+    }
+
+    double parse_positive(const char *text)
+    {
+      char        *end   = nullptr;
+      const double value = std::strtod(text, &end);
+      if (!(value > 0.) || *end != 0)
+        throw InputError(std::string("A positive number is needed, not \"") + text + "\".");
+      return value;
     }
 
     void print_frequencies(Part &part)
@@ -83,10 +90,10 @@ namespace birdstrike::studies
       const std::string verb = argv[1], kind = argv[2];
       Plate             plate;
       plate.n         = parse_mesh(argv[3]);
-      plate.thickness = argc > 4 ? std::atof(argv[4]) : plate.thickness;
+      plate.thickness = argc > 4 ? parse_positive(argv[4]) : plate.thickness;
       Pulse pulse;
-      pulse.impulse         = argc > 5 ? std::atof(argv[5]) : pulse.impulse;
-      const double end_time = argc > 6 ? std::atof(argv[6]) : 2e-3;
+      pulse.impulse         = argc > 5 ? parse_positive(argv[5]) : pulse.impulse;
+      const double end_time = argc > 6 ? parse_positive(argv[6]) : 2e-3;
       ThreadPool   pool;
       const auto make = [&](const bool is_elastic) { return make_part(kind, plate, make_titanium(is_elastic), pool); };
       const auto part = make(verb != "impulse");
@@ -98,7 +105,10 @@ namespace birdstrike::studies
       else if (verb == "modes")
         std::printf(",%u", count_free_modes(*part));
       else if (verb == "check")
-        std::printf(",%.1e,%.1e", check_patch(*part, plate), check_turning(*part));
+        {
+          const double patch = check_patch(*part, plate);
+          std::printf(",%.1e,%.1e", patch, check_turning(*part));
+        }
       else if (verb == "cost")
         print_cost(kind, *part, *make(false));
       else if (verb == "impulse")

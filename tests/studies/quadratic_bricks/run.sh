@@ -11,7 +11,7 @@ build=$1
 output=${2:-quadratic-bricks}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 program=$build/bin/quadratic_bricks
-[ -x "$program" ] || make -C "$build" quadratic_bricks
+[ -x "$program" ] || cmake --build "$build" --target quadratic_bricks
 mkdir -p "$output"
 csv=$output/quadratic-bricks.csv
 : >"$csv"
