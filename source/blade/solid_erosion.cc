@@ -24,23 +24,17 @@ namespace birdstrike
       return sum;
     }
 
-    /// Value `modes` where the mask is set: `diagonal` for component k of linear mode k, zero else.
-    void replace(const LanesMask &where, const double diagonal, SolidModes<Lanes> &modes)
-    {
-      for (int r = 0; r < 3; ++r)
-        {
-          for (int k = 0; k < 3; ++k)
-            {
-              modes.linear[k][r] = select(where, Lanes(k == r ? diagonal : 0.), modes.linear[k][r]);
-              modes.twist[k][r]  = select(where, Lanes(0.), modes.twist[k][r]);
-            }
-          modes.last[r] = select(where, Lanes(0.), modes.last[r]);
-        }
-    }
-
     void clear(const LanesMask &where, Lanes &value)
     {
       value = select(where, Lanes(0.), value);
+    }
+
+    void clear(const LanesMask &where, SolidModes<Lanes> &modes)
+    {
+      for (Vector3<Lanes> *mode : {&modes.linear[0], &modes.linear[1], &modes.linear[2], &modes.twist[0],
+                                   &modes.twist[1], &modes.twist[2], &modes.last})
+        for (int r = 0; r < 3; ++r)
+          clear(where, (*mode)[r]);
     }
   } // namespace
 
@@ -55,7 +49,7 @@ namespace birdstrike
       for (const auto n : cell)
         ++erosion->n_left[n];
     SolidErosion::OfElements at_rest{};
-    replace(Lanes(0.) == Lanes(0.), 0., at_rest.force);
+    clear(LanesMask(true), at_rest.force);
     erosion->elements.assign(batches.size(), at_rest);
     // a cube of 1 m, at rest
     for (std::size_t i = 0; i < n_resting_records; ++i)
@@ -72,23 +66,28 @@ namespace birdstrike
   }
 
   // What is turned inside out goes on as a cube at rest, so that nothing in this step is NaN, to fail at its end.
-  [[gnu::noinline]] void SolidElements::Implementation::begin_failing(const std::size_t b, Motion &motion)
+  [[gnu::noinline]] void SolidElements::Implementation::begin_failing(const std::size_t b, Corners (&corner)[2])
   {
     SolidErosion::OfElements &own = erosion->elements[b];
-    own.held += 0.5 * dot(own.force, motion.u);
+    const SolidModes<Lanes>   x(corner[0]), u(corner[1]);
+    own.held += 0.5 * dot(own.force, u);
     own.inverted = Lanes(0.);
     if (section.material.failure.smallest_step == 0.)
       return;
-    Lanes smallest = SolidGeometry<Lanes>(motion.x).det;
+    Lanes smallest = SolidGeometry<Lanes>(x).det;
     if (section.formulation == SolidFormulation::b_bar)
       for (int p = 0; p < b_bar_solid::n_points; ++p)
-        smallest = min(smallest, b_bar_solid::Jacobian<Lanes>(b_bar_solid::Derivatives<Lanes>(motion.x, p)).det);
+        smallest = min(smallest, b_bar_solid::Jacobian<Lanes>(b_bar_solid::Derivatives<Lanes>(x, p)).det);
     const LanesMask inverted = smallest <= Lanes(0.);
     if (!any(inverted))
       return;
     own.inverted = select(inverted, Lanes(1.), Lanes(0.));
-    replace(inverted, 4., motion.x); // modes are eight times as long as those of coordinates in [-1/2, 1/2]
-    replace(inverted, 0., motion.u);
+    for (int i = 0; i < 8; ++i)
+      for (int d = 0; d < 3; ++d)
+        {
+          corner[0][i][d] = select(inverted, Lanes((i >> d & 1) != 0 ? 1. : 0.), corner[0][i][d]);
+          clear(inverted, corner[1][i][d]);
+        }
   }
 
   Lanes SolidElements::Implementation::compute_damage(const SolidPoint<Lanes> &point, const Lanes &strain,
@@ -173,7 +172,7 @@ namespace birdstrike
           }
         for (Lanes &d : damage) // points that were left do nothing more
           d = select(fails, max(d, Lanes(1.)), d);
-        replace(fails, 0., force);
+        clear(fails, force);
         clear(fails, step.pressure);
         clear(fails, batch.inverse_mass); // no vote
         step.work.hourglass -= select(fails, own.hourglass, Lanes(0.));

@@ -86,10 +86,9 @@ namespace birdstrike
     using namespace one_point_solid;
     Corners corner[2];
     load_nodes(records[0].value, batches[b].record, corner[0], corner[1]);
-    Motion motion{SolidModes<Lanes>(corner[0]), SolidModes<Lanes>(corner[1])};
     if constexpr (can_fail)
-      begin_failing(b, motion);
-    const SolidModes<Lanes>    x = motion.x, u = motion.u, middle = compute_midpoint_modes(x, u);
+      begin_failing(b, corner);
+    const SolidModes<Lanes>    x(corner[0]), u(corner[1]), middle = compute_midpoint_modes(x, u);
     const SolidGeometry<Lanes> midpoint(middle);
     const Matrix3<Lanes>       gradient = midpoint.compute_mean_gradient(u);
     const Axes<Lanes>          axes(middle);
@@ -125,10 +124,9 @@ namespace birdstrike
     using namespace b_bar_solid;
     Corners corner[2];
     load_nodes(records[0].value, batches[b].record, corner[0], corner[1]);
-    Motion motion{SolidModes<Lanes>(corner[0]), SolidModes<Lanes>(corner[1])};
     if constexpr (can_fail)
-      begin_failing(b, motion);
-    const SolidModes<Lanes>    x = motion.x, u = motion.u, middle = compute_midpoint_modes(x, u);
+      begin_failing(b, corner);
+    const SolidModes<Lanes>    x(corner[0]), u(corner[1]), middle = compute_midpoint_modes(x, u);
     const SolidGeometry<Lanes> midpoint(middle), end(x);
 
     Step step;

@@ -95,11 +95,6 @@ namespace birdstrike
 
   private:
     using Corners = Vector3<Lanes>[8];
-    /// Position at the end of the step and increment, m.
-    struct Motion
-    {
-      SolidModes<Lanes> x, u;
-    };
     /// What the end of a step takes from its strains.
     struct Step
     {
@@ -119,11 +114,12 @@ namespace birdstrike
                                     const SolidModes<Lanes> &end);
     SolidWork<Lanes> update_layers(std::size_t batch, double dt, const SolidModes<Lanes> &end);
     template <bool can_fail>
-    void  update_b_bar(std::size_t batch, double dt, Chunk &chunk);
-    void  finish(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &force, const Step &step,
-                 Chunk &chunk);
-    void  build_erosion();
-    void  begin_failing(std::size_t batch, Motion &motion);
+    void update_b_bar(std::size_t batch, double dt, Chunk &chunk);
+    void finish(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &force, const Step &step,
+                Chunk &chunk);
+    void build_erosion();
+    /// Position at the end and increment of the corners (m): what is turned inside out becomes a cube at rest.
+    void  begin_failing(std::size_t batch, Corners (&corner)[2]);
     void  add_damage(std::size_t batch, const one_point_solid::Axes<Lanes> &axes, const Lanes &plastic_strain,
                      double dt);
     Lanes compute_damage(const SolidPoint<Lanes> &point, const Lanes &strain, const Lanes &von_mises, double dt) const;
