@@ -2,6 +2,7 @@
 
 #include <birdstrike/blade/column_mass.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace birdstrike
@@ -10,8 +11,8 @@ namespace birdstrike
   {
     [[gnu::always_inline]] inline Four read_node(const double *entries)
     {
-      Four f{};
-      std::memcpy(&f, entries, 3 * sizeof(double)); // a fourth would be of a node that another thread may write
+      // by components: half a register written and the whole read again would wait for the stores
+      const Four f = {entries[0], entries[1], entries[2], 0.};
       return f;
     }
 
@@ -22,77 +23,85 @@ namespace birdstrike
     }
   } // namespace
 
-  ColumnMass::ColumnMass(const NodeColumns &columns, std::vector<double> given_coupling, const double *mass,
-                         const double *inverse_mass, ThreadPool &pool)
+  ColumnMass::ColumnMass(const NodeColumns &columns, std::vector<double> given_coupling, const double *inverse_mass,
+                         ThreadPool &pool)
     : pool(pool)
     , nodes(columns.nodes)
     , begin(columns.begin)
     , coupling(std::move(given_coupling))
-    , factors(nodes.size() + 1, Factor{})
+    , factors(nodes.size(), Factor{})
     , work(nodes.size())
   {
+    for (std::size_t p = 0; p < nodes.size(); ++p)
+      std::copy_n(inverse_mass + 3 * std::size_t(nodes[p]), 3, factors[p].inverse_mass);
     for (std::size_t c = 0; c + 1 < begin.size(); ++c)
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          double before = 0.; // coupling to the place before, if both move
-          for (std::size_t p = begin[c]; p < begin[c + 1]; ++p)
-            {
-              const std::size_t i       = 3 * std::size_t(nodes[p]) + d;
-              const bool        is_free = inverse_mass[i] > 0., has_next = p + 1 < begin[c + 1];
-              const bool        is_next_free = has_next && inverse_mass[3 * std::size_t(nodes[p + 1]) + d] > 0.;
-              const double      below = p > begin[c] ? coupling[p - 1] : 0., above = has_next ? coupling[p] : 0.;
-              if (is_free)
-                {
-                  const double lower          = before > 0. ? -before * factors[p - 1].inverse_pivot[d] : 0.;
-                  factors[p].lower[d]         = lower;
-                  factors[p].inverse_pivot[d] = 1. / (mass[i] + below + above + lower * before);
-                }
-              before = is_free && is_next_free ? above : 0.;
-            }
-        }
+      coupling[begin[c + 1] - 1] = 0.;
+    for (std::size_t c = 0; c + 1 < begin.size(); ++c)
+      for (std::size_t p = begin[c]; p + 1 < begin[c + 1]; ++p)
+        for (unsigned int d = 0; d < 3 && coupling[p] > 0.; ++d)
+          {
+            const double mobility  = factors[p].inverse_mass[d];
+            const bool   has_below = p > begin[c] && coupling[p - 1] > 0.;
+            const double lower     = has_below ? -mobility * factors[p - 1].inverse_pivot[d] : 0.;
+            const double pivot =
+              1. / coupling[p] + mobility + factors[p + 1].inverse_mass[d] + lower * (has_below ? mobility : 0.);
+            factors[p].lower[d]         = lower;
+            factors[p].inverse_pivot[d] = 1. / pivot;
+          }
   }
 
   void ColumnMass::compute_effective_forces(const double *force, const double *external, double *effective)
   {
     const auto body = [&](const std::size_t first, const std::size_t last) {
       for (std::size_t c = first; c < last; ++c)
-        {
-          Four lower, inverse_pivot, y{};
-          for (std::size_t p = begin[c]; p < begin[c + 1]; ++p)
-            {
-              const std::size_t i = 3 * std::size_t(nodes[p]);
-              read(factors[p].lower, lower);
-              const Four f = external ? read_node(force + i) + read_node(external + i) : read_node(force + i);
-              y            = f - lower * y;
-              write(y, work[p].value);
-            }
-          // back, with the impulse rates k_e (a_above - a_below) that the edges carry
-          Four a{}, a_above{}, carried_above{};
-          for (std::size_t p = begin[c + 1]; p-- > begin[c];)
-            {
-              const std::size_t i = 3 * std::size_t(nodes[p]);
-              read(factors[p].inverse_pivot, inverse_pivot);
-              read(factors[p + 1].lower, lower); // zero where the next column begins
-              read(work[p].value, y);
-              a_above            = a;
-              a                  = y * inverse_pivot - lower * a_above;
-              const Four carried = coupling[p] * (a_above - a);
-              if (p + 1 < begin[c + 1])
-                {
-                  const std::size_t j = 3 * std::size_t(nodes[p + 1]);
-                  const Four        f = read_node(force + j) + carried_above - carried;
-                  std::memcpy(effective + j, &f, 3 * sizeof(double));
-                }
-              carried_above = carried;
-              if (p == begin[c])
-                {
-                  const Four f = read_node(force + i) + carried;
-                  std::memcpy(effective + i, &f, 3 * sizeof(double));
-                }
-            }
-        }
+        if (external)
+          compute_column(c, force, effective, [external](const std::size_t i) { return read_node(external + i); });
+        else
+          compute_column(c, force, effective, [](std::size_t) { return Four{}; });
     };
     pool.parallel_for(begin.size() - 1, columns_per_chunk, std::cref(body));
+  }
+
+  template <class External>
+  [[gnu::always_inline]] inline void ColumnMass::compute_column(const std::size_t c, const double *force,
+                                                                double *effective, const External &external)
+  {
+    const std::size_t bottom = begin[c], top = begin[c + 1] - 1;
+    Four              f, y{}, lower, inverse_mass, inverse_pivot;
+    const auto        read_free_acceleration = [&](const std::size_t p) {
+      const std::size_t i = 3 * std::size_t(nodes[p]);
+      f                   = read_node(force + i);
+      read(factors[p].inverse_mass, inverse_mass);
+      write(f, work[p].force);
+      return Four((f + external(i)) * inverse_mass);
+    };
+    Four below = read_free_acceleration(bottom);
+    for (std::size_t p = bottom; p < top; ++p)
+      {
+        const Four above = read_free_acceleration(p + 1);
+        read(factors[p].lower, lower);
+        y = above - below - lower * y;
+        write(y, work[p].right);
+        below = above;
+      }
+    Four       carried{}, carried_above{};
+    const auto write_force = [&](const std::size_t p) {
+      read(work[p].force, f);
+      f += carried_above - carried;
+      std::memcpy(effective + 3 * std::size_t(nodes[p]), &f, 3 * sizeof(double));
+    };
+    for (std::size_t p = top; p-- > bottom;)
+      {
+        read(factors[p].inverse_pivot, inverse_pivot);
+        read(factors[p + 1].lower, lower);
+        read(work[p].right, y);
+        carried_above = carried;
+        carried       = y * inverse_pivot - lower * carried_above;
+        write_force(p + 1);
+      }
+    carried_above = carried;
+    carried       = Four{};
+    write_force(bottom);
   }
 
   std::array<double, 3> ColumnMass::angular_momentum(const double *position, const double *velocity) const

@@ -29,7 +29,17 @@ namespace birdstrike
   ///   max_w (w.A w)/(w.J w),   A = sum_edges k (|d|^2 1 - d d^T),   J = sum_nodes m (|r|^2 1 - r r^T).
   /// For a plate of width b whose columns have added r^2 per mass it is 12 r^2/b^2, about the slenderest axis: the same
   /// ratio as in the first mode of torsion, whose frequency falls by half of it; bending waves of length L lose half of
-  /// (2 pi r/L)^2.
+  /// (2 pi r/L)^2. With elements of side a, r^2 is a^2/4 where every element has a cube's step, whatever the layers,
+  /// and a^2/2 at 0.95 of the plane's: errors vanish with the mesh as its own do. Two levels of inertia, one for what
+  /// is linear through the thickness and one for the rest, would save no more than the t^2/12 that the nodes have
+  /// already.
+  ///
+  /// Measured, plate of 311.2 x 88.9 x 4.27 mm in 56 x 16 columns, first five frequencies in Hz:
+  ///   layers  added   step, us         without               with
+  ///   1       0.010   0.549 -> 0.648   36.874 230.139 254.117 645.59 711.68   36.868 229.879 252.835 643.85 711.68
+  ///   2       0.010   0.324 -> 0.617   36.953 230.718 254.825 647.61 711.73   36.947 230.458 253.543 645.86 711.73
+  ///   4       0.010   0.167 -> 0.604   36.968 230.818 254.742 647.90 711.74   36.962 230.557 253.459 646.16 711.74
+  ///   4       0.020   0.167 -> 0.660                                          36.956 230.296 252.190 644.41 711.74
   struct MassScaling
   {
     std::vector<MassScale> scale;    ///< [elements]

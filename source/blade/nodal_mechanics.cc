@@ -148,8 +148,8 @@ namespace birdstrike
   void NodalMechanics<n_unknowns>::scale(const NodeColumns  &columns,
                                          std::vector<double> coupling) requires(n_unknowns == 3)
   {
-    scaled = std::make_unique<ScaledNodes>(
-      ColumnMass(columns, std::move(coupling), mass.data(), inverse_mass.data(), pool), n_padded);
+    scaled =
+      std::make_unique<ScaledNodes>(ColumnMass(columns, std::move(coupling), inverse_mass.data(), pool), n_padded);
     scaled->update_forces(force.data(), external.data());
   }
 

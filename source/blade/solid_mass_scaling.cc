@@ -28,14 +28,14 @@ namespace birdstrike
 
   Lanes SolidElements::Implementation::compute_scaled_frequency(const SolidModes<Lanes> &modes,
                                                                 const Lanes &inverse_mass, const Lanes &drag,
-                                                                const InverseMassFactors<Lanes> &factors) const
+                                                                const MassFactors<Lanes> &factors) const
   {
     const SolidGeometry<Lanes> geometry(modes);
     return compute_frequency_bound(geometry, inverse_mass, drag, law, section.formulation, factors);
   }
 
-  Lanes SolidElements::Implementation::compute_frequency_at_rest(const std::size_t                b,
-                                                                 const InverseMassFactors<Lanes> &factors) const
+  Lanes SolidElements::Implementation::compute_frequency_at_rest(const std::size_t         b,
+                                                                 const MassFactors<Lanes> &factors) const
   {
     Vector3<Lanes> x[8];
     for (std::size_t k = 0; k < n_lanes; ++k)
@@ -78,11 +78,13 @@ namespace birdstrike
 
     Lanes compute_frequency(const Lanes &exponent) const
     {
-      InverseMassFactors<Lanes> factors;
-      for (Lanes &factor : factors.axis)
-        factor = 1.;
-      for (std::size_t k = 0; k < n_lanes; ++k)
-        factors.axis[axes[k]][k] = std::exp2(-lane(exponent, k));
+      MassFactors<Lanes> factors;
+      for (unsigned int a = 0; a < 3; ++a)
+        for (std::size_t k = 0; k < n_lanes; ++k)
+          {
+            factors.axis[a][k]    = a == axes[k] ? std::exp2(lane(exponent, k)) : 1.;
+            factors.inverse[a][k] = 1. / factors.axis[a][k];
+          }
       return elements.compute_frequency_at_rest(b, factors);
     }
 
@@ -118,7 +120,11 @@ namespace birdstrike
                            std::to_string(factor) + " along axis " + std::to_string(axis) +
                            ".\nAllowed: 1 to 1e12 along 0, 1 or 2.");
         for (unsigned int k = 0; k < 3; ++k)
-          my.mass_factors[e / n_lanes].axis[k][e % n_lanes] = k == my.axis_in_batch(element, axis) ? 1. / factor : 1.;
+          {
+            const bool is_scaled                                 = k == my.axis_in_batch(element, axis);
+            my.mass_factors[e / n_lanes].axis[k][e % n_lanes]    = is_scaled ? factor : 1.;
+            my.mass_factors[e / n_lanes].inverse[k][e % n_lanes] = is_scaled ? 1. / factor : 1.;
+          }
       }
     my.update_scaled_frequencies();
   }

@@ -80,7 +80,7 @@ namespace birdstrike
     struct MassScaling
     {
       std::string method        = "off"; ///< off | selective (solids)
-      double      largest_added = 0.02;  ///< of the blade's smallest moment of inertia
+      double      largest_added = 0.01;  ///< of the blade's smallest moment of inertia
       double      target_step   = 0.;    ///< s; 0: automatic
     };
 

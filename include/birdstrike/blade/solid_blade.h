@@ -15,7 +15,8 @@ namespace birdstrike
   /// The same parameters make the shell and the solid of a part. What differs: clamped ids are faces whose nodes lose
   /// three displacements; pressure acts on the facets of Loads/Pressure boundaries, pushing inwards (on the built-in
   /// face at minus the normal this is the shell's direction); contact sees the skin, closed and one-sided, without any
-  /// thickness beyond it; the tip row is the mean of both faces, the root stress that on both faces.
+  /// thickness beyond it; the tip row is the mean of both faces, the root stress that on both faces. Selective mass
+  /// scaling (source/blade/mass_scaling.h) keeps thin layers from ruling the step.
   ///
   /// Elements of a metal that can fail do so (solid_elements.h); what is left keeps a closed skin (eroding_skin.h).
   ///

@@ -57,8 +57,8 @@ namespace birdstrike
     void update_scaled_frequencies();                              ///< of all, at rest
     /// The bound with scaled masses: a function of its own, for what does not happen shall cost no register.
     Lanes compute_scaled_frequency(const SolidModes<Lanes> &modes, const Lanes &inverse_mass, const Lanes &drag,
-                                   const InverseMassFactors<Lanes> &factors) const;
-    Lanes compute_frequency_at_rest(std::size_t batch, const InverseMassFactors<Lanes> &factors) const;
+                                   const MassFactors<Lanes> &factors) const;
+    Lanes compute_frequency_at_rest(std::size_t batch, const MassFactors<Lanes> &factors) const;
     class Trial; ///< of factors
 
     std::size_t        n_elements_of(std::size_t batch) const;
@@ -85,7 +85,7 @@ namespace birdstrike
     AlignedVector<Force>                      node_force;   ///< [n_nodes], of the last step
     AlignedVector<Force>                      work;         ///< [chunks of nodes], J by component, cumulative
     AlignedVector<Batch>                      batches;
-    AlignedVector<InverseMassFactors<Lanes>>  mass_factors; ///< [n_batches] with scaled masses, else none
+    AlignedVector<MassFactors<Lanes>>         mass_factors; ///< [n_batches] with scaled masses, else none
     AlignedVector<Chunk>                      chunks;
     AlignedVector<SolidPoint<Lanes>>          points;        ///< [n_batches][n_points]
     AlignedVector<Stabilisation>              stabilisation; ///< [n_batches], not of B-bar

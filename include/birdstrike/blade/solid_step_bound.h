@@ -6,12 +6,12 @@
 
 namespace birdstrike
 {
-  /// Selective mass scaling (see SolidElements::scale_masses): over each axis of the element the inverse of its factor,
-  /// 1 for all but one. A mode has the product of the factors of the axes that it changes sign over.
+  /// Selective mass scaling (see SolidElements::scale_masses): a factor over each axis of the element, 1 for all but
+  /// one, and its inverse. A mode has the product of the factors of the axes that it changes sign over.
   template <class Number>
-  struct InverseMassFactors
+  struct MassFactors
   {
-    Number axis[3];
+    Number axis[3], inverse[3];
   };
   struct Unscaled
   {
@@ -59,7 +59,7 @@ namespace birdstrike
       if constexpr (std::is_same_v<Scaling, Unscaled>)
         return (void) k, a;
       else
-        return Number(a * scaling.axis[k]);
+        return Number(a * scaling.inverse[k]);
     };
     const auto over_twist = [&](const int k, const Number &a) [[gnu::always_inline]] {
       const auto [i, j] = following(k);
@@ -87,10 +87,9 @@ namespace birdstrike
       distortion = norm(g.x.twist[0]) + norm(g.x.twist[1]) + norm(g.x.twist[2]) + norm(g.x.last);
     else
       {
-        const Number factor[3] = {one / scaling.axis[0], one / scaling.axis[1], one / scaling.axis[2]};
-        distortion             = factor[0] * factor[1] * factor[2] * norm(g.x.last);
+        distortion = scaling.axis[0] * scaling.axis[1] * scaling.axis[2] * norm(g.x.last);
         for (int k = 0; k < 3; ++k)
-          distortion += factor[following(k).i] * factor[following(k).j] * norm(g.x.twist[k]);
+          distortion += scaling.axis[following(k).i] * scaling.axis[following(k).j] * norm(g.x.twist[k]);
       }
 
     const Number scale = g.det * inverse_mass; // 64/density

@@ -69,7 +69,7 @@ TEST(MassScalingBound, ThinBricksReachTheCubesStep)
             if (formulation != SolidFormulation::b_bar)
               {
                 EXPECT_NEAR(thin.exact / cube.exact, 1., 1e-7) << "height " << height << ", nu " << nu;
-                EXPECT_NEAR(thin.bound / cube.bound, 1., 1e-12);
+                EXPECT_NEAR(thin.bound / cube.bound, 1., 1e-7); // a root of what cancels for a cube
               }
           }
 }
@@ -102,7 +102,7 @@ TEST(MassScalingBound, HoldsForDistortedElements)
             mean += steps.bound / steps.exact / 100.;
           }
         RecordProperty("mean_bound_over_exact_" + std::to_string(size), std::to_string(mean));
-        EXPECT_GT(mean, 0.93 - size) << "what safety costs grows with the distortion";
+        EXPECT_GT(mean, 0.95 - 1.2 * size) << "what safety costs grows with the distortion";
       }
 }
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "blade_case.h"
+
+namespace birdstrike::test
+{
+  /// The plate of benchmark A4 in bricks, scaled as far as the plane allows.
+  inline BladeParameters scaled_plate(const unsigned int n_span, const unsigned int n_chord,
+                                      const unsigned int n_layers)
+  {
+    BladeParameters p            = elastic_plate(n_span, n_chord);
+    p.kind                       = "solid";
+    p.mesh.n_layers              = n_layers;
+    p.mass_scaling.method        = "selective";
+    p.mass_scaling.largest_added = 10.;
+    return p;
+  }
+
+  inline BladeParameters without_viscosity(BladeParameters p)
+  {
+    p.element.linear_viscosity = p.element.quadratic_viscosity = 0.;
+    return p;
+  }
+} // namespace birdstrike::test
