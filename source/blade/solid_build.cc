@@ -1,3 +1,5 @@
+#include "solid_thickness.h"
+
 #include <birdstrike/blade/solid_b_bar.h>
 #include <birdstrike/blade/solid_implementation.h>
 #include <birdstrike/blade/solid_step_bound.h>
@@ -52,40 +54,6 @@ namespace birdstrike
       return section;
     }
 
-    /// Which axis of each cell is its thickness: the shortest, but the third where none is shorter by a hundredth.
-    std::vector<std::uint8_t> find_thickness_axes(const std::vector<Point3>                       &nodes,
-                                                  const std::vector<std::array<std::uint32_t, 8>> &cells)
-    {
-      std::vector<std::uint8_t> axes;
-      for (const auto &cell : cells)
-        {
-          Vector3<double> x[8];
-          for (int i = 0; i < 8; ++i)
-            x[i] = nodes[cell[i]];
-          const SolidModes<double> modes(x);
-          std::uint8_t             shortest = 2;
-          for (std::uint8_t k = 0; k < 2; ++k)
-            if (modes.linear[k].norm() < 0.99 * modes.linear[shortest].norm())
-              shortest = k;
-          axes.push_back(shortest);
-        }
-      return axes;
-    }
-
-    /// Turns the axes of cells so that the given ones become the third (none given: as they are).
-    std::vector<std::array<std::uint32_t, 8>> with_third(const std::vector<std::uint8_t>          &axes,
-                                                         std::vector<std::array<std::uint32_t, 8>> cells)
-    {
-      for (std::size_t e = 0; e < axes.size(); ++e)
-        {
-          const auto old    = cells[e];
-          const auto [i, j] = following(axes[e]);
-          for (unsigned int c = 0; c < 8; ++c)
-            cells[e][c] = old[(c & 1) << i | (c >> 1 & 1) << j | (c >> 2) << axes[e]];
-        }
-      return cells;
-    }
-
     std::span<const std::uint32_t> flat(const std::vector<std::array<std::uint32_t, 8>> &cells)
     {
       return {cells[0].data(), 8 * cells.size()};
@@ -100,9 +68,9 @@ namespace birdstrike
     , pool(pool)
     , n_nodes(nodes.size())
     , thickness_axis(section.formulation == SolidFormulation::solid_shell
-                       ? find_thickness_axes(nodes, checked(cells, nodes.size()))
+                       ? solid_shell::find_thickness_axes(nodes, checked(cells, nodes.size()))
                        : std::vector<std::uint8_t>())
-    , cells(with_third(thickness_axis, checked(cells, nodes.size())))
+    , cells(solid_shell::with_third(thickness_axis, checked(cells, nodes.size())))
     , blocks(flat(this->cells), 8, nodes.size(), elements_per_block)
     , records(nodes.size() + (section.material.failure.can_fail() ? n_resting_records : 0))
     , corner_force(blocks.n_rows + 1) // the last one takes what copies of the last element write

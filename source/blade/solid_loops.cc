@@ -69,11 +69,16 @@ namespace birdstrike
     mean.rotate_and_strain(law.elasticity, gradient);
     const Lanes before = compute_varying_work(s, strain);
     add_stress(law.elasticity, axes, strain, s);
+    const Lanes      trial = compute_varying_work(s, strain);
     SolidWork<Lanes> work{Lanes(0.), Lanes(0.)};
     const Lanes      bound = Squares<Lanes>(axes, s).compute_bound(von_mises_squared(mean.stress));
     if (!layers[b].empty() || any(bound > mean.yield * mean.yield))
-      work = update_layers(b, dt, end);
-    work.hourglass += 0.5 * (before + compute_varying_work(s, strain));
+      {
+        work = update_layers(b, dt, end);
+        // what flow took of the energy of the trial, and of the work on it
+        work.plastic += 0.5 * (compute_varying_work(s, strain) - trial) - work.hourglass;
+      }
+    work.hourglass += 0.5 * (before + trial);
     return work;
   }
 

@@ -2,6 +2,11 @@
 
 #include <cstddef>
 
+namespace birdstrike
+{
+  enum class SolidFormulation;
+}
+
 namespace birdstrike::benchmarks
 {
   /// What one unit of work computes, and what it must move between caches and memory once the entities no longer fit:
@@ -16,11 +21,11 @@ namespace birdstrike::benchmarks
     double flops = 0., bytes = 0.;
   };
 
-  Work pair_loop_work(double n_true_neighbors);                 ///< Riemann rates, corrected, per particle
-  Work particle_step_work(double n_true_neighbors);             ///< with kicks and drift
-  Work particle_motion_work();                                  ///< one kick or drift, mean
-  Work shell_work(bool is_plastic, unsigned int n_points);      ///< default formulation, per element
-  Work full_shell_work(bool is_plastic, unsigned int n_points); ///< fully integrated
-  Work solid_work(bool is_b_bar, bool is_plastic);
+  Work pair_loop_work(double n_true_neighbors);                   ///< Riemann rates, corrected, per particle
+  Work particle_step_work(double n_true_neighbors);               ///< with kicks and drift
+  Work particle_motion_work();                                    ///< one kick or drift, mean
+  Work shell_work(bool is_plastic, unsigned int n_points);        ///< default formulation, per element
+  Work full_shell_work(bool is_plastic, unsigned int n_points);   ///< fully integrated
+  Work solid_work(SolidFormulation formulation, bool is_plastic); ///< solid-shells with 5 points
   Work contact_work(double n_pairs); ///< per near point with so many candidate facets; half of the points touch
 } // namespace birdstrike::benchmarks

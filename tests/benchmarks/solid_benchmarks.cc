@@ -16,7 +16,7 @@ namespace birdstrike::benchmarks
             const double bytes = slot.bytes, n = static_cast<double>(solid.n());
             run_loop(state, [&] { solid.step(); });
             state.counters["bytes_per_element"] = bytes / n;
-            count_work(state, n, "element", solid_work(what.formulation == SolidFormulation::b_bar, what.is_plastic));
+            count_work(state, n, "element", solid_work(what.formulation, what.is_plastic));
           },
           setting.n < 100000 ? 200 : 20);
     }
@@ -27,6 +27,8 @@ namespace birdstrike::benchmarks
     using enum SolidFormulation;
     add_elements("one_point/elastic", {one_point, false}, 1000000);
     add_elements("one_point/plastic", {one_point, true}, 1000000);
+    add_elements("solid_shell/elastic", {solid_shell, false}, 1000000);
+    add_elements("solid_shell/plastic", {solid_shell, true}, 1000000);
     add_elements("b_bar/elastic", {b_bar, false}, 10000);
     add_elements("b_bar/plastic", {b_bar, true}, 100000);
   }

@@ -2,6 +2,7 @@
 #include "flops.h"
 
 #include <birdstrike/blade/solid_b_bar.h>
+#include <birdstrike/blade/solid_layers.h>
 #include <birdstrike/blade/solid_step_bound.h>
 
 /// The templates of the solid elements, run with a number that counts; rules: flops.h.
@@ -15,6 +16,8 @@ namespace birdstrike::benchmarks
     {
       SolidPoint<Counted>                     points[8];
       one_point_solid::Stabilisation<Counted> stabilisation;
+      solid_shell::LayerPoint<Counted>        layers[5];
+      ThicknessPoints                         rule = make_thickness_points(ThicknessRule::gauss, 5);
       Corners                                 position, increment;
 
       Element(const SolidLaw &law, const double strain)
@@ -26,6 +29,7 @@ namespace birdstrike::benchmarks
             point.plastic_strain = point.plastic_work = 0.;
             point.yield                               = law.initial_yield();
           }
+        solid_shell::Layers<Counted>{law, rule}.promote(layers);
         for (int k = 0; k < 3; ++k)
           stabilisation.last[k] = stabilisation.linear[k][0] = stabilisation.linear[k][1] = stabilisation.linear[k][2] =
             0.;
@@ -38,7 +42,7 @@ namespace birdstrike::benchmarks
       }
 
       /// In the order of the loops (source/blade/solid_loops.cc).
-      void step(const SolidLaw &law, const bool is_b_bar)
+      void step(const SolidLaw &law, const SolidFormulation formulation, const bool is_plastic)
       {
         const SolidModes<Counted>    x(position), u(increment), middle = compute_midpoint_modes(x, u);
         const SolidGeometry<Counted> midpoint(middle), end(x);
@@ -47,7 +51,7 @@ namespace birdstrike::benchmarks
         Counted                      drag;
         law.compute_viscous_pressure(Counted(trace * 3e6), midpoint.compute_height(), drag);
         SolidModes<Counted> force;
-        if (is_b_bar)
+        if (formulation == SolidFormulation::b_bar)
           {
             for (int k = 0; k < 3; ++k)
               force.linear[k] = force.twist[k] = force.last = Vector3<Counted>::Constant(Counted(0.));
@@ -66,18 +70,36 @@ namespace birdstrike::benchmarks
           {
             const one_point_solid::Axes<Counted> axes(middle);
             const auto                           strain = one_point_solid::compute_strains(middle, axes, gradient, u);
-            law.update_one_point(gradient, axes, strain, 0.3e-6, points[0], stabilisation);
+            if (formulation == SolidFormulation::one_point)
+              law.update_one_point(gradient, axes, strain, 0.3e-6, points[0], stabilisation);
+            else
+              update_section(law, gradient, axes, strain, x, is_plastic);
             force = one_point_solid::compute_mode_forces(end, points[0].stress, stabilisation);
           }
         Corners corner;
         force.sum_at_corners(corner);
-        compute_frequency_bound(end, Counted(1. / 3.5e-8), drag, law,
-                                is_b_bar ? SolidFormulation::b_bar : SolidFormulation::one_point);
+        compute_frequency_bound(end, Counted(1. / 3.5e-8), drag, law, formulation);
+      }
+
+      void update_section(const SolidLaw &law, const Matrix3<Counted> &gradient,
+                          const one_point_solid::Axes<Counted>          &axes,
+                          const one_point_solid::Stabilisation<Counted> &strain, const SolidModes<Counted> &end,
+                          const bool is_plastic)
+      {
+        using namespace solid_shell;
+        points[0].rotate_and_strain(law.elasticity, gradient);
+        compute_varying_work(stabilisation, strain);
+        add_stress(law.elasticity, axes, strain, stabilisation);
+        Squares<Counted>(axes, stabilisation).compute_bound(von_mises_squared(points[0].stress));
+        if (is_plastic)
+          Layers<Counted>{law, rule}.update(end, one_point_solid::Axes<Counted>(end), 0.3e-6, points[0], stabilisation,
+                                            layers);
+        compute_varying_work(stabilisation, strain);
       }
     };
   } // namespace
 
-  Work solid_work(const bool is_b_bar, const bool is_plastic)
+  Work solid_work(const SolidFormulation formulation, const bool is_plastic)
   {
     SolidSection section;
     section.material.hardening.law     = HardeningLaw::linear;
@@ -85,14 +107,16 @@ namespace birdstrike::benchmarks
     const SolidLaw law(section);
     Element        element(law, is_plastic ? 1e-3 : 1e-6);
     for (int k = 0; k < 20; ++k)
-      element.step(law, is_b_bar);
-    const double flops = count_flops([&] { element.step(law, is_b_bar); });
+      element.step(law, formulation, is_plastic);
+    const double flops = count_flops([&] { element.step(law, formulation, is_plastic); });
     // viscous pressure and energies 20; a node an element: sum of eight corners' forces 24, work 9
     constexpr double elsewhere = 20. + 24. + 9.;
     // a node: position, increment, force (9), record written and read (2 x 8), last force (2 x 4); an element: corner
     // forces written and read (2 x 32), mass, bound, viscous pressure (4), its nodes (8); a point: 2 x 9, stabilisation
-    // 2 x 12
-    const double doubles = 9. + 16. + 8. + 64. + 4. + 8. + (is_b_bar ? 8. * 18. : 18. + 24.);
+    // 2 x 12, a point through the thickness 2 x 8
+    const double layers  = formulation == SolidFormulation::solid_shell && is_plastic ? 5. * 16. : 0.;
+    const double points  = formulation == SolidFormulation::b_bar ? 8. * 18. : 18. + 24. + layers;
+    const double doubles = 9. + 16. + 8. + 64. + 4. + 8. + points;
     return {flops + elsewhere, 8. * doubles};
   }
 } // namespace birdstrike::benchmarks

@@ -26,7 +26,8 @@ namespace birdstrike
       }
 
       /// `mean` and `s`: of the elastic trial in, admissible out; `axes` and `x` of the end of the step. Returns the
-      /// plastic work and what flow takes of the energy of the stabilisation, both per volume.
+      /// plastic work of the points without what varies in the plane, and minus what flow takes of the elastic energy
+      /// of the latter, both per volume.
       SolidWork<Number> update(const SolidModes<Number> &x, const one_point_solid::Axes<Number> &axes, const double dt,
                                SolidPoint<Number> &mean, one_point_solid::Stabilisation<Number> &s,
                                LayerPoint<Number> *points) const
@@ -60,17 +61,18 @@ namespace birdstrike
             section.point[k].softening      = law.compute_softening(points[k].plastic_work);
           }
         section.solve(dt);
-        const SolidWork<Number> work = flow(section, dt, stress, s, points);
+        const SolidWork<Number> work = flow(section, axes, dt, stress, s, points);
         store(frame, section.shift, of_mean, stress, mean, s, points);
         return work;
       }
 
     private:
       /// Stresses, strains and work of the points after the return.
-      SolidWork<Number> flow(const SolidShellReturn<Number> &section, const double dt, Number (&stress)[7][5],
-                             one_point_solid::Stabilisation<Number> &s, LayerPoint<Number> *points) const
+      SolidWork<Number> flow(const SolidShellReturn<Number> &section, const one_point_solid::Axes<Number> &axes,
+                             const double dt, Number (&stress)[7][5], one_point_solid::Stabilisation<Number> &s,
+                             LayerPoint<Number> *points) const
       {
-        Number plastic = 0., lost = 0., mean_factor = 0., moment_factor = 0.;
+        Number plastic = 0., mean_factor = 0., moment_factor = 0.;
         for (unsigned int k = 0; k < rule.n; ++k)
           {
             const auto  &p = section.point[k];
@@ -80,11 +82,11 @@ namespace birdstrike
             for (int c = 1; c < 5; ++c)
               stress[k][c] *= p.rest_factor;
             law.add_flow(strain, work, dt, points[k]);
-            plastic += w * work;
-            lost += w * p.chi * (p.varying_factor * p.varying_factor * p.varying);
+            plastic += w * (work - p.chi * (p.varying_factor * p.varying_factor * p.varying));
             mean_factor += w * p.varying_factor;
             moment_factor += (3. * w * z * z) * p.varying_factor;
           }
+        const Number before = compute_varying_energy(law.elasticity, axes, s);
         for (int k = 0; k < 2; ++k)
           {
             for (Number &component : s.linear[k])
@@ -92,7 +94,7 @@ namespace birdstrike
             s.last[k] *= moment_factor;
           }
         s.last[2] *= mean_factor;
-        return {plastic, -lost};
+        return {plastic, compute_varying_energy(law.elasticity, axes, s) - before};
       }
 
       /// Mean, moment and residual stress of the points.

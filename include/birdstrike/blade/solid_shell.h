@@ -140,5 +140,21 @@ namespace birdstrike
         linear += s.linear[k][0] * e.linear[k][0] + s.linear[k][1] * e.linear[k][1] + s.linear[k][2] * e.linear[k][2];
       return (1. / 3.) * linear + (1. / 9.) * (s.last[0] * e.last[0] + s.last[1] * e.last[1] + s.last[2] * e.last[2]);
     }
+
+    /// Elastic energy per volume of the same.
+    template <class Number>
+    [[gnu::always_inline]] inline Number compute_varying_energy(const Elasticity                    &elasticity,
+                                                                const one_point_solid::Axes<Number> &axes,
+                                                                const one_point_solid::Stabilisation<Number> &s)
+    {
+      Number linear = 0.;
+      for (int k = 0; k < 2; ++k)
+        {
+          const one_point_solid::PlaneSquares<Number> plane(axes.cosine[k], s.linear[k]);
+          linear += (1. + elasticity.poisson) * plane.all - elasticity.poisson * plane.trace;
+        }
+      const Number last = s.last[0] * s.last[0] + s.last[1] * s.last[1] + s.last[2] * s.last[2];
+      return (0.5 / elasticity.young) * ((1. / 3.) * linear + (1. / 9.) * last);
+    }
   } // namespace solid_shell
 } // namespace birdstrike

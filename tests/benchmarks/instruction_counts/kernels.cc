@@ -101,6 +101,14 @@ namespace
        [] {
          return make_bricks({SolidFormulation::one_point, true});
        }},
+      {"brick_solid_shell_elastic",
+       [] {
+         return make_bricks({SolidFormulation::solid_shell, false});
+       }},
+      {"brick_solid_shell_plastic",
+       [] {
+         return make_bricks({SolidFormulation::solid_shell, true});
+       }},
       {"brick_b_bar_plastic",
        [] {
          return make_bricks({SolidFormulation::b_bar, true});
