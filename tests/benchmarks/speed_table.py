@@ -115,6 +115,13 @@ def sizes(m):
                               ("list build", "bird/list", None),
                               ("element, elastic", "shell/forces/physical/elastic", "bytes_per_element"),
                               ("element, 5 points plastic", "shell/forces/physical/plastic_5", "bytes_per_element"),
+                              ("fully integrated shell, elastic", "shell/forces/fully_integrated/elastic", "bytes_per_element"),
+                              ("fully integrated shell, 5 points plastic", "shell/forces/fully_integrated/plastic_5", "bytes_per_element"),
+                              ("one-point brick, elastic", "solid/forces/one_point/elastic", "bytes_per_element"),
+                              ("one-point brick, plastic", "solid/forces/one_point/plastic", "bytes_per_element"),
+                              ("solid-shell, elastic", "solid/forces/solid_shell/elastic", "bytes_per_element"),
+                              ("solid-shell, 5 points plastic", "solid/forces/solid_shell/plastic", "bytes_per_element"),
+                              ("B-bar brick, plastic", "solid/forces/b_bar/plastic", "bytes_per_element"),
                               ("near point", "contact/step", None)):
         cells = [label]
         for n in (1000, 10000, 100000, 1000000):
