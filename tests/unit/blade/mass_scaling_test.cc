@@ -30,7 +30,7 @@ namespace birdstrike
           EXPECT_EQ(plain.census().mass_scaling.step, 0.);
           EXPECT_EQ(blade.mass(), plain.mass());
           of_one = n_layers == 1 ? scaling.step : of_one;
-          EXPECT_NEAR(scaling.step / of_one, 1., 1e-6);
+          EXPECT_NEAR(scaling.step / of_one, 1., 3e-4); // factors end at 2^20
           EXPECT_GT(scaling.step / plain.largest_stable_step(), 3. * n_layers);
         }
     }
