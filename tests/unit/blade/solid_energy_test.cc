@@ -10,7 +10,8 @@ using namespace solid_harness;
 
 namespace
 {
-  constexpr SolidFormulation formulations[] = {SolidFormulation::one_point, SolidFormulation::b_bar};
+  constexpr SolidFormulation formulations[] = {SolidFormulation::one_point, SolidFormulation::b_bar,
+                                               SolidFormulation::solid_shell};
 
   /// V s : C^-1 : s / 2 over 2 x 2 x 2 Gauss points of an element near its reference shape, where stresses are
   /// trilinear.
@@ -60,8 +61,9 @@ TEST(SolidEnergy, WhatIsStoredIsThatOfTheStresses)
 
 TEST(SolidEnergy, PlasticWorkIsYieldStressTimesPlasticStrain)
 {
-  // a block that is stretched, sheared and bent at once; perfectly plastic: s_y dp in every point
-  for (const auto formulation : formulations)
+  // a block that is stretched, sheared and bent at once; perfectly plastic: s_y dp in every point. Not of solid-shells:
+  // what varies in the plane is no part of their points' work, and their stress is not linear across
+  for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar})
     {
       SolidSection section           = make_section(113.8e9, 0.342, formulation);
       section.material.hardening.law = HardeningLaw::perfect;

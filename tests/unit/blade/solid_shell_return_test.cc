@@ -46,8 +46,7 @@ namespace
 TEST(SolidShellReturn, IsTheRadialReturnForPointsThatAreAlike)
 {
   Sample     number;
-  const auto rule       = make_thickness_points(ThicknessRule::gauss, 5);
-  int        n_compared = 0;
+  const auto rule = make_thickness_points(ThicknessRule::gauss, 5);
   for (const Hardening &hardening : some_laws())
     for (int sample = 0; sample < 200; ++sample)
       {
@@ -68,11 +67,6 @@ TEST(SolidShellReturn, IsTheRadialReturnForPointsThatAreAlike)
         section.solve(dt);
         const double across   = s[2] + section.shift;
         const auto   expected = radial_return(elasticity, hardening, p, yield, 1., dt, s);
-        // at the threshold of the rate radial_return goes to and fro until it gives up
-        const double flow = compute_flow_stress(hardening, p, expected.strain, dt, 1.).value;
-        if (expected.strain > 0. && std::abs(von_mises(s) / flow - 1.) > 1e-10)
-          continue;
-        ++n_compared;
         EXPECT_NEAR(across, s[2], 1e-10 * 2e9);
         for (unsigned int k = 0; k < rule.n; ++k)
           {
@@ -81,7 +75,6 @@ TEST(SolidShellReturn, IsTheRadialReturnForPointsThatAreAlike)
             EXPECT_NEAR(point.trace_factor * section.shifted_trace(point), s[0] + s[1] - 2. * s[2], 1e-10 * 2e9);
           }
       }
-  EXPECT_GT(n_compared, 1190) << "of 1200";
 }
 
 // Any mixture of points, trials up to a hundred times the yield stress (twice, with a rate, whose threshold is a kink):
