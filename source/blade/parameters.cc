@@ -36,7 +36,8 @@ namespace birdstrike
       prm.enter_subsection("Element");
       prm.add_parameter(
         "Formulation", p.formulation,
-        "Automatic: physical for a shell, one point for a solid. Shells: one point with physical "
+        "Automatic: physical for a shell; solid-shell for a built-in part of one layer whose metal does not fail, "
+        "one point for all other solids. Shells: one point with physical "
         "stabilisation and warping correction, or plain Belytschko-Tsay with perturbation hourglass "
         "control; or fully integrated (2 x 2 points, MITC4), the reference for both. Solids: one point with "
         "physical stabilisation, which bends right in a single layer but flows as a whole; solid-shell, the same "
@@ -56,8 +57,9 @@ namespace birdstrike
                         Double(1e-3, 1.));
       prm.add_parameter("Thinning", p.has_thinning, "Whether the thickness follows the plane-stress strain. [-]");
       prm.add_parameter("Linear viscosity", p.linear_viscosity,
-                        "Bulk viscosity of solids against ringing, share of critical damping of the highest frequency "
-                        "of an element; its work is booked. [-]",
+                        "Factor b1 of the bulk viscosity of solids against ringing, rho l c b1 times the rate of "
+                        "dilatation: the share of critical damping in the highest mode of a slab, twice that in a "
+                        "cube; its work is booked. [-]",
                         Double(0., 1.));
       prm.add_parameter("Quadratic viscosity", p.quadratic_viscosity,
                         "Bulk viscosity of solids in compression, which spreads shocks over some elements; its work is "
@@ -145,9 +147,12 @@ namespace birdstrike
     return formulation == "automatic" ? "physical" : formulation;
   }
 
-  std::string BladeParameters::Element::solid_formulation() const
+  std::string BladeParameters::solid_formulation() const
   {
-    return formulation == "automatic" ? "one point" : formulation;
+    if (element.formulation != "automatic")
+      return element.formulation;
+    const bool is_one_layer = mesh.generator != "file" && mesh.n_layers == 1;
+    return is_one_layer && !material.metal().failure.can_fail() ? "solid-shell" : "one point";
   }
 
   void BladeParameters::declare(dealii::ParameterHandler &prm)
@@ -212,7 +217,7 @@ namespace birdstrike
     };
     const Element &e = element, &d = defaults.element;
     const auto     differ = [](const double a, const double b) { return std::abs(a - b) > 1e-5 * b; }; // printed digits
-    if (element.solid_formulation() != "solid-shell")
+    if (kind != "solid" || solid_formulation() != "solid-shell")
       {
         add("shell", "Element/Points rule", e.rule != d.rule);
         add("shell", "Element/Points through thickness", e.n_points != d.n_points);

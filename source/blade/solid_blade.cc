@@ -15,7 +15,7 @@ namespace birdstrike
     SolidSection make_section(const BladeParameters &parameters)
     {
       SolidSection section;
-      section.formulation         = solid_formulations().at(parameters.element.solid_formulation());
+      section.formulation         = solid_formulations().at(parameters.solid_formulation());
       section.material            = parameters.material.metal();
       section.rule                = thickness_rules().at(parameters.element.rule);
       section.n_points            = parameters.element.n_points;

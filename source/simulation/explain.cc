@@ -43,10 +43,13 @@ namespace birdstrike
                             format_share(0.5 * scaling.added_rotary_inertia)));
     }
 
-    void add_blade(TextTable &table, const Blade &blade)
+    void add_blade(TextTable &table, const Blade &blade, const BladeParameters &parameters)
     {
       const BladeCensus census = blade.census();
-      table.add_heading("Blade: " + blade.kind());
+      table.add_heading("Blade: " + blade.kind() +
+                        (blade.kind() == "shell"   ? ", " + parameters.element.shell_formulation()
+                         : blade.kind() == "solid" ? ", " + parameters.solid_formulation()
+                                                   : ""));
       table.add("elements, nodes", format_count(blade.n_elements()) + ", " + format_count(blade.n_nodes()));
       if (!blade.is_deformable())
         return;
@@ -116,7 +119,7 @@ namespace birdstrike
     if (scene.symmetry.is_mirrored())
       table.add_heading("Symmetry plane y = 0: this is the half that is computed.");
     if (scene.blade)
-      add_blade(table, *scene.blade);
+      add_blade(table, *scene.blade, parameters.blade);
     if (scene.bird)
       {
         scene.bird->compute_rates(); // the step limit needs the present rates

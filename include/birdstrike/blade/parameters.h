@@ -64,7 +64,7 @@ namespace birdstrike
 
     struct Element
     {
-      std::string  formulation      = "automatic"; ///< physical (shell), one point (solid), or named
+      std::string  formulation      = "automatic"; ///< see shell_formulation, solid_formulation; or named
       std::string  rule             = "Gauss";
       unsigned int n_points         = 5;
       double       hourglass        = 0.05; ///< perturbation control only
@@ -72,9 +72,7 @@ namespace birdstrike
       bool         has_thinning     = true;
       double       linear_viscosity = 0.06, quadratic_viscosity = 1.2; ///< bulk viscosity of solids
 
-      /// What "automatic" means for the two kinds of element.
-      std::string shell_formulation() const;
-      std::string solid_formulation() const;
+      std::string shell_formulation() const; ///< "automatic" is physical
     };
 
     struct MassScaling
@@ -127,6 +125,10 @@ namespace birdstrike
     Rigid           rigid;
     std::string     probes;            ///< "name: x y z; ..."
     bool            is_halved = false; ///< only y >= 0 is computed; set by the case
+
+    /// "automatic" is a solid-shell where one layer of bricks makes up the thickness of a built-in part (in a file that
+    /// is not known) and the metal does not fail, else one point. Throws InputError for an impossible metal.
+    std::string solid_formulation() const;
 
     /// Declares every entry in the handler's present section; the members' values are the defaults.
     void declare(dealii::ParameterHandler &prm);

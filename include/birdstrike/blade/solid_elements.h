@@ -28,8 +28,8 @@ namespace birdstrike
     Metal            material;
     ThicknessRule    rule                = ThicknessRule::gauss; ///< of solid_shell, as n_points
     unsigned int     n_points            = 5;                    ///< through the thickness: 3, 5 or 7
-    double           linear_viscosity    = 0.06; ///< b1, share of critical damping at the highest frequency, -
-    double           quadratic_viscosity = 1.2;  ///< b2, in compression only, -
+    double           linear_viscosity    = 0.06;                 ///< b1 of rho l c b1, -
+    double           quadratic_viscosity = 1.2;                  ///< b2, in compression only, -
   };
 
   /// State of one element for output.

@@ -324,13 +324,34 @@ namespace birdstrike
     }
 
     // One file may hold the entries of both kinds: those of the other are named, not refused.
+    TEST(SolidBlade, AutomaticIsTheSolidShellWhereItCan)
+    {
+      BladeParameters p    = solid_plate(4, 2, 1);
+      p.material.hardening = "perfect";
+      EXPECT_EQ(p.solid_formulation(), "solid-shell");
+      p.mesh.n_layers = 2;
+      EXPECT_EQ(p.solid_formulation(), "one point") << "the layers resolve the thickness";
+      p.mesh.n_layers        = 1;
+      p.material.failure.law = "plastic strain";
+      EXPECT_EQ(p.solid_formulation(), "one point") << "solid-shells do not fail";
+      p.element.formulation = "solid-shell";
+      ThreadPool pool;
+      EXPECT_THROW(make_blade(p, pool), InputError);
+      p.material.failure.law = "none";
+      p.element.formulation  = "automatic";
+      p.mesh.generator       = "file";
+      EXPECT_EQ(p.solid_formulation(), "one point") << "a file may hold any number of layers";
+    }
+
     TEST(SolidBlade, NamesEntriesThatMeanNothingForIt)
     {
-      BladeParameters p = solid_plate(4, 2, 1);
+      BladeParameters p = solid_plate(4, 2, 2);
       EXPECT_TRUE(p.unused_entries().empty());
       p.element.n_points         = 7;
       p.element.linear_viscosity = 0.1;
       EXPECT_EQ(p.unused_entries(), std::vector<std::string>{"Element/Points through thickness"});
+      p.mesh.n_layers = 1;
+      EXPECT_TRUE(p.unused_entries().empty()) << "one layer: solid-shells";
       p.kind = "shell";
       EXPECT_EQ(p.unused_entries(), std::vector<std::string>{"Element/Linear viscosity"});
     }

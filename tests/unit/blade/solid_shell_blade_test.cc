@@ -54,10 +54,11 @@ namespace birdstrike
 
     TEST(SolidShellBlade, TakesTheEntriesOfTheThickness)
     {
-      BladeParameters p  = test::elastic_plate(4, 2);
-      p.kind             = "solid";
-      p.element.n_points = 7;
-      p.element.rule     = "Lobatto";
+      BladeParameters p     = test::elastic_plate(4, 2);
+      p.kind                = "solid";
+      p.element.n_points    = 7;
+      p.element.rule        = "Lobatto";
+      p.element.formulation = "one point";
       EXPECT_EQ(p.unused_entries().size(), 2u) << "bricks of one point have none";
       p.element.formulation = "solid-shell";
       EXPECT_TRUE(p.unused_entries().empty());
