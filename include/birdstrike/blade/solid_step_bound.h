@@ -20,16 +20,15 @@ namespace birdstrike
   /// Upper bound of 2/dt (1/s) of one free brick with an eighth of its mass on each node; the assembled one is not
   /// larger (Irons & Treharne 1971).
   ///
-  /// In the modes of SolidGeometry the mass is m on each, and the mean gradient is sum u_m b_m^T with S = sum b b^T, b
-  /// = 8 c/D. The eigenvalues of its stiffness are those of lambda d d^T + 2 G diag(d^2), d^2 the principal values of
-  /// S, and no shear exceeds them: the largest root of a cubic x^3 - a x^2 + b x - ..., a = (lambda + 2 G) tr S, b = 4
-  /// G (G
-  /// + lambda) I_2(S), with three real roots is not above (a + 2 sqrt(a^2 - 3 b))/3, and equal to it for a cube and in
-  /// the limit of a thin brick (0.734 L/c for the cube with nu = 0.3, where V/A_max/c is 1 and Flanagan & Belytschko's
-  /// bound 0.577).
+  /// In the modes of SolidGeometry the mass is m on each, and the mean gradient is sum u_m b_m^T with S = sum b b^T and
+  /// b = 8 c/D. The eigenvalues of its stiffness are those of lambda d d^T + 2 G diag(d^2), d^2 the principal values of
+  /// S, and no shear exceeds them: the largest root of a cubic x^3 - a x^2 + b x - ... with three real roots,
+  ///   a = (lambda + 2 G) tr S,   b = 4 G (G + lambda) I_2(S),
+  /// is not above (a + 2 sqrt(a^2 - 3 b))/3, and equal to it for a cube and in the limit of a thin brick (0.734 L/c for
+  /// the cube with nu = 0.3, where V/A_max/c is 1 and Flanagan & Belytschko's bound 0.577).
   ///
-  /// What the mean gradient does not see is, for a parallelepiped, in other modes and less (stabilisation: 2/3 E/(1 -
-  /// nu) S_max at most; 2 x 2 x 2 points: 4/3 G S_max): up to here the bound is proven. A distorted brick mixes them:
+  /// What the mean gradient does not see is, for a parallelepiped, in other modes and less (at most: stabilisation
+  /// 2/3 E/(1 - |nu|) S_max; 2 x 2 x 2 points 4/3 G S_max): up to here the bound is proven. A distorted one mixes them:
   /// with the distortion D = sum h.S.h of the twist and last modes h of the geometry the second grows by 1 + D, and the
   /// two are combined by lambda <= (a + b)/2 + sqrt((a - b)^2/4 + a b cos^2), cos^2 = min(1, D). These two constants
   /// are measured: of 9600 bricks, random up to 0.4 of an edge, tapered and twisted, aspects up to 12, nu up to 0.45,

@@ -18,7 +18,8 @@ namespace birdstrike
   /// Constants of a failure law. A point has the damage
   ///   D = sum dp / e_f,
   /// with the increments dp of its equivalent plastic strain and the failure strain e_f of the state in which each of
-  /// them happened; at D = 1 it fails and carries no stress from then on. Until then damage does not soften.
+  /// them happened; at D = 1 it fails and carries no stress from then on. Until then damage does not soften. Of a shell
+  /// that is the stress in its plane: transverse shear belongs to the section, which has it until it fails as a whole.
   ///
   /// Johnson & Cook (Engineering Fracture Mechanics 21, 1985, eq. 5):
   ///   e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) (1 + D5 T*),
@@ -58,7 +59,7 @@ namespace birdstrike
     return max(strain, Number(Failure::smallest_strain));
   }
 
-  /// The plastic strain of one step and the state at its end.
+  /// The plastic strain of one step, the stress at its end and the temperature that it flowed at, of its start.
   template <class Number>
   struct PlasticStep
   {
