@@ -36,34 +36,31 @@ namespace birdstrike
       const Number slowing = rate[0] * square[0] + rate[1] * square[1] + rate[2] * square[2] + rate[3] * square[3];
       const Number start   = (trial - yield) * trial2 / (yield * slowing);
       Number       chi     = select(yields, max(start, Number(1e-12 / three_g)), Number(0.));
-      Number       factor[4], q = trial, q2 = trial2, slope;
-      const auto   decay = [&](const Number &c) [[gnu::always_inline]] {
-        // four quotients with one division
-        const Number d0 = one + rate[0] * c, d1 = one + rate[1] * c, d2 = one + rate[2] * c;
-        const Number d3 = one + rate[3] * c, d01 = d0 * d1, d23 = d2 * d3, inverse = one / (d01 * d23);
-        const Number i01 = inverse * d23, i23 = inverse * d01;
-        factor[0] = i01 * d1;
-        factor[1] = i01 * d0;
-        factor[2] = i23 * d3;
-        factor[3] = i23 * d2;
-        q2 = slope = 0.;
-        for (int part = 0; part < 4; ++part)
-          {
-            const Number now = square[part] * factor[part] * factor[part];
-            q2 += now;
-            slope += rate[part] * now * factor[part];
-          }
-        q = sqrt(q2);
-      };
-      const auto         fast = is_fast_flow(hardening, p, dt, softening, [&](const Number &dp) {
-        decay(Number(dp / trial)); // where chi q = dp: a first guess and one more, the strain is small
-        decay(Number(dp / q));
-        return q;
+      const auto   fast    = is_fast_flow(hardening, p, dt, softening, [&](const Number &dp) {
+        // where chi q = dp: a first guess and one more, the strain is small
+        const Number first = compute_stress(square[0], square[1], square[2], square[3], rate, Number(dp / trial));
+        return compute_stress(square[0], square[1], square[2], square[3], rate, Number(dp / first));
       });
+      Number       factor[4], q = trial;
       FlowStress<Number> flow{yield, Number(0.)};
       for (unsigned int iteration = 0;; ++iteration)
         {
-          decay(chi);
+          // four quotients with one division
+          const Number d0 = one + rate[0] * chi, d1 = one + rate[1] * chi, d2 = one + rate[2] * chi;
+          const Number d3 = one + rate[3] * chi, d01 = d0 * d1, d23 = d2 * d3, inverse = one / (d01 * d23);
+          const Number i01 = inverse * d23, i23 = inverse * d01;
+          factor[0] = i01 * d1;
+          factor[1] = i01 * d0;
+          factor[2] = i23 * d3;
+          factor[3] = i23 * d2;
+          Number q2 = 0., slope = 0.;
+          for (int part = 0; part < 4; ++part)
+            {
+              const Number now = square[part] * factor[part] * factor[part];
+              q2 += now;
+              slope += rate[part] * now * factor[part];
+            }
+          q                     = sqrt(q2);
           flow                  = compute_flow_stress(hardening, p, Number(chi * q), dt, softening, fast);
           const Number residual = q - flow.value;
           if (iteration == 30 || !any(yields && (abs(residual) > 1e-13 * flow.value)))
@@ -80,6 +77,16 @@ namespace birdstrike
       shear_factor = factor[2];
       last_factor  = factor[3];
       rest         = one - square[0] * mean_factor * mean_factor / max(Number(q * q), Number(1e-300));
+    }
+
+  private:
+    /// q at a chi. Apart and by value, for only laws with a rate term ask: the others keep their registers.
+    [[gnu::noinline]] static Number compute_stress(const Number mean, const Number trace, const Number shear,
+                                                   const Number last, const double (&rate)[4], const Number chi)
+    {
+      const Number one = 1., a = one + rate[0] * chi, b = one + rate[1] * chi, c = one + rate[2] * chi,
+                   d = one + rate[3] * chi;
+      return sqrt(Number(mean / (a * a) + trace / (b * b) + shear / (c * c) + last / (d * d)));
     }
   };
 } // namespace birdstrike

@@ -82,6 +82,16 @@ namespace birdstrike
     }
   } // namespace internal
 
+  namespace internal
+  {
+    /// Apart, and not for the iterations: what only laws with a rate term ask must not keep these from being inlined.
+    template <class Number>
+    [[gnu::noinline]] Number softened_static_stress(const Hardening &h, const Number &p, const Number &softening)
+    {
+      return static_flow_stress(h, p).value * softening;
+    }
+  } // namespace internal
+
   /// T* = (T - T_room)/(T_melt - T_room), cut to [0, 1], of the present temperature T (K); 0 where nothing heats.
   template <class Number>
   inline Number homologous_temperature(const Hardening &h, const Number &temperature)
@@ -150,6 +160,6 @@ namespace birdstrike
     if (h.rate_factor <= 0.)
       return none;
     const Number kink(dt * h.reference_rate);
-    return stress_left(kink) > compute_flow_stress(h, p, kink, dt, softening, none).value;
+    return stress_left(kink) > internal::softened_static_stress(h, Number(p + kink), softening);
   }
 } // namespace birdstrike

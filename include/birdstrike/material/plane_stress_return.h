@@ -77,9 +77,10 @@ namespace birdstrike
     Number             q   = q_trial, dq;
     FlowStress<Number> flow{yield, Number(0.)};
     const auto         fast = is_fast_flow(hardening, p, dt, softening, [&](const Number &dp) {
-      trial.compute_stress(Number(dp / q_trial), q, dq); // where chi q = dp: a first guess and one more
-      trial.compute_stress(Number(dp / q), q, dq);
-      return q;
+      Number left, slope; // where chi q = dp: a first guess and one more
+      trial.compute_stress(Number(dp / q_trial), left, slope);
+      trial.compute_stress(Number(dp / left), left, slope);
+      return left;
     });
     for (unsigned int iteration = 0;; ++iteration)
       {

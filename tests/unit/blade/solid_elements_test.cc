@@ -138,6 +138,36 @@ TEST(SolidElements, UniaxialStrainMeetsTheHugoniotElasticLimit)
     }
 }
 
+TEST(SolidElements, SteadyFlowHasTheStressOfItsRate)
+{
+  // in steady isochoric flow all strain is plastic, at rates below and above the reference (C = 0.014, 1/s)
+  for (const auto formulation : formulations)
+    for (const double rate : {0.3, 1.5, 10., 1e4})
+      {
+        SolidSection section                   = titanium(HardeningLaw::perfect, 0., formulation);
+        section.material.hardening.rate_factor = 0.014;
+        section.linear_viscosity = section.quadratic_viscosity = 0.;
+        Model      model(make_box({1, 1, 1}, Point3(1., 1., 1.)), section);
+        const auto stretch = [&](const double strain) { // along x, less along y
+          Eigen::VectorXd u = Eigen::VectorXd::Zero(24);
+          for (std::size_t k = 0; k < 8; ++k)
+            {
+              u[3 * k]     = strain * model.position[3 * k];
+              u[3 * k + 1] = -strain * model.position[3 * k + 1];
+            }
+          model.move(u, 1e-7);
+        };
+        const double yield = 880e6, shear_modulus = section.material.elasticity.shear_modulus();
+        stretch(0.999 * yield / (2. * std::sqrt(3.) * shear_modulus));
+        for (int k = 0; k < 20000 && k * rate * 1e-7 < 0.05; ++k)
+          stretch(0.5 * std::sqrt(3.) * rate * 1e-7);
+        const auto   s   = model.elements.state(0).stress;
+        const double q   = std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] - s[0] * s[1] - s[1] * s[2] - s[2] * s[0]);
+        const double law = yield * (1. + 0.014 * std::log(std::max(rate, 1.)));
+        EXPECT_NEAR(q / law, 1., 1e-7) << "rate " << rate;
+      }
+}
+
 TEST(SolidElements, ElasticSimpleShearIsJaumanns)
 {
   for (const auto formulation : formulations)
