@@ -1,5 +1,6 @@
 #include "failure_report.h"
 #include "shell_blade_state.h"
+#include "von_mises.h"
 
 #include <birdstrike/blade/census.h>
 
@@ -11,12 +12,6 @@ namespace birdstrike
   {
     constexpr std::array<ShellLayer, 3> layers{{ShellLayer::bottom, ShellLayer::middle, ShellLayer::top}};
     const std::array<std::string, 3>    layer_names{{"bottom", "middle", "top"}};
-
-    double von_mises(const std::array<double, 6> &s)
-    {
-      const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
-      return std::sqrt(0.5 * (a * a + b * b + c * c) + 3. * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
-    }
 
     using Cells = std::vector<std::size_t>;
 

@@ -1,5 +1,6 @@
 #include "failure_report.h"
 #include "solid_blade_state.h"
+#include "von_mises.h"
 
 #include <birdstrike/blade/census.h>
 
@@ -9,12 +10,6 @@ namespace birdstrike
 {
   namespace
   {
-    double von_mises(const std::array<double, 6> &s)
-    {
-      const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
-      return std::sqrt(0.5 * (a * a + b * b + c * c) + 3. * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
-    }
-
     /// Of the elements that have not failed.
     void add_element_fields(const SolidElements &elements, std::vector<Field> &fields)
     {

@@ -1,4 +1,5 @@
 #include <birdstrike/blade/solid_sections.h>
+#include <birdstrike/material/radial_return.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -59,14 +60,11 @@ namespace birdstrike
     /// Scales the deviator so that von Mises' stress is no more than the flow stress.
     void limit(const double flow_stress, std::array<double, 6> &s)
     {
-      const double pressure = (s[0] + s[1] + s[2]) / 3.;
-      double       squares  = 0.; // of the deviator
-      for (unsigned int c = 0; c < 6; ++c)
-        squares += c < 3 ? (s[c] - pressure) * (s[c] - pressure) : 2. * s[c] * s[c];
-      const double q     = std::sqrt(1.5 * squares);
-      const double scale = q > flow_stress ? flow_stress / q : 1.;
-      for (unsigned int c = 0; c < 6; ++c)
-        s[c] = c < 3 ? pressure + scale * (s[c] - pressure) : scale * s[c];
+      double stress[6];
+      std::copy(s.begin(), s.end(), stress);
+      if (const double q = von_mises(stress); q > flow_stress)
+        scale_deviator(flow_stress / q, stress);
+      std::copy(stress, stress + 6, s.begin());
     }
   } // namespace
 
