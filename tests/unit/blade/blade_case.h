@@ -3,7 +3,9 @@
 #include <birdstrike/blade/shell_blade.h>
 
 #include <cmath>
+#include <cstring>
 #include <string>
+#include <vector>
 
 /// Blades and loops that several tests of this room share.
 namespace birdstrike::test
@@ -39,6 +41,31 @@ namespace birdstrike::test
         blade.compute_internal_forces();
         blade.kick_internal(0.5 * dt, HalfKick::second);
       }
+  }
+
+  /// What a blade comes to that vibrates under pressure and damping: its velocities, energies and angular momentum.
+  template <class BladeKind>
+  std::vector<double> shake(BladeParameters p, const unsigned int n_threads)
+  {
+    p.loads.initial_velocity = "0; 0; 50*(x/0.3112)^2 + 30*x*y";
+    p.loads.pressure         = "1e5*x";
+    p.loads.damping          = 10.;
+    ThreadPool pool(n_threads);
+    BladeKind  blade(p, pool);
+    advance(blade, 0.8 * blade.step_limit().value, 30);
+    const auto           nodes  = blade.nodes();
+    const EnergyReport   energy = blade.energies();
+    const MomentumReport m      = blade.momenta();
+    std::vector<double>  result(nodes.velocity, nodes.velocity + nodes.n_unknowns * nodes.n);
+    result.insert(result.end(), {energy.kinetic, energy.elastic, energy.hourglass, energy.viscous, energy.external_work,
+                                 energy.dissipated});
+    result.insert(result.end(), m.angular_momentum.begin(), m.angular_momentum.end());
+    return result;
+  }
+
+  inline bool is_bitwise_equal(const std::vector<double> &a, const std::vector<double> &b)
+  {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
   }
 
   /// total() - external_work - contact_work, which stays constant.
