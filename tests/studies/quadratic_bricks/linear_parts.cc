@@ -5,6 +5,7 @@
 #include <birdstrike/core/errors.h>
 
 #include <cmath>
+#include <utility>
 
 namespace birdstrike::studies
 {
@@ -57,18 +58,13 @@ namespace birdstrike::studies
       return points;
     }
 
-    class BrickPart : public Part
+    /// A part of the program's own elements.
+    template <class Elements>
+    class LinearPart : public Part
     {
     public:
-      using Cells = std::vector<std::array<std::uint32_t, 8>>;
-
-      BrickPart(const std::vector<Point3> &nodes, const Cells &cells, const SolidSection &section, ThreadPool &pool)
-        : cells(cells), section(section), pool(pool), elements(nodes, cells, section, pool)
+      explicit LinearPart(Elements elements) : elements(std::move(elements))
       {
-        this->nodes = nodes;
-        n_elements  = cells.size();
-        for (const double m : elements.compute_nodal_masses())
-          mass.insert(mass.end(), 3, m);
       }
       void compute_internal_forces(const double *position, const double *increment, const double dt,
                                    double *force) override
@@ -86,6 +82,24 @@ namespace birdstrike::studies
       double stable_step_bound() const override
       {
         return elements.largest_stable_step();
+      }
+
+    protected:
+      Elements elements;
+    };
+
+    class BrickPart : public LinearPart<SolidElements>
+    {
+    public:
+      using Cells = std::vector<std::array<std::uint32_t, 8>>;
+
+      BrickPart(const std::vector<Point3> &nodes, const Cells &cells, const SolidSection &section, ThreadPool &pool)
+        : LinearPart(SolidElements(nodes, cells, section, pool)), cells(cells), section(section), pool(pool)
+      {
+        this->nodes = nodes;
+        n_elements  = cells.size();
+        for (const double m : elements.compute_nodal_masses())
+          mass.insert(mass.end(), 3, m);
       }
       std::unique_ptr<Part> make_elastic(const double *position) const override
       {
@@ -99,24 +113,23 @@ namespace birdstrike::studies
       }
 
     private:
-      Cells         cells;
-      SolidSection  section;
-      ThreadPool   &pool;
-      SolidElements elements;
+      Cells        cells;
+      SolidSection section;
+      ThreadPool  &pool;
     };
 
-    class ShellPart : public Part
+    class ShellPart : public LinearPart<ShellElements>
     {
     public:
       using Cells = std::vector<std::array<std::uint32_t, 4>>;
 
       ShellPart(const std::vector<Point3> &nodes, const Cells &cells, const double thickness,
                 const ShellSection &section, ThreadPool &pool)
-        : cells(cells)
+        : LinearPart(ShellElements(nodes, cells, std::vector<double>(cells.size(), thickness), section, pool))
+        , cells(cells)
         , thickness(thickness)
         , section(section)
         , pool(pool)
-        , elements(nodes, cells, std::vector<double>(cells.size(), thickness), section, pool)
       {
         this->nodes                       = nodes;
         n_elements                        = cells.size();
@@ -128,23 +141,6 @@ namespace birdstrike::studies
             mass.insert(mass.end(), 3, masses[k]);
             mass.insert(mass.end(), 3, inertia[k]);
           }
-      }
-      void compute_internal_forces(const double *position, const double *increment, const double dt,
-                                   double *force) override
-      {
-        elements.compute_internal_forces(position, increment, dt, force);
-      }
-      double plastic_work() const override
-      {
-        return elements.plastic_work();
-      }
-      double hourglass_energy() const override
-      {
-        return elements.hourglass_energy();
-      }
-      double stable_step_bound() const override
-      {
-        return elements.largest_stable_step();
       }
       std::unique_ptr<Part> make_elastic(const double *position) const override
       {
@@ -158,11 +154,10 @@ namespace birdstrike::studies
       }
 
     private:
-      Cells         cells;
-      double        thickness;
-      ShellSection  section;
-      ThreadPool   &pool;
-      ShellElements elements;
+      Cells        cells;
+      double       thickness;
+      ShellSection section;
+      ThreadPool  &pool;
     };
 
     std::unique_ptr<Part> make_shell(const Plate &plate, const Metal &metal, ThreadPool &pool)
