@@ -10,10 +10,9 @@ namespace birdstrike
     /// Particles per thread range: whole registers and whole cache lines of every column.
     constexpr std::size_t grain = 64;
 
-    double compute_slope(const EquationOfState &eos, const BirdParameters &parameters)
+    double speed_of(const BirdParameters &parameters)
     {
-      const auto &v = parameters.velocity;
-      return eos.hugoniot_slope(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+      return std::hypot(parameters.velocity[0], parameters.velocity[1], parameters.velocity[2]);
     }
   } // namespace
 
@@ -27,7 +26,7 @@ namespace birdstrike
            2. * parameters.smoothing_ratio * packed.spacing * parameters.skin, packed.period,
            parameters.is_riemann() && parameters.pair_precision == "float" ? FloatLanes::size() : n_lanes)
     , rates(make_rates(parameters, eos, packed.spacing))
-    , hugoniot_slope(compute_slope(eos, parameters))
+    , hugoniot_slope(eos.hugoniot_slope(speed_of(parameters)))
   {
     if (parameters.is_halved)
       list.mirror();
@@ -66,11 +65,30 @@ namespace birdstrike
     compute_rates(); // the correction matrices are those of the evaluation before
   }
 
-  void Bird::advance_in_flight(const double t)
+  void Bird::advance_in_flight(const double t, const Point3 &frame)
   {
     for (int d = 0; d < 3; ++d)
       for (double &x : particles.x[d])
-        x += t * parameters.velocity[d];
+        x += t * (parameters.velocity[d] - frame[d]);
+  }
+
+  void Bird::set_closing_speed(const double speed)
+  {
+    hugoniot_slope = eos.hugoniot_slope(speed);
+  }
+
+  double Bird::largest_step() const
+  {
+    return parameters.courant_number * parameters.smoothing_ratio * packed.spacing / eos.reference_sound_speed();
+  }
+
+  double Bird::shocked_step(const double speed) const
+  {
+    if (speed == 0.)
+      return INFINITY;
+    const HugoniotState shocked = eos.hugoniot(speed);
+    const double        c       = std::sqrt(eos.sound_speed_squared(shocked.density_ratio - 1., shocked.pressure));
+    return parameters.courant_number * parameters.smoothing_ratio * packed.spacing / (c + 1.2 * speed);
   }
 
   void Bird::set_state(const std::function<void(Point3 &, Point3 &, double &)> &state)

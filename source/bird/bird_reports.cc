@@ -84,6 +84,7 @@ namespace birdstrike
     view.n_ids          = particles.n_ids;
     view.spacing        = packed.spacing;
     view.hugoniot_slope = hugoniot_slope;
+    view.largest_step   = largest_step();
     view.revision       = revision;
     has_contact_force   = true; // whoever holds the view may write
     return view;

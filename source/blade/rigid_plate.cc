@@ -14,12 +14,12 @@ namespace birdstrike
     const auto  &n    = parameters.rigid.normal;
     const double norm = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     normal            = {{n[0] / norm, n[1] / norm, n[2] / norm}};
+    if (parameters.is_halved)
+      plate_mass *= 0.5;
     if (parameters.rigid.surface == "mesh")
       take_mesh(ShellMesh(parameters.mesh, parameters.is_halved).surface());
     else
       take_mesh(make_rectangle(parameters.rigid, parameters.is_halved));
-    if (parameters.is_halved)
-      plate_mass *= 0.5;
     half_thickness.assign(surface.cells.size(), parameters.rigid.half_thickness);
   }
 
@@ -53,7 +53,7 @@ namespace birdstrike
     position = reference;
     velocity.assign(reference.size(), 0.);
     force.assign(reference.size(), 0.);
-    inverse_mass.assign(surface.nodes.size(), 0.);
+    inverse_mass.assign(surface.nodes.size(), is_free ? static_cast<double>(surface.nodes.size()) / plate_mass : 0.);
   }
 
   std::string RigidPlate::kind() const

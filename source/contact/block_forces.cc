@@ -1,4 +1,5 @@
 #include <birdstrike/contact/block_forces.h>
+#include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/contact/gather.h>
 
 #include <Eigen/LU>
@@ -8,72 +9,96 @@
 
 namespace birdstrike
 {
-  void BlockForces::add(const ContactLaw &law, const NarrowPhase &narrow_phase, const PointMemory &memory,
-                        const Target &target)
+  namespace
   {
-    const std::size_t n = (narrow_phase.touches().size() + n_lanes - 1) / n_lanes * n_lanes;
-    for (auto *array : {&forces[0], &forces[1], &forces[2], &stored, &dissipated})
+    /// The sum of the shares of one point's touches, which follow one another.
+    double total_share(const std::vector<TouchRecord> &touches, const std::size_t t)
+    {
+      double sum = touches[t].share;
+      for (std::size_t k = t; k > 0 && touches[k - 1].point == touches[t].point; --k)
+        sum += touches[k - 1].share;
+      for (std::size_t k = t + 1; k < touches.size() && touches[k].point == touches[t].point; ++k)
+        sum += touches[k].share;
+      return sum;
+    }
+  } // namespace
+
+  void BlockForces::add(const ContactLaw &law, const PointMemory &memory, const Target &target)
+  {
+    const std::size_t n = (target.touches.size() + n_lanes - 1) / n_lanes * n_lanes;
+    for (auto *array :
+         {&forces[0], &forces[1], &forces[2], &dissipative[0], &dissipative[1], &dissipative[2], &stored, &tangent})
       array->resize(std::max(array->size(), n));
     for (std::size_t b = 0; b < n; b += n_lanes)
-      compute_batch(law, narrow_phase, memory, target, b);
-    share_out(narrow_phase, target, law.friction > 0.);
+      compute_batch(law, memory, target, b);
+    share_out(target, law.friction > 0.);
   }
 
-  void BlockForces::compute_batch(const ContactLaw &law, const NarrowPhase &narrow_phase, const PointMemory &memory,
-                                  const Target &target, const std::size_t begin)
+  void BlockForces::compute_batch(const ContactLaw &law, const PointMemory &memory, const Target &target,
+                                  const std::size_t begin)
   {
     // a list of gathers and one call of the law; the last batch is filled up with copies of the last touch, whose
     // results are never read
-    const PointsView                         &points  = target.scene.points;
-    const PairGeometry                       &pairs   = narrow_phase.geometry();
-    const auto                               &touches = narrow_phase.touches();
-    std::array<const TouchingPair *, n_lanes> touched;
-    std::array<const PointRecord *, n_lanes>  record;
-    std::array<std::uint32_t, n_lanes>        point, place;
+    const PointsView                        &points  = target.points;
+    const auto                              &touches = target.touches;
+    std::array<const TouchRecord *, n_lanes> touched;
+    std::array<const PointRecord *, n_lanes> record;
+    std::array<std::uint32_t, n_lanes>       point;
+    alignas(64) std::array<double, n_lanes>  owners; // of the point's mass
     for (std::size_t j = 0; j < n_lanes; ++j)
       {
-        touched[j] = &touches[std::min(begin + j, touches.size() - 1)];
-        place[j]   = touched[j]->place;
-        point[j]   = target.block.points[touched[j]->near];
-        record[j]  = &memory.data()[points.id[point[j]]];
+        const std::size_t t = std::min(begin + j, touches.size() - 1);
+        touched[j]          = &touches[t];
+        point[j]            = touched[j]->point;
+        record[j]           = &memory.data()[points.id[point[j]]];
+        owners[j]           = total_share(touches, t);
       }
     const auto of_touch  = [&](const auto &value) { return Lanes([&](const auto j) { return value(*touched[j]); }); };
     const auto of_record = [&](const auto &value) { return Lanes([&](const auto j) { return value(*record[j]); }); };
 
     Touch<Lanes> touch;
-    touch.penetration = of_touch([](const TouchingPair &t) { return t.penetration; });
+    touch.penetration = of_touch([](const TouchRecord &t) { return t.penetration; });
     touch.size        = of_record([](const PointRecord &r) { return r.size; });
+    touch.modulus     = of_record([](const PointRecord &r) { return r.modulus; });
     touch.density =
       max(gather(points.density, point.data()), of_record([](const PointRecord &r) { return r.density; }));
     touch.sound_speed =
       max(gather(points.sound_speed, point.data()), of_record([](const PointRecord &r) { return r.sound_speed; }));
+    std::array<Lanes, 4> weights, mobility;
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        weights[k]  = of_touch([&](const TouchRecord &t) { return t.weights[k]; });
+        mobility[k] = of_touch([&](const TouchRecord &t) { return target.mobility[t.nodes[k]]; });
+      }
     touch.reduced_mass =
-      Lanes(1.) / (Lanes(1.) / gather(points.mass, point.data()) + gather(pairs.inverse_mass.data(), place.data()));
+      compute_reduced_mass(Lanes(load<Lanes>(owners.data()) / gather(points.mass, point.data())), weights, mobility);
     for (unsigned int d = 0; d < 3; ++d)
       {
-        touch.normal[d]   = of_touch([&](const TouchingPair &t) { return t.normal[d]; });
-        touch.velocity[d] = gather(pairs.velocity[d].data(), place.data());
+        touch.normal[d]   = of_touch([&](const TouchRecord &t) { return t.normal[d]; });
+        touch.velocity[d] = of_touch([&](const TouchRecord &t) { return t.velocity[d]; });
       }
     const auto  force = compute_contact_force(law, touch);
-    const Lanes share = of_touch([](const TouchingPair &t) { return t.share; });
+    const Lanes share = of_touch([](const TouchRecord &t) { return t.share; });
     store(share * force.stored_energy, &stored[begin]);
-    store(share * force.dissipation_power, &dissipated[begin]);
+    store(share * force.tangent, &tangent[begin]);
     for (unsigned int d = 0; d < 3; ++d)
-      store(share * force.force[d], &forces[d][begin]);
+      {
+        store(share * force.force[d], &forces[d][begin]);
+        store(share * force.dissipative[d], &dissipative[d][begin]);
+      }
   }
 
-  void BlockForces::share_out(const NarrowPhase &narrow_phase, const Target &target, const bool has_friction)
+  void BlockForces::share_out(const Target &target, const bool has_friction)
   {
-    const PairGeometry &pairs  = narrow_phase.geometry();
-    const PointsView   &points = target.scene.points;
-    BlockReport        &report = target.report;
-    report.n_touching          = narrow_phase.touches().size();
+    const PointsView &points = target.points;
+    BlockReport      &report = target.report;
+    report.n_touching        = target.touches.size();
+    double stiffness         = 0.; // of the touches of one point, N/m
     for (std::size_t t = 0; t < report.n_touching; ++t)
       {
-        const TouchingPair   &touch = narrow_phase.touches()[t];
-        const std::uint32_t   i     = target.block.points[touch.near];
-        const auto           &nodes = target.block.facet_nodes[target.block.pair_facet[pairs.pair[touch.place]]];
-        const NodeSums::Force force{forces[0][t], forces[1][t], forces[2][t], 0.};
+        TouchRecord        &touch = target.touches[t];
+        const std::uint32_t i     = touch.point;
+        const NodeSums::Sum force{forces[0][t], forces[1][t], forces[2][t], -tangent[t]};
         for (unsigned int d = 0; d < 3; ++d)
           {
             points.force[d][i] += force[d];
@@ -81,29 +106,28 @@ namespace birdstrike
           }
         for (unsigned int k = 0; k < 4; ++k)
           for (unsigned int d = 0; d < 4; ++d)
-            target.node_sums[nodes[k]][d] -= pairs.weight[k][touch.place] * force[d];
+            target.node_sums[touch.nodes[k]][d] -= touch.weights[k] * force[d];
         report.stored_energy += stored[t];
-        report.dissipation_power += dissipated[t];
+        touch.dissipative = Point3(dissipative[0][t], dissipative[1][t], dissipative[2][t]);
+        report.dissipation_power -= touch.dissipative.dot(touch.velocity);
         report.penetration = std::max(report.penetration, touch.penetration);
+
+        stiffness = tangent[t] + (t > 0 && target.touches[t - 1].point == i ? stiffness : 0.);
+        if (const double squared = stiffness / points.mass[i]; squared > report.largest_point.value)
+          report.largest_point = {squared, i};
         if (has_friction)
-          add_couple(target, touch, pairs, Point3(force[0], force[1], force[2]));
+          add_couple(target, touch, Point3(force[0], force[1], force[2]));
         if (!target.patches.empty())
-          add_to_patches(target, touch,
-                         Point3(points.position[0][i], points.position[1][i], points.position[2][i]) -
-                           pairs.offset_of(touch.place),
-                         Point3(force[0], force[1], force[2]));
+          add_to_patches(target, touch, Point3(force[0], force[1], force[2]));
       }
   }
 
-  void BlockForces::add_couple(const Target &target, const TouchingPair &touch, const PairGeometry &pairs,
-                               const Point3 &force)
+  void BlockForces::add_couple(const Target &target, const TouchRecord &touch, const Point3 &force)
   {
     // (p - q) x F is left over; forces f_k = w x y_k about the nodes' mean have no sum, and the moment
     // (sum |y|^2 1 - y y^T) w
-    const std::uint32_t   facet  = target.block.pair_facet[pairs.pair[touch.place]];
-    const Point3          couple = pairs.offset_of(touch.place).cross(force);
-    const auto           &nodes  = target.block.facet_nodes[facet];
-    std::array<Point3, 4> arms   = facet_nodes(target.scene.facets, target.block.facets.keys()[facet]);
+    const Point3          couple = touch.offset.cross(force);
+    std::array<Point3, 4> arms   = facet_nodes(target.facets, touch.facet);
     const Point3          mean   = 0.25 * (arms[0] + arms[1] + arms[2] + arms[3]);
     Matrix3<double>       moment = Matrix3<double>::Zero();
     for (Point3 &arm : arms)
@@ -114,12 +138,13 @@ namespace birdstrike
     const Point3 turn = moment.inverse() * couple;
     for (unsigned int k = 0; k < 4; ++k)
       for (unsigned int d = 0; d < 3; ++d)
-        target.node_sums[nodes[k]][d] -= turn.cross(arms[k])[d];
+        target.node_sums[touch.nodes[k]][d] -= turn.cross(arms[k])[d];
   }
 
-  void BlockForces::add_to_patches(const Target &target, const TouchingPair &touch, const Point3 &closest,
-                                   const Point3 &force)
+  void BlockForces::add_to_patches(const Target &target, const TouchRecord &touch, const Point3 &force)
   {
+    const auto  &x       = target.points.position;
+    const Point3 closest = Point3(x[0][touch.point], x[1][touch.point], x[2][touch.point]) - touch.offset;
     for (std::size_t k = 0; k < target.patches.size(); ++k)
       if (const double radius = target.patches[k].radius; (closest - target.patches[k].centre).norm() <= radius)
         target.report.patch_pressures[k] += force.dot(touch.normal) / (std::numbers::pi * radius * radius);

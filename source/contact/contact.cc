@@ -1,9 +1,11 @@
+#include <birdstrike/contact/areal_mass.h>
 #include <birdstrike/contact/block_forces.h>
 #include <birdstrike/contact/contact.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace birdstrike
 {
@@ -11,12 +13,44 @@ namespace birdstrike
   {
     constexpr std::size_t min_cost = 256; // points and tested pairs worth a second thread's wake-up, at 30 ns each
 
+    /// Share of leapfrog's bound, omega dt <= 2, that (P + 2 N) dt^2 may take: the other half is for the parts' own
+    /// forces and for dampers.
+    constexpr double largest_squared_phase = 2.;
+
     /// Kept by each thread from call to call, so that it stays in that core's cache.
     struct Workspace
     {
       NarrowPhase narrow_phase;
       BlockForces forces;
     };
+
+    Workspace &workspace()
+    {
+      static thread_local Workspace mine;
+      return mine;
+    }
+
+    /// The touches of a block from what the narrow phase has found.
+    void record_touches(const NarrowPhase &narrow_phase, const CandidateBlock &block, std::vector<TouchRecord> &touches)
+    {
+      const PairGeometry &pairs = narrow_phase.geometry();
+      touches.clear();
+      for (const TouchingPair &touch : narrow_phase.touches())
+        {
+          const std::uint32_t facet = block.pair_facet[pairs.pair[touch.place]];
+          TouchRecord         record;
+          record.normal      = touch.normal;
+          record.velocity    = pairs.velocity_of(touch.place);
+          record.offset      = pairs.offset_of(touch.place);
+          record.weights     = pairs.weights_of(touch.place);
+          record.penetration = touch.penetration;
+          record.share       = touch.share;
+          record.point       = block.points[touch.near];
+          record.facet       = block.facets.keys()[facet];
+          record.nodes       = block.facet_nodes[facet];
+          touches.push_back(record);
+        }
+    }
   } // namespace
 
   Contact::Contact(const ContactParameters &parameters) : parameters(parameters), patches(parameters.pressure_patches())
@@ -35,16 +69,19 @@ namespace birdstrike
     if (!parameters.is_enabled)
       return;
     clock += is_first ? 0. : step;
-    is_first = false;
     ++last.calls;
 
     update_candidates(points, facets, pool);
+    dissipation.book_past(points, facets, memory, step);
+    limit = {};
     if (search.n_near() > 0)
       {
-        const double range = topology.max_half_thickness() + 0.5 * memory.max_size();
-        add_block_forces({points, facets, topology, step, range, last.calls, last.calls == 1, is_changed}, pool);
-        node_sums.add_to(facets, pool);
+        const double       range = topology.max_half_thickness() + 0.5 * memory.max_size();
+        const ContactScene scene{points, facets, topology, step, range, last.calls, last.calls == 1, is_changed};
+        find_touches(scene, pool);
+        add_forces_of_touches(scene, pool);
       }
+    is_first = false;
     sum_report();
     update_peaks(points.spacing);
   }
@@ -58,6 +95,8 @@ namespace birdstrike
     if (is_changed && change == SurfaceTopology::Change::surface)
       memory.forget_sides();
     memory.update(points);
+    if (change != SurfaceTopology::Change::none)
+      areal_flexibility = compute_areal_flexibility(facets, memory.max_size());
     search.update(points, facets, topology.max_half_thickness() + 0.5 * memory.max_size(),
                   parameters.search_margin * points.spacing, pool);
     last.skipped = search.counts().apart;
@@ -69,36 +108,124 @@ namespace birdstrike
         node_sums.set_nodes(search.blocks(), facets.n_nodes);
       }
     block_reports.resize(search.blocks().size());
+    touches.resize(search.blocks().size());
     for (BlockReport &report : block_reports)
       report.clear(patches.size());
   }
 
-  void Contact::add_block_forces(const ContactScene &scene, ThreadPool &pool)
+  void Contact::find_touches(const ContactScene &scene, ThreadPool &pool)
   {
-    const ContactLaw law{parameters.stiffness_scale, parameters.damping_scale,    parameters.stability_share,
-                         parameters.friction,        scene.points.hugoniot_slope, scene.step};
-    auto            &blocks = search.blocks();
+    auto &blocks = search.blocks();
     cost.assign(1, 0);
     for (const CandidateBlock &block : blocks)
       cost.push_back(cost.back() + block.points.size() / 8 + block.n_awake);
 
-    const auto add = [&](const std::size_t begin, const std::size_t end) {
-      static thread_local Workspace workspace;
+    const auto find = [&](const std::size_t begin, const std::size_t end) {
+      NarrowPhase &narrow_phase = workspace().narrow_phase;
       for (std::size_t b = begin; b < end; ++b)
         {
           CandidateBlock &block = blocks[b];
+          touches[b].clear();
           if (block.points.empty())
             continue;
-          NodeSums::Force *sums = node_sums.of(block);
-          std::fill(sums, sums + block.nodes.keys().size(), NodeSums::Force{});
-          workspace.narrow_phase.update(scene, block, memory);
+          node_sums.clear(block);
+          narrow_phase.update(scene, block, memory);
           block_reports[b].n_tested = block.n_awake;
-          block_reports[b].n_active = workspace.narrow_phase.n_active();
-          if (!workspace.narrow_phase.touches().empty())
-            workspace.forces.add(law, workspace.narrow_phase, memory, {scene, block, patches, sums, block_reports[b]});
+          block_reports[b].n_active = narrow_phase.n_active();
+          record_touches(narrow_phase, block, touches[b]);
+          double *weights = node_sums.mobility_of(block);
+          for (const TouchRecord &touch : touches[b])
+            {
+              choose_modulus(scene.points, scene.step, touch, block);
+              for (unsigned int k = 0; k < 4; ++k)
+                weights[touch.nodes[k]] += touch.share * touch.weights[k];
+            }
         }
     };
+    pool.parallel_for_balanced(blocks.size(), cost.back() < min_cost ? blocks.size() : 1, cost.data(), std::ref(find));
+  }
+
+  void Contact::choose_modulus(const PointsView &points, const double step, const TouchRecord &touch,
+                               const CandidateBlock &block)
+  {
+    PointRecord &record = memory[points.id[touch.point]];
+    if (record.last_touch + 1 < last.calls || record.modulus == 0.)
+      {
+        double flexibility = 0.; // 1/mu
+        for (unsigned int k = 0; k < 4; ++k)
+          flexibility += touch.weights[k] * areal_flexibility[block.nodes.keys()[touch.nodes[k]]];
+        // N of a full layer of points is rho0 c0^2/(mu L)
+        const double liquid  = record.density * record.sound_speed * record.sound_speed;
+        const double longest = std::max(points.largest_step, step);
+        const double bound   = parameters.stability_share * record.size / (longest * longest);
+        record.modulus       = flexibility * parameters.stiffness_scale * liquid > bound
+                                 ? bound / (flexibility * parameters.stiffness_scale)
+                                 : liquid;
+      }
+    record.last_touch = last.calls;
+  }
+
+  void Contact::add_forces_of_touches(const ContactScene &scene, ThreadPool &pool)
+  {
+    auto &blocks = search.blocks();
+    cost.assign(1, 0);
+    for (const auto &list : touches)
+      cost.push_back(cost.back() + list.size());
+    if (cost.back() == 0)
+      return;
+    node_sums.share_masses(scene.facets, pool);
+
+    const ContactLaw law{parameters.stiffness_scale, parameters.damping_scale, parameters.friction,
+                         scene.points.hugoniot_slope, scene.step};
+    const auto       add = [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b)
+        if (!touches[b].empty())
+          workspace().forces.add(law, memory,
+                                       {scene.points, scene.facets, touches[b], patches, node_sums.of(blocks[b]),
+                                  node_sums.mobility_of(blocks[b]), block_reports[b]});
+    };
     pool.parallel_for_balanced(blocks.size(), cost.back() < min_cost ? blocks.size() : 1, cost.data(), std::ref(add));
+    update_limit(scene.points, scene.facets, node_sums.add_to(scene.facets, pool));
+    for (const auto &list : touches)
+      dissipation.add(scene.points, scene.facets, list, is_first ? 0. : scene.step);
+  }
+
+  void Contact::update_limit(const PointsView &points, const FacetsView &facets, const NodeSums::Largest &nodes)
+  {
+    BlockReport::LargestPoint most;
+    for (const BlockReport &report : block_reports)
+      if (report.largest_point.value > most.value)
+        most = report.largest_point;
+    last.largest_frequency = std::sqrt(most.value + nodes.value);
+    limit.value            = std::sqrt(largest_squared_phase / (most.value + 2. * nodes.value));
+    limit.reason           = "contact, stiffness of the touches";
+    if (most.value >= nodes.value)
+      limit.where = {
+        "particle",
+        points.id[most.index],
+        {{points.position[0][most.index], points.position[1][most.index], points.position[2][most.index]}}};
+    else
+      {
+        const double *x = facets.position + 3 * nodes.node;
+        limit.where     = {"node", nodes.node, {{x[0], x[1], x[2]}}};
+      }
+  }
+
+  double Contact::node_step_limit(const PointsView &points, const FacetsView &facets) const
+  {
+    double size = 0., stiffest = 0.; // m; rho0 c0^2/L, N of a full layer times its areal mass
+    for (std::size_t i = 0; i < points.n; ++i)
+      {
+        const double own = std::cbrt(points.volume[i]);
+        size             = std::max(size, own);
+        stiffest         = std::max(stiffest, points.density[i] * points.sound_speed[i] * points.sound_speed[i] / own);
+      }
+    const AlignedVector<double> flexibility = compute_areal_flexibility(facets, size);
+    const double                lightest    = *std::max_element(flexibility.begin(), flexibility.end());
+    if (lightest == 0.)
+      return std::numeric_limits<double>::infinity();
+    const double of_layer = std::sqrt(parameters.stability_share / (parameters.stiffness_scale * stiffest * lightest));
+    return std::max(of_layer, points.largest_step); // lighter facets meet a modulus chosen for that step
   }
 
   void Contact::sum_report()
@@ -120,6 +247,8 @@ namespace birdstrike
         for (std::size_t k = 0; k < patches.size(); ++k)
           last.patch_pressures[k] += block.patch_pressures[k];
       }
+    last.dissipated_energy = dissipation.energy();
+    last.dissipation_fall  = dissipation.fall();
     last.touches += last.n_touching;
     last.points_near += search.n_near();
     last.pairs_listed += search.n_pairs();

@@ -1,5 +1,6 @@
 #include <birdstrike/contact/node_sums.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace birdstrike
@@ -28,7 +29,8 @@ namespace birdstrike
         }
     for (std::size_t n = 1; n < first.size(); ++n)
       first[n] += first[n - 1];
-    sums.assign(first.back(), Force{});
+    sums.assign(first.back(), Sum{});
+    mobilities.assign(first.back(), 0.);
     entries.resize(first.back());
     std::uint32_t entry = 0;
     for (const CandidateBlock &block : blocks)
@@ -39,19 +41,50 @@ namespace birdstrike
     first[0] = 0;
   }
 
-  void NodeSums::add_to(const FacetsView &facets, ThreadPool &pool) const
+  void NodeSums::clear(const CandidateBlock &block)
   {
-    const auto add = [&](const std::size_t begin, const std::size_t end) {
+    const std::size_t end = block.first_node + block.nodes.keys().size();
+    std::fill(sums.begin() + block.first_node, sums.begin() + end, Sum{});
+    std::fill(mobilities.begin() + block.first_node, mobilities.begin() + end, 0.);
+  }
+
+  void NodeSums::share_masses(const FacetsView &facets, ThreadPool &pool)
+  {
+    const auto share = [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)
         {
-          Force total{};
+          double total = 0.;
+          for (std::uint32_t e = first[n]; e < first[n + 1]; ++e)
+            total += mobilities[entries[e]];
+          for (std::uint32_t e = first[n]; e < first[n + 1]; ++e)
+            mobilities[entries[e]] = total * facets.inverse_mass[nodes[n]];
+        }
+    };
+    pool.parallel_for(nodes.size(), grain, std::ref(share));
+  }
+
+  NodeSums::Largest NodeSums::add_to(const FacetsView &facets, ThreadPool &pool) const
+  {
+    largest.assign((nodes.size() + grain - 1) / grain, Largest{});
+    const auto add = [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t n = begin * grain; n < std::min(nodes.size(), end * grain); ++n)
+        {
+          Sum total{};
           for (std::uint32_t e = first[n]; e < first[n + 1]; ++e)
             for (unsigned int d = 0; d < 4; ++d)
               total[d] += sums[entries[e]][d];
           for (unsigned int d = 0; d < 3; ++d)
             facets.force[nodes[n] * facets.velocity_stride + d] += total[d];
+          Largest &most = largest[n / grain];
+          if (const double value = total[3] * facets.inverse_mass[nodes[n]]; value > most.value)
+            most = {value, nodes[n]};
         }
     };
-    pool.parallel_for(nodes.size(), grain, std::ref(add));
+    pool.parallel_for(largest.size(), 1, std::ref(add));
+    Largest most;
+    for (const Largest &of_chunk : largest)
+      if (of_chunk.value > most.value)
+        most = of_chunk;
+    return most;
   }
 } // namespace birdstrike

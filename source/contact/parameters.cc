@@ -14,14 +14,14 @@ namespace birdstrike
     prm.enter_subsection("Contact");
     prm.add_parameter("Enabled", is_enabled, "Whether bird and blade push one another; off, they pass through. [-]");
     prm.add_parameter("Stiffness scale", stiffness_scale,
-                      "Factor on the penalty stiffness, which comes from the bulk modulus of the bird. [-]",
+                      "Factor on the penalty stiffness, which is that of a cell of the undeformed bird. [-]",
                       Patterns::Double(0.));
     prm.add_parameter("Damping scale", damping_scale,
                       "Factor on the acoustic damper, which gives the shock pressure of the first touch. [-]",
                       Patterns::Double(0.));
     prm.add_parameter("Step stability share", stability_share,
-                      "Largest stiffness in units of reduced mass over the square of the step; contact never sets the "
-                      "step. [-]",
+                      "Largest stiffness of a full layer of particles on a light blade, in units of the blade's mass "
+                      "over the square of the bird's longest step; it softens contact with thin skins. [-]",
                       Patterns::Double(0., 2.));
     prm.add_parameter("Friction", friction, "Coefficient of Coulomb friction between bird and blade. [-]",
                       Patterns::Double(0.));
@@ -38,8 +38,9 @@ namespace birdstrike
   void ContactParameters::check() const
   {
     if (is_enabled && !(stability_share > 0.))
-      throw InputError("Contact/Step stability share is 0, so contact would have no stiffness.\n"
-                       "Allowed: more than 0, at most 2.\nGive 0.4, or set Enabled = false.");
+      throw InputError(
+        "Contact/Step stability share is 0, so contact with a deformable blade would have no stiffness.\n"
+        "Allowed: more than 0, at most 2.\nGive 0.4, or set Enabled = false.");
     if (is_enabled && !(stiffness_scale > 0.))
       throw InputError("Contact/Stiffness scale is 0, so points would pass through the surface.\n"
                        "Allowed: more than 0.\nGive 1, or set Enabled = false.");

@@ -13,13 +13,16 @@ namespace birdstrike
     revision = points.revision;
     records.resize(std::max(points.n_ids, records.size()));
     for (std::size_t i = 0; i < points.n; ++i)
-      if (PointRecord &record = records[points.id[i]]; record.size == 0.)
-        {
-          record.size        = std::cbrt(points.volume[i]);
-          record.density     = points.density[i];
-          record.sound_speed = points.sound_speed[i];
-          largest_size       = std::max(largest_size, record.size);
-        }
+      {
+        PointRecord &record = records[points.id[i]];
+        record.index        = static_cast<std::uint32_t>(i);
+        if (record.size > 0.)
+          continue;
+        record.size        = std::cbrt(points.volume[i]);
+        record.density     = points.density[i];
+        record.sound_speed = points.sound_speed[i];
+        largest_size       = std::max(largest_size, record.size);
+      }
   }
 
   void PointMemory::forget_sides()

@@ -100,7 +100,7 @@ namespace birdstrike
 
   double Balance::contact_dissipated() const
   {
-    return contact_energy() - last.contact_stored;
+    return last.contact_dissipated;
   }
 
   double Balance::energy_error() const

@@ -3,11 +3,13 @@
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/flight.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/simulation/bird_phase.h>
 #include <birdstrike/simulation/scene.h>
 
 #include <fmt/format.h>
+#include <spdlog/logger.h>
 
 #include <cmath>
 
@@ -22,18 +24,38 @@ namespace birdstrike
     /// Largest growth of the bird's step from one macro step to the next.
     constexpr double step_growth = 1.02;
 
-    /// The bird's step limit behind the shock of first touch: h/(c + 1.2 v) with the sound speed of the Hugoniot state.
-    double shocked_step(const CaseParameters &parameters)
+    /// Velocity (m/s) of the surface where the bird aims: of the node nearest to that point.
+    Point3 find_velocity_at_aim(const BirdParameters &bird, const FacetsView &facets)
     {
-      const BirdParameters &bird  = parameters.bird;
-      const double          speed = std::hypot(bird.velocity[0], bird.velocity[1], bird.velocity[2]);
-      if (speed == 0.)
-        return INFINITY;
-      const EquationOfState eos(parameters.equation_of_state, bird.density);
-      const HugoniotState   shocked = eos.hugoniot(speed);
-      const double          c       = std::sqrt(eos.sound_speed_squared(shocked.density_ratio - 1., shocked.pressure));
-      return bird.courant_number * bird.smoothing_ratio * bird.spacing / (c + 1.2 * speed);
+      const Point3  aim(bird.aim_point[0], bird.aim_point[1] + bird.chordwise_offset, bird.aim_point[2]);
+      std::uint32_t nearest  = 0;
+      double        smallest = INFINITY;
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        for (const std::uint32_t node : facets.nodes[f])
+          if (const double d = (Point3(facets.position + 3 * node) - aim).squaredNorm(); d < smallest)
+            {
+              smallest = d;
+              nearest  = node;
+            }
+      return Point3(facets.velocity + facets.velocity_stride * nearest);
     }
+
+    /// The points' velocities as seen from a frame.
+    struct RelativePoints
+    {
+      RelativePoints(const PointsView &points, const Point3 &frame) : view(points)
+      {
+        for (int d = 0; d < 3; ++d)
+          {
+            velocity[d].assign(points.velocity[d], points.velocity[d] + points.n);
+            for (double &v : velocity[d])
+              v -= frame[d];
+            view.velocity[d] = velocity[d].data();
+          }
+      }
+      PointsView                         view;
+      std::array<std::vector<double>, 3> velocity;
+    };
   } // namespace
 
   Scene::Scene(const CaseParameters &parameters)
@@ -52,7 +74,7 @@ namespace birdstrike
       {
         contact = std::make_unique<Contact>(parameters.contact);
         place_at_first_touch();
-        largest_bird_step = shocked_step(parameters);
+        limit_multirate();
       }
   }
 
@@ -65,11 +87,27 @@ namespace birdstrike
       throw InputError(fmt::format("The bird starts inside the blade: {:.3g} m deep at ({:.4g}, {:.4g}, {:.4g}).\n"
                                    "Enlarge Bird/Stand-off, or set it to 0 to have it chosen.",
                                    overlap.depth, overlap.position[0], overlap.position[1], overlap.position[2]));
-    flight_time = time_to_first_touch(bird->points(), blade->facets());
+    const Point3 frame = find_velocity_at_aim(parameters.bird, blade->facets());
+    flight_time        = time_to_first_touch(RelativePoints(bird->points(), frame).view, blade->facets());
     if (!std::isfinite(flight_time))
       throw InputError("The bird misses the blade: no particle meets it along Bird/Velocity.\n"
                        "Change Bird/Aim point, Bird/Chordwise offset or Bird/Velocity.");
-    bird->advance_in_flight(flight_time);
+    bird->advance_in_flight(flight_time, frame);
+    const auto  &v       = parameters.bird.velocity;
+    const double closing = (Point3(v[0], v[1], v[2]) - frame).norm();
+    bird->set_closing_speed(closing);
+    largest_bird_step = bird->shocked_step(closing);
+  }
+
+  void Scene::limit_multirate()
+  {
+    if (!blade->is_deformable() || !parameters.time.multirate)
+      return;
+    largest_step_in_contact = contact->node_step_limit(bird->points(), blade->facets());
+    if (const double own = parameters.time.step_scale * blade->largest_stable_step(); largest_step_in_contact < own)
+      log().info("Multirate: the blade is light against a layer of particles, so contact holds its step to {:.3g} s "
+                 "(its own limit is {:.3g} s) while there is a bird.",
+                 largest_step_in_contact, own);
   }
 
   Schedule Scene::plan(const double remaining)
@@ -79,6 +117,9 @@ namespace birdstrike
       {
         bird_vote = StepVote{bird->step_limit(), particle_cost * static_cast<double>(bird->state().size())};
         bird_vote->limit.value *= parameters.time.bird_step_scale;
+        if (const StepLimit in_touch = contact ? contact->step_limit() : StepLimit();
+            in_touch.value < bird_vote->limit.value)
+          bird_vote->limit = in_touch;
         if (largest_bird_step < bird_vote->limit.value)
           bird_vote->limit = {largest_bird_step, "bird, smooth growth of the step", {}};
       }
@@ -86,6 +127,8 @@ namespace birdstrike
       {
         blade_vote = StepVote{blade->step_limit(), element_cost * static_cast<double>(blade->n_elements())};
         blade_vote->limit.value *= parameters.time.step_scale;
+        if (contact && largest_step_in_contact < blade_vote->limit.value)
+          blade_vote->limit = {largest_step_in_contact, "contact, particles on light facets", {}};
       }
     const unsigned int max_ratio = parameters.time.multirate ? parameters.time.maximum_ratio : 1;
     latest                       = plan_step(bird_vote, blade_vote, max_ratio, remaining);
@@ -110,7 +153,12 @@ namespace birdstrike
         state.blade_momentum = blade->momenta();
       }
     if (contact)
-      state.contact_stored = contact->report().stored_energy;
+      {
+        state.contact_stored     = contact->report().stored_energy;
+        state.contact_dissipated = contact->report().dissipated_energy;
+      }
+    else
+      state.contact_dissipated = gone_contact.dissipated_energy;
     return symmetry.whole(state);
   }
 

@@ -44,7 +44,11 @@ namespace birdstrike
 
   SystemState Symmetry::whole(SystemState state) const
   {
-    return {whole(state.bird), whole(state.blade), whole(state.bird_momentum), whole(state.blade_momentum),
-            factor() * state.contact_stored};
+    return {whole(state.bird),
+            whole(state.blade),
+            whole(state.bird_momentum),
+            whole(state.blade_momentum),
+            factor() * state.contact_stored,
+            factor() * state.contact_dissipated};
   }
 } // namespace birdstrike

@@ -38,8 +38,20 @@ namespace birdstrike
     /// Puts the bird at its start (again): undeformed, at its velocity.
     void place();
 
-    /// Moves the undeformed bird along its velocity by t seconds (t may be negative), in closed form.
-    void advance_in_flight(double t);
+    /// Moves the undeformed bird by t seconds (t may be negative) in closed form, seen from a frame of that velocity
+    /// (m/s).
+    void advance_in_flight(double t, const Point3 &frame = Point3::Zero());
+
+    /// The speed (m/s) at which the surface is met: the slope of the liquid's shock curve, which contact takes, is that
+    /// of this speed, the same in every frame. Without this call it is the bird's own speed.
+    void set_closing_speed(double speed);
+
+    /// Longest step (s) of the bird at rest, h/c0 times the Courant number.
+    double largest_step() const;
+
+    /// Longest step behind the shock of a rigid surface that is met at the speed (m/s): h/(c + 1.2 v) with the sound
+    /// speed of the Hugoniot state.
+    double shocked_step(double speed) const;
 
     /// Overwrites position, velocity and mu particle by particle, for verification; evaluates the rates.
     void set_state(const std::function<void(Point3 &x, Point3 &v, double &mu)> &state);

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <birdstrike/contact/law.h>
-#include <birdstrike/contact/narrow_phase.h>
 #include <birdstrike/contact/node_sums.h>
 #include <birdstrike/contact/parameters.h>
+#include <birdstrike/contact/point_memory.h>
 #include <birdstrike/contact/report.h>
+#include <birdstrike/contact/touch_record.h>
 
 #include <array>
 #include <vector>
@@ -17,25 +18,24 @@ namespace birdstrike
   public:
     struct Target
     {
-      const ContactScene               &scene;
-      const CandidateBlock             &block;
+      const PointsView                 &points;
+      const FacetsView                 &facets;
+      std::vector<TouchRecord>         &touches; ///< get their dissipative forces
       const std::vector<PressurePatch> &patches;
-      NodeSums::Force                  *node_sums;
+      NodeSums::Sum                    *node_sums; ///< of the block, by its numbers
+      const double                     *mobility;  ///< S_k/m_k of the same nodes, 1/kg
       BlockReport                      &report;
     };
 
-    void add(const ContactLaw &law, const NarrowPhase &narrow_phase, const PointMemory &memory, const Target &target);
+    void add(const ContactLaw &law, const PointMemory &memory, const Target &target);
 
   private:
-    void        compute_batch(const ContactLaw &law, const NarrowPhase &narrow_phase, const PointMemory &memory,
-                              const Target &target, std::size_t begin);
-    void        share_out(const NarrowPhase &narrow_phase, const Target &target, bool has_friction);
-    static void add_couple(const Target &target, const TouchingPair &touch, const PairGeometry &geometry,
-                           const Point3 &force);
-    static void add_to_patches(const Target &target, const TouchingPair &touch, const Point3 &closest,
-                               const Point3 &force);
+    void compute_batch(const ContactLaw &law, const PointMemory &memory, const Target &target, std::size_t begin);
+    void share_out(const Target &target, bool has_friction);
+    static void add_couple(const Target &target, const TouchRecord &touch, const Point3 &force);
+    static void add_to_patches(const Target &target, const TouchRecord &touch, const Point3 &force);
 
-    std::array<AlignedVector<double>, 3> forces; // [touch], N, on the point
-    AlignedVector<double>                stored, dissipated;
+    std::array<AlignedVector<double>, 3> forces, dissipative; // [touch], N, on the point
+    AlignedVector<double>                stored, tangent;     // J, N/m
   };
 } // namespace birdstrike

@@ -11,7 +11,6 @@ namespace birdstrike
   {
     double stiffness_scale = 1.;
     double damping_scale   = 1.;
-    double stability_share = 0.4;
     double friction        = 0.;
     double hugoniot_slope  = 0.; ///< s in p = rho c u (1 + s u/c)
     double step            = 0.; ///< s
@@ -22,10 +21,11 @@ namespace birdstrike
   struct Touch
   {
     Number          penetration;  ///< d, m, > 0
-    Number          size;         ///< V^(1/3), m
-    Number          density;      ///< kg/m^3
-    Number          sound_speed;  ///< m/s
-    Number          reduced_mass; ///< kg
+    Number          size;         ///< L = V^(1/3), m, of the undeformed point
+    Number          modulus;      ///< rho0 c0^2, Pa, of the undeformed point, less where the target is light
+    Number          density;      ///< kg/m^3, now
+    Number          sound_speed;  ///< m/s, now
+    Number          reduced_mass; ///< kg, shared among all touches of point and nodes (compute_reduced_mass)
     Vector3<Number> normal;       ///< from the facet to the point
     Vector3<Number> velocity;     ///< of the point relative to the facet's closest point, m/s
   };
@@ -33,62 +33,91 @@ namespace birdstrike
   template <class Number>
   struct ContactForce
   {
-    Vector3<Number> force;             ///< on the point, N
-    Number          normal_force;      ///< its part along the normal, N, >= 0
-    Number          stored_energy;     ///< k d^2 / 2, J
-    Number          dissipation_power; ///< of damper and friction, W
+    Vector3<Number> force;         ///< on the point, N
+    Vector3<Number> dissipative;   ///< the part of damper and friction, N
+    Number          normal_force;  ///< the force along the normal, N, >= 0
+    Number          stored_energy; ///< of the spring, J
+    Number          tangent;       ///< dF/dd of the spring, N/m
   };
 
-  /// 1/m_red = 1/m + sum_k w_k^2 / m_k: the inverse mass that two opposite unit forces feel, on the point and, shared
-  /// by the weights w_k, on the nodes. The nodes' inverse masses are zero where they are held.
+  /// The spring: a potential of the depth d alone,
+  ///
+  ///   U = k d^2 / (2 (1 - y)),   F = k d (1 - y/2) / (1 - y)^2,   F' = k / (1 - y)^3,   y = beta d,
+  ///   k = rho0 c0^2 L,   beta = 4 s / (3 L).
+  ///
+  /// It is a cell of the liquid, L long and of area L^2, compressed by eta = d/L: k is its stiffness, and beta makes
+  /// the force follow its Hugoniot curve p = rho0 c0^2 eta/(1 - s eta)^2 to second order in eta, and be stiffer beyond.
+  /// So the depth that carries a shock is 0.12 L at 177 m/s, 0.2 L at 500 m/s and 0.3 L at 1500 m/s, whatever the
+  /// liquid. Beyond y = 3/4 the force goes on along its tangent. Nothing in it changes with time or with the state of
+  /// the liquid: what the spring gives it has received. A stiffer one would ask for shorter steps than the liquid
+  /// itself, a metal's modulus for a thirtieth of them.
   template <class Number>
-  Number compute_reduced_mass(const Number &mass, const std::array<Number, 4> &weights,
+  struct ContactSpring
+  {
+    static constexpr double largest_ratio = 0.75; ///< of y
+
+    ContactSpring(const Number &stiffness, const Number &beta, const Number &depth)
+    {
+      const Number y = min(beta * depth, Number(largest_ratio)), rest = Number(1.) / (Number(1.) - y);
+      const Number d = min(depth, Number(largest_ratio) / max(beta, Number(1e-300))), beyond = depth - d;
+      const Number at_end = stiffness * d * (Number(1.) - Number(0.5) * y) * rest * rest;
+      tangent             = stiffness * rest * rest * rest;
+      force               = at_end + tangent * beyond;
+      energy              = Number(0.5) * stiffness * d * d * rest + (at_end + Number(0.5) * tangent * beyond) * beyond;
+    }
+
+    Number force, tangent, energy; ///< N, N/m, J
+  };
+
+  /// 1/m_red = S_p/m_p + sum_k w_k S_k/m_k: the inverse mass that two opposite unit forces feel, on a point and, shared
+  /// by the weights w_k, on nodes, where each touch owns the part of a mass that its weight is of the sum S of the
+  /// weights of all touches there (mass splitting: Tonge, Benevolenski & Voroshilov, "Mass splitting for jitter-free
+  /// parallel rigid body simulation", 2012). Impulses that take no more than all relative velocity of such parts take
+  /// energy from each; joining the parts again takes more. So any number of dampers on one node together take, and
+  /// never make, energy. `inverse_masses` are S_k/m_k, zero where nodes are held.
+  template <class Number>
+  Number compute_reduced_mass(const Number &inverse_mass, const std::array<Number, 4> &weights,
                               const std::array<Number, 4> &inverse_masses)
   {
-    Number inverse = Number(1.) / mass;
+    Number inverse = inverse_mass;
     for (unsigned int k = 0; k < 4; ++k)
-      inverse += weights[k] * weights[k] * inverse_masses[k];
+      inverse += weights[k] * inverse_masses[k];
     return Number(1.) / inverse;
   }
 
-  /// F = k d + A rho c max(u, 0) (1 + s u/c),  k = min(rho c^2 A / V^(1/3), share m_red / dt^2),  A = V^(2/3),
-  /// with the approach speed u. A soft body's own modulus sets the stiffness: the pressure p of a column is carried at
-  /// d = p V^(1/3) / (rho c^2), a tenth of a spacing at shock pressures, where a metal's modulus would be thirty times
-  /// too stiff for the step. The damper is the pressure rho (c + s u) u behind a shock that the surface drives into the
-  /// body (Rankine-Hugoniot with U_s = c + s u), so the first touch needs no overlap.
+  /// Spring, damper and friction on one point. The damper is the pressure rho (c + s u) u behind a shock that the
+  /// surface drives into the liquid (Rankine-Hugoniot with U_s = c + s u) with the approach speed u, on the area L^2:
+  /// the first touch needs no overlap. It lags by half a step; limited to m_red u / dt it cannot reverse u, and only
+  /// takes. Friction opposes the slip with mu F_n, limited likewise so that it stops the slip and does not reverse it.
   ///
-  /// The damper lags by half a step; limited to m_red u / dt it cannot reverse u. With a = k dt^2/m and b = its share
-  /// of m_red u / dt the leapfrog is stable for a + 2 b < 4; here a <= 0.4 and b <= 1.
-  ///
-  /// Friction opposes the slip with mu F_n, limited likewise so that it stops the slip and does not reverse it.
+  /// The stable step of the springs is no part of this law: see TouchBounds.
   template <class Number>
   ContactForce<Number> compute_contact_force(const ContactLaw &law, const Touch<Number> &touch)
   {
-    const Number zero(0.), step(law.step);
-    const Number inertia     = touch.reduced_mass / step;
-    const Number normal_rate = touch.velocity.dot(touch.normal), approach = max(zero, -normal_rate);
+    const Number zero(0.), slope(law.hugoniot_slope);
+    const Number inertia     = touch.reduced_mass / Number(law.step);
+    const Number normal_rate = touch.velocity.dot(touch.normal), approach = max(zero, Number(-normal_rate));
     const Number area = touch.size * touch.size;
 
-    const Number stiffness =
-      min(Number(law.stiffness_scale) * touch.density * touch.sound_speed * touch.sound_speed * touch.size,
-          Number(law.stability_share) * inertia / step);
-    const Number shock = Number(law.damping_scale) * area * touch.density * approach *
-                         (touch.sound_speed + Number(law.hugoniot_slope) * approach);
-    const Number damping = min(shock, inertia * approach);
+    const ContactSpring<Number> spring(Number(law.stiffness_scale) * touch.modulus * touch.size,
+                                       Number(4. / 3.) * slope / touch.size, touch.penetration);
+    const Number                shock =
+      Number(law.damping_scale) * area * touch.density * approach * (touch.sound_speed + slope * approach);
+    const Number damping = min(shock, Number(inertia * approach));
 
     ContactForce<Number> result;
-    result.normal_force      = stiffness * touch.penetration + damping;
-    result.force             = result.normal_force * touch.normal;
-    result.stored_energy     = Number(0.5) * stiffness * touch.penetration * touch.penetration;
-    result.dissipation_power = damping * approach;
+    result.normal_force  = spring.force + damping;
+    result.dissipative   = damping * touch.normal;
+    result.stored_energy = spring.energy;
+    result.tangent       = spring.tangent;
     if (law.friction > 0.)
       {
         const Vector3<Number> slip  = touch.velocity - normal_rate * touch.normal;
         const Number          speed = sqrt(slip.dot(slip));
-        const Number          drag  = min(Number(law.friction) * result.normal_force, inertia * speed);
-        result.force -= (drag / max(speed, Number(1e-300))) * slip;
-        result.dissipation_power += drag * speed;
+        const Number          drag  = min(Number(law.friction) * result.normal_force, Number(inertia * speed));
+        result.dissipative -= (drag / max(speed, Number(1e-300))) * slip;
       }
+    result.force = spring.force * touch.normal + result.dissipative;
     return result;
   }
 } // namespace birdstrike

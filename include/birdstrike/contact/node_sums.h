@@ -11,28 +11,50 @@
 
 namespace birdstrike
 {
-  /// Forces on nodes, first summed within each block, then by each node over the blocks that know it, in their order:
-  /// no locks, and the same sums whoever does them.
+  /// What touches give to nodes, first summed within each block, then by each node over the blocks that know it, in
+  /// their order: no locks, and the same sums whoever does them.
+  ///
+  /// Two sums a step: the weights of all touches at a node, which the law needs to share its mass
+  /// (compute_reduced_mass), and then forces with the stiffness behind them.
   class NodeSums
   {
   public:
-    using Force = std::array<double, 4>; ///< N, three components and an unused one: a whole register
+    /// Force, N, three components, and the stiffness of the touches times their weights, N/m: a whole register.
+    using Sum = std::array<double, 4>;
+
+    /// Largest over all nodes: sum of stiffness over mass, 1/s^2, and at which node.
+    struct Largest
+    {
+      double        value = 0.;
+      std::uint32_t node  = 0;
+    };
 
     /// Adopts the blocks' nodes; to be called when the lists are new.
     void set_nodes(const std::vector<CandidateBlock> &blocks, std::size_t n_nodes);
 
+    void clear(const CandidateBlock &block);
+
     /// The sums of one block, by its numbers.
-    Force *of(const CandidateBlock &block)
+    Sum *of(const CandidateBlock &block)
     {
       return &sums[block.first_node];
     }
+    /// First the weights that the block adds, after share_masses() S_k/m_k, 1/kg.
+    double *mobility_of(const CandidateBlock &block)
+    {
+      return &mobilities[block.first_node];
+    }
 
-    void add_to(const FacetsView &facets, ThreadPool &pool) const;
+    void share_masses(const FacetsView &facets, ThreadPool &pool);
+
+    Largest add_to(const FacetsView &facets, ThreadPool &pool) const;
 
   private:
-    std::vector<Force>         sums;           // of all blocks, one after the other
-    std::vector<std::uint32_t> nodes;          // those that any block knows
-    std::vector<std::uint32_t> first, entries; // [nodes + 1]; places in `sums`
-    std::vector<std::uint32_t> place;          // [n_nodes] in `nodes`
+    std::vector<Sum>             sums;           // of all blocks, one after the other
+    std::vector<double>          mobilities;     // likewise
+    std::vector<std::uint32_t>   nodes;          // those that any block knows
+    std::vector<std::uint32_t>   first, entries; // [nodes + 1]; places in `sums`
+    std::vector<std::uint32_t>   place;          // [n_nodes] in `nodes`
+    mutable std::vector<Largest> largest;        // of chunks of nodes
   };
 } // namespace birdstrike

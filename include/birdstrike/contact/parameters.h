@@ -24,9 +24,9 @@ namespace birdstrike
   struct ContactParameters
   {
     bool        is_enabled      = true;
-    double      stiffness_scale = 1.;  ///< -, on rho c^2 V^(1/3)
+    double      stiffness_scale = 1.;  ///< -, on rho0 c0^2 V^(1/3)
     double      damping_scale   = 1.;  ///< -, on A rho c
-    double      stability_share = 0.4; ///< -, k <= share * m_red / dt^2
+    double      stability_share = 0.4; ///< -, N dt^2 of a full layer on a light blade (contact.h)
     double      friction        = 0.;  ///< -, Coulomb
     double      search_margin   = 1.;  ///< -, in initial particle spacings
     std::string patches;               ///< "name: x y z radius; name: ..."

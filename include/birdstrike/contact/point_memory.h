@@ -10,10 +10,10 @@ namespace birdstrike
 {
   /// What contact remembers of one point, by its persistent id.
   ///
-  /// Size and impedance are those of the first sight. The size V^(1/3) stays fixed, so that the offset, and with it the
-  /// penalty energy k d^2 / 2, is a function of position alone, and so that torn-off spray, whose numerical volume
-  /// grows without bound, keeps the size of the liquid it is. Density and sound speed are floors for the same reason: a
-  /// droplet strikes as liquid, however far its particles have parted.
+  /// Size and impedance are those of the first sight, of undeformed liquid. They make the spring (law.h), so that its
+  /// energy is a function of position alone, and torn-off spray, whose numerical volume grows without bound, keeps the
+  /// size of the liquid it is. To the damper density and sound speed are floors: a droplet strikes as liquid, however
+  /// far its particles have parted.
   struct PointRecord
   {
     /// The side on which the point met a piece of surface.
@@ -32,13 +32,17 @@ namespace birdstrike
     double              sound_speed = 0.; ///< m/s
     std::array<Side, 2> sides{};
     std::uint64_t       last_call = 0; ///< number of the call that wrote `sides`: older ones have left
+
+    double        modulus    = 0.; ///< rho0 c0^2 of the spring, Pa; chosen where a touch begins, kept until it ends
+    std::uint64_t last_touch = 0;  ///< number of the last call in which it touched
+    std::uint32_t index      = 0;  ///< of the point when the views had the present revision; its id tells if it left
   };
 
   /// Records for all ids that ever existed.
   class PointMemory
   {
   public:
-    /// Enters points that were never seen.
+    /// Enters points that were never seen, and where all of them stand now.
     void update(const PointsView &points);
 
     /// Forgets all sides (another surface).

@@ -11,8 +11,11 @@ namespace birdstrike
   struct ContactReport
   {
     std::array<double, 3> force{};                ///< N, on the facets
-    double                stored_energy     = 0.; ///< J, sum of k d^2 / 2
+    double                stored_energy     = 0.; ///< J, of all springs
     double                dissipation_power = 0.; ///< W, of dampers and friction
+    double                dissipated_energy = 0.; ///< J, taken by them since the start (dissipation.h)
+    double                dissipation_fall  = 0.; ///< J, by which its sum over finished steps ever fell: nothing
+    double                largest_frequency = 0.; ///< 1/s, bound of the springs' largest angular frequency
     std::size_t           n_touching        = 0;  ///< pairs of point and facet
     double                penetration       = 0.; ///< m, largest now
     std::vector<double>   patch_pressures;        ///< Pa, in the order of the parameter
@@ -43,16 +46,25 @@ namespace birdstrike
   /// A block's share in the last call.
   struct BlockReport
   {
+    /// Stiffness of its springs over mass, 1/s^2, the largest of the points, and which.
+    struct LargestPoint
+    {
+      double        value = 0.;
+      std::uint32_t index = 0;
+    };
+
     std::array<double, 3> force{};
     double                stored_energy = 0., dissipation_power = 0., penetration = 0.;
     std::size_t           n_touching = 0, n_tested = 0, n_active = 0;
     std::vector<double>   patch_pressures;
+    LargestPoint          largest_point;
 
     void clear(const std::size_t n_patches)
     {
       force         = {};
       stored_energy = dissipation_power = penetration = 0.;
       n_touching = n_tested = n_active = 0;
+      largest_point                    = {};
       patch_pressures.assign(n_patches, 0.);
     }
   };

@@ -12,7 +12,8 @@ namespace birdstrike
   {
     EnergyReport   bird, blade;
     MomentumReport bird_momentum, blade_momentum;
-    double         contact_stored = 0.; ///< J, in the penalty springs
+    double         contact_stored     = 0.; ///< J, in the penalty springs
+    double         contact_dissipated = 0.; ///< J, by damper and friction, at their own rates
   };
 
   /// The ledger of a run. Energy is conserved as

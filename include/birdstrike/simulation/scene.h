@@ -7,6 +7,7 @@
 #include <birdstrike/time_control/schedule.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,7 +22,8 @@ namespace birdstrike
   /// Which parts exist, and where they are when the clock starts. A part that the case lacks is never built: a rigid
   /// target has no finite elements, a blade alone no particles, a bird alone no contact.
   ///
-  /// The flight before first touch is not computed but skipped in closed form: the bird is moved along its velocity
+  /// The flight before first touch is not computed but skipped in closed form: the bird is moved along its velocity,
+  /// relative to the blade where it aims,
   /// until its first particle touches, and the clock starts there.
   struct Scene
   {
@@ -38,6 +40,10 @@ namespace birdstrike
     ~Scene();
 
     /// The next macro step: the parts' votes with the scale factors of the case; none for an absent part.
+    ///
+    /// While there is contact, the blade's step is no longer than the touches of a full layer of particles allow its
+    /// nodes (Contact::node_step_limit): several bird steps within one of a light blade would move it by strains that
+    /// its elements do not see until the step ends.
     ///
     /// The bird's step grows by at most 2 % from step to step, and starts as if the whole bird were in the shocked
     /// state of first touch: Verlet's energy holds for a constant step, and a step that shrinks by a third while the
@@ -67,10 +73,12 @@ namespace birdstrike
   private:
     const CaseParameters &parameters;
     Schedule              latest;
-    double                largest_bird_step; // s, for the next plan
+    double                largest_bird_step;                                                 // s, for the next plan
+    double                largest_step_in_contact = std::numeric_limits<double>::infinity(); // s, of the blade
     EnergyReport          gone_energy;
     MomentumReport        gone_momentum;
 
     void place_at_first_touch();
+    void limit_multirate();
   };
 } // namespace birdstrike

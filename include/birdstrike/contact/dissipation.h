@@ -1,0 +1,52 @@
+#pragma once
+
+#include <birdstrike/contact/point_memory.h>
+#include <birdstrike/contact/touch_record.h>
+#include <birdstrike/core/contact_views.h>
+
+#include <array>
+#include <vector>
+
+namespace birdstrike
+{
+  /// The energy that damper and friction take: their own forces on the relative velocity at each touch, in the two half
+  /// kicks in which these forces act, each with the velocity of the adjoining drift. Independent of the works that the
+  /// parts book for the whole contact force, and of the spring. Where
+  /// springs turn the relative motion within a step, its second half gives a part of the first back: of the present
+  /// step only the first half is known, and what it has added too much stands until the sum of finished steps has
+  /// reached it. That sum itself must not fall (law.h: dampers take); fall() tells by how much it ever did.
+  ///
+  /// Where one part takes several steps within one of the other, velocities are those at the ends of contact's steps.
+  class Dissipation
+  {
+  public:
+    /// The second half of what the last forces took: half of the present step, at the velocities of its drift.
+    void book_past(const PointsView &points, const FacetsView &facets, const PointMemory &memory, double step);
+
+    /// Takes up present forces and the first half of what they take, in half of the step (s) that has ended with them.
+    void add(const PointsView &points, const FacetsView &facets, const std::vector<TouchRecord> &touches, double step);
+
+    double energy() const ///< J, since the start
+    {
+      return reported;
+    }
+    double fall() const ///< J, largest
+    {
+      return largest_fall;
+    }
+
+  private:
+    struct Past
+    {
+      std::uint32_t                id; // of the point
+      std::array<std::uint32_t, 4> nodes;
+      std::array<double, 4>        weights;
+      Point3                       force; // N
+      double                       taken; // J, first half
+    };
+    std::vector<Past> past;
+    double            booked = 0., under_way = 0.;  // J, of finished steps, and of the present one
+    double            most = 0., largest_fall = 0.; // J, of `booked`
+    double            reported = 0.;                // J
+  };
+} // namespace birdstrike

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <birdstrike/core/number.h>
+
+#include <array>
+#include <cstdint>
+
+namespace birdstrike
+{
+  /// One touch of a point and a facet, with all that its force needs. Made by the narrow phase of a block while the
+  /// geometry is in the cache; forces come in a second pass, for they depend on all touches of the same nodes.
+  struct TouchRecord
+  {
+    Point3                normal;                       ///< from the surface to the point
+    Point3                velocity;                     ///< of the point relative to the facet's closest point, m/s
+    Point3                offset;                       ///< from there to the point, m
+    std::array<double, 4> weights;                      ///< of the facet's nodes in its closest point
+    Point3                dissipative = Point3::Zero(); ///< force of damper and friction on the point, N
+    double                penetration;                  ///< m
+    double                share;                        ///< -, in (0, 1], of force and potential
+
+    std::uint32_t                point; ///< its index in PointsView
+    std::uint32_t                facet; ///< its index in FacetsView
+    std::array<std::uint32_t, 4> nodes; ///< the facet's, by the numbers of the block
+  };
+} // namespace birdstrike
