@@ -57,7 +57,7 @@ namespace birdstrike
                         Patterns::Double());
       prm.add_parameter("Stand-off", bird.stand_off,
                         "Distance from the bird's centre to the aim point at the start; 0 chooses twice the radius of "
-                        "the sphere around the bird. [m]",
+                        "the sphere around the bird, or more where the blade is in its way before. [m]",
                         not_negative);
     }
 

@@ -134,7 +134,7 @@ namespace birdstrike
                       "axis, as a share of it; the frequency of the first torsion falls by about half of this. [-]",
                       Double(0., 10.));
     prm.add_parameter("Target step", p.target_step,
-                      "Stable step that selective scaling shall reach, before Time/Step factor; 0: 0.95 of what the "
+                      "Stable step that selective scaling shall reach, before Time/Step scale; 0: 0.95 of what the "
                       "dimensions in the plane allow, or less as Largest added inertia wants it. [s]",
                       Double(0.));
     prm.leave_subsection();

@@ -88,9 +88,10 @@ namespace birdstrike
     std::vector<Crossing> crossings;
     for (std::size_t f = 0; f < surface.n_facets; ++f)
       {
-        const auto  &c    = surface.nodes[f];
-        const Point3 area = (node(c[2]) - node(c[0])).cross(node(c[3]) - node(c[1]));
-        if (side * area.dot(normal) <= least_cosine * area.norm())
+        const auto  &c      = surface.nodes[f];
+        const Point3 area   = (node(c[2]) - node(c[0])).cross(node(c[3]) - node(c[1]));
+        const double cosine = area.dot(normal); // of a shell both faces are one, however it lists its nodes
+        if ((surface.two_sided ? std::abs(cosine) : side * cosine) <= least_cosine * area.norm())
           continue;
         for (unsigned int k = 0; k < 4; ++k)
           if (const std::uint32_t a = c[k], b = c[(k + 1) % 4]; is_above(a) != is_above(b))

@@ -1,4 +1,5 @@
 #include <birdstrike/blade/census.h>
+#include <birdstrike/blade/orientation.h>
 #include <birdstrike/blade/rigid_plate.h>
 #include <birdstrike/blade/shell_mesh.h>
 
@@ -21,6 +22,8 @@ namespace birdstrike
     else
       take_mesh(make_rectangle(parameters.rigid, parameters.is_halved));
     half_thickness.assign(surface.cells.size(), parameters.rigid.half_thickness);
+    if (parameters.bird_velocity)
+      is_turned = looks_at_strike(Point3(normal[0], normal[1], normal[2]), Point3(parameters.bird_velocity->data()));
   }
 
   SurfaceMesh RigidPlate::make_rectangle(const BladeParameters::Rigid &parameters, const bool is_halved) const
@@ -214,7 +217,8 @@ namespace birdstrike
 
   TipDeflection RigidPlate::tip_deflection() const
   {
-    return {displacement, displacement, displacement};
+    const double along = is_turned ? -displacement : displacement;
+    return {along, along, along};
   }
 
   PeakPlasticStrain RigidPlate::peak_plastic_strain() const

@@ -1,3 +1,4 @@
+#include <birdstrike/blade/orientation.h>
 #include <birdstrike/blade/sections.h>
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace birdstrike
   double RootSectionReport::peak_stress() const
   {
     double peak = 0.;
-    for (const auto *face : {&stress_bottom, &stress_top})
+    for (const auto *face : {&stress_struck, &stress_rear})
       for (const double s : *face)
         peak = std::max(peak, std::abs(s));
     return peak;
@@ -18,7 +19,7 @@ namespace birdstrike
   {
     normal.normalize();
     span  = (span - span.dot(normal) * normal).normalized();
-    chord = normal.cross(span);
+    chord = chord_along(normal, span);
   }
 
   RootSectionReport SectionFrame::compute_forces(const double *force, const double *position,
@@ -37,7 +38,7 @@ namespace birdstrike
       }
     report.normal_force     = total.dot(span);
     report.transverse_force = total.dot(normal);
-    report.bending_moment   = -moment.dot(chord);
+    report.bending_moment   = -moment.dot(normal.cross(span));
     return report;
   }
 
@@ -82,21 +83,25 @@ namespace birdstrike
               [](const Element &a, const Element &b) { return a.chord_position < b.chord_position; });
   }
 
+  void RootSection::turn()
+  {
+    is_turned    = !is_turned;
+    frame.normal = -frame.normal;
+  }
+
   RootSectionReport RootSection::compute_report(const double *force, const double *position,
                                                 const ShellElements &elements) const
   {
     RootSectionReport report = frame.compute_forces(force, position, 6);
+    for (auto *list : {&report.chord_position, &report.stress_struck, &report.stress_rear})
+      list->reserve(elements_at_root.size());
     for (const auto &element : elements_at_root)
       {
-        report.chord_position.push_back(element.chord_position);
         // The element turns with the blade: its span direction is the reference one without the part out of its plane.
-        const Point3 axis = elements.state(element.index).axes.col(2);
-        for (const auto &[layer, stress] :
-             {std::pair(ShellLayer::bottom, &report.stress_bottom), std::pair(ShellLayer::top, &report.stress_top)})
-          stress->push_back(
-            elements.is_failed(element.index)
-              ? 0.
-              : SectionFrame::stress_along(element.span, axis, elements.global_layer_stress(element.index, layer)));
+        const auto stress = elements.outer_stresses_along(element.index, element.span);
+        report.chord_position.push_back(element.chord_position);
+        report.stress_struck.push_back(stress[is_turned ? 1 : 0]);
+        report.stress_rear.push_back(stress[is_turned ? 0 : 1]);
       }
     return report;
   }
@@ -122,9 +127,7 @@ namespace birdstrike
           span += 0.5 * (mesh.node(edge.nodes[0]) + mesh.node(edge.nodes[1])) - mesh.centroid(edge.cell);
         }
     mean_normal.normalize();
-    // At the tip "outwards" is the span direction, so that the chord runs as it does at the root.
-    add_row(mesh.nodes, mesh.rim_nodes(tip_ids), mesh.symmetry_nodes, mean_normal.cross(span).normalized(),
-            mean_normal);
+    add_row(mesh.nodes, mesh.rim_nodes(tip_ids), mesh.symmetry_nodes, chord_along(mean_normal, span), mean_normal);
   }
 
   void TipRow::add_row(const std::vector<std::array<double, 3>> &nodes, const std::vector<std::uint32_t> &row,
@@ -159,6 +162,11 @@ namespace birdstrike
     added.middle        = {{along[k].second, along[k + 1].second}};
     added.share         = {{1. - weight, weight}};
     rows.push_back(added);
+  }
+
+  void TipRow::turn()
+  {
+    normal = -normal;
   }
 
   bool TipRow::is_present() const

@@ -1,5 +1,6 @@
 #include "shell_blade_state.h"
 #include "section_choices.h"
+#include "strike_side.h"
 
 #include <birdstrike/blade/thickness_law.h>
 
@@ -60,6 +61,7 @@ namespace birdstrike
       elements.add_symmetry_plane(mesh.surface().symmetry_nodes, Point3::UnitY());
     nodes.initialize_velocity(parameters.loads);
     nodes.watch(parameters.probes);
+    turn_from_strike(compute_strike(parameters, nodes.momenta(), lumped.total), true, root, tip);
   }
 
   void ShellBlade::State::update_failed()

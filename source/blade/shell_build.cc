@@ -202,7 +202,7 @@ namespace birdstrike
             throw NumericalFailure("Shell " + place(e).text() + ": force is not finite or area not positive (area " +
                                    text(smallest_area(e)) +
                                    " m^2, fully integrated four times that at the worst point).\n"
-                                   "The step was too large or the element collapsed: reduce the step factor" +
+                                   "The step was too large or the element collapsed: reduce Time/Step scale" +
                                    (erosion ? ", or let it erode (Blade/Material/Smallest step)." : "."));
           erosion->batches[b].collapsed |= 1u << k;
         }

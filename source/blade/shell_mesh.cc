@@ -51,6 +51,8 @@ namespace birdstrike
   void ShellMesh::extract(const std::vector<std::uint32_t> &node_of_vertex)
   {
     plain = grid->extract(node_of_vertex);
+    if (!is_generated)
+      face_upwards(plain);
     if (!is_halved)
       return;
     cut_at_symmetry_plane(plain);

@@ -133,6 +133,21 @@ namespace birdstrike
     return {S(0, 0), S(1, 1), S(2, 2), S(0, 1), S(1, 2), S(2, 0)};
   }
 
+  std::array<double, 2> ShellElements::outer_stresses_along(const std::size_t element, const Point3 &direction) const
+  {
+    if (implementation->is_failed(element))
+      return {};
+    const ShellGeometry<double> g = implementation->geometry(element);
+    const double                a = direction.dot(g.compute_e1()), b = direction.dot(g.compute_e2());
+    std::array<double, 2>       result;
+    for (const ShellLayer layer : {ShellLayer::bottom, ShellLayer::top})
+      {
+        const auto s                     = layer_stress(element, layer);
+        result[layer == ShellLayer::top] = (s[0] * a * a + s[1] * b * b + 2. * s[2] * a * b) / (a * a + b * b);
+      }
+    return result;
+  }
+
   double ShellElements::layer_plastic_strain(const std::size_t element, const ShellLayer layer) const
   {
     double largest = 0.;

@@ -1,6 +1,7 @@
 #include "mass_scaling.h"
 #include "section_choices.h"
 #include "solid_blade_state.h"
+#include "strike_side.h"
 
 #include <birdstrike/blade/expression.h>
 #include <birdstrike/blade/text_lists.h>
@@ -78,6 +79,7 @@ namespace birdstrike
       scale_masses(parameters);
     nodes.initialize_velocity(parameters.loads);
     nodes.watch(parameters.probes);
+    turn_from_strike(compute_strike(parameters, nodes.momenta(), lumped.total), mesh.volume().layers > 0, root, tip);
   }
 
   void SolidBlade::State::scale_masses(const BladeParameters &parameters)

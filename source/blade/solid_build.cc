@@ -227,7 +227,7 @@ namespace birdstrike
         e = b * n_lanes + k;
     throw NumericalFailure("Solid " + place(e).text() + ": turned inside out, or its force is not finite (volume " +
                            text(smallest_volume(e)) +
-                           " m^3).\nThe step was too large or the element collapsed: reduce the step factor" +
+                           " m^3).\nThe step was too large or the element collapsed: reduce Time/Step scale" +
                            (erosion ? ", or let it erode (Blade/Material/Smallest step)." : "."));
   }
 } // namespace birdstrike

@@ -1,3 +1,4 @@
+#include <birdstrike/blade/orientation.h>
 #include <birdstrike/blade/solid_sections.h>
 #include <birdstrike/material/radial_return.h>
 
@@ -52,11 +53,10 @@ namespace birdstrike
           }
       if (!mesh.symmetry_nodes.empty()) // with the mirror image
         moment(0, 1) = moment(1, 0) = moment(1, 2) = moment(2, 1) = 0.;
-      Point3       axis = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(moment).eigenvectors().col(1);
-      Eigen::Index largest;
-      axis.cwiseAbs().maxCoeff(&largest);
-      return axis[largest] < 0. ? Point3(-axis) : axis;
+      const Point3 axis = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(moment).eigenvectors().col(1);
+      return sign_by_axes(axis, {{2, 1, 0}}) * axis;
     }
+
     /// Scales the deviator so that von Mises' stress is no more than the flow stress.
     void limit(const double flow_stress, std::array<double, 6> &s)
     {
@@ -142,6 +142,12 @@ namespace birdstrike
     facets[1] = paired;
   }
 
+  void SolidRootSection::turn()
+  {
+    frame.normal = -frame.normal;
+    std::swap(facets[0], facets[1]);
+  }
+
   std::vector<SolidRootSection::Facet> SolidRootSection::make_facets(const VolumeMesh               &mesh,
                                                                      const std::vector<std::size_t> &faces) const
   {
@@ -183,11 +189,13 @@ namespace birdstrike
                                                      const SolidElements &elements) const
   {
     RootSectionReport report = frame.compute_forces(force, position, 3);
+    for (auto *list : {&report.chord_position, &report.stress_struck, &report.stress_rear})
+      list->reserve(facets[0].size());
     for (std::size_t k = 0; k < facets[0].size(); ++k)
       {
         report.chord_position.push_back(facets[0][k].chord_position);
-        report.stress_bottom.push_back(stress(facets[0][k], position, elements));
-        report.stress_top.push_back(stress(facets[1][k], position, elements));
+        report.stress_struck.push_back(stress(facets[0][k], position, elements));
+        report.stress_rear.push_back(stress(facets[1][k], position, elements));
       }
     return report;
   }
@@ -209,7 +217,7 @@ namespace birdstrike
     if (!tip.is_present())
       return row;
     const auto   on_tip = mesh.nodes_on(tip_ids);
-    const Point3 chord  = tip.normal.cross(tip.outward).normalized();
+    const Point3 chord  = chord_along(tip.normal, tip.outward);
     for (const auto &faces : tip.find_adjoining(mesh, tip_ids))
       {
         std::set<std::uint32_t> nodes;

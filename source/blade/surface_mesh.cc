@@ -1,3 +1,4 @@
+#include <birdstrike/blade/orientation.h>
 #include <birdstrike/blade/surface_mesh.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/errors.h>
@@ -107,6 +108,15 @@ namespace birdstrike
         }
       return n_reached;
     }
+
+    void set_sides_of_rim(SurfaceMesh &mesh)
+    {
+      for (auto &edge : mesh.rim)
+        for (unsigned int side = 0; side < 4; ++side)
+          if (edge_of(mesh, edge.cell, side) ==
+              Edge(std::min(edge.nodes[0], edge.nodes[1]), std::max(edge.nodes[0], edge.nodes[1])))
+            edge.side = side;
+    }
   } // namespace
 
   Point3 SurfaceMesh::node(const std::size_t n) const
@@ -182,11 +192,23 @@ namespace birdstrike
         "Mesh: the surface falls into pieces; only " + std::to_string(n_reached) + " of " +
         std::to_string(mesh.cells.size()) +
         " cells hang together.\nMerge coincident nodes (Gmsh: Coherence Mesh) or remove the loose part.");
-    for (auto &edge : mesh.rim)
-      for (unsigned int side = 0; side < 4; ++side)
-        if (edge_of(mesh, edge.cell, side) ==
-            Edge(std::min(edge.nodes[0], edge.nodes[1]), std::max(edge.nodes[0], edge.nodes[1])))
-          edge.side = side;
+    set_sides_of_rim(mesh);
+  }
+
+  void face_upwards(SurfaceMesh &mesh)
+  {
+    Point3 sum  = Point3::Zero();
+    double area = 0.;
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+      {
+        sum += mesh.area_vector(cell);
+        area += mesh.area_vector(cell).norm();
+      }
+    if (sum.norm() <= 1e-6 * area || sign_by_axes(sum, {{2, 1, 0}}) > 0.)
+      return;
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+      turn(mesh, cell);
+    set_sides_of_rim(mesh);
   }
 
   void cut_at_symmetry_plane(SurfaceMesh &mesh)

@@ -37,6 +37,8 @@ namespace birdstrike
   {
     file.read(path, overrides);
     blade.is_halved = bird.is_halved = has_symmetry_plane();
+    if (bird.enabled)
+      blade.bird_velocity = bird.velocity;
     if (has_symmetry_plane())
       require_symmetry(*this);
     if (name.empty())

@@ -46,8 +46,8 @@ namespace birdstrike
       double end = 0.;
       for (const ComparedRun &run : runs)
         {
-          const std::vector<double> force = norm_of(run.record, "contact_force"), &time = run.record.column("time");
-          const double              peak = force.empty() ? 0. : *std::max_element(force.begin(), force.end());
+          const std::vector<double> &force = run.record.column("contact_force_peak"), &time = run.record.column("time");
+          const double               peak = force.empty() ? 0. : *std::max_element(force.begin(), force.end());
           for (std::size_t k = 0; k < force.size(); ++k)
             if (force[k] > 0.01 * peak)
               end = std::max(end, time[k]);
@@ -60,7 +60,8 @@ namespace birdstrike
       Figure figure{
         "contact",
         2,
-        {over_time(runs, "Contact", {"force on the blade (norm)", "N", "kN", 1e-3}, "contact_force", true),
+        {over_time(runs, "Contact", {"force on the blade (largest norm since the last row)", "N", "kN", 1e-3},
+                   "contact_force_peak"),
          over_time(runs, "Contact", {"impulse on the blade (norm)", "N s", "N s", 1.}, "contact_impulse", true)}};
       for (FigurePanel &panel : figure.panels)
         panel.x_end = find_end_of_contact(runs);
@@ -80,10 +81,10 @@ namespace birdstrike
       return figure;
     }
 
-    /// results.h5 holds [face][chord station], the face at minus normal, which a bird along the normal strikes, first.
+    /// results.h5 holds [face][chord station], the struck face first.
     FigurePanel make_root_profile(const std::vector<ComparedRun> &runs)
     {
-      FigurePanel panel{"Root section when its stress peaks (full: face at -normal, dashed: at +normal)",
+      FigurePanel panel{"Root section when its stress peaks (full: struck face, dashed: rear face)",
                         {"place along the chord, from its middle", "m", "mm", 1e3},
                         {"normal stress", "Pa", "MPa", 1e-6},
                         {}};

@@ -51,6 +51,16 @@ namespace birdstrike
   {
     if (values.empty() || values.size() != times.size())
       return {};
+    if (const auto [least, most] = std::minmax_element(values.begin(), values.end()); - *least > *most)
+      {
+        std::vector<double> mirrored(values.begin(), values.end());
+        for (double &value : mirrored)
+          value = -value;
+        auto mean = compute_mean_over_last_period(times, mirrored);
+        if (mean)
+          mean->mean = -mean->mean;
+        return mean;
+      }
     const auto        peak   = std::max_element(values.begin(), values.end());
     const std::size_t first  = static_cast<std::size_t>(peak - values.begin());
     const double      range  = *peak - *std::min_element(peak, values.end());

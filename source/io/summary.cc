@@ -35,6 +35,7 @@ namespace birdstrike
                          {"peak_force", s.root.peak_force}};
       json["contact"] = {{"impulse", s.contact.impulse},
                          {"peak_force", s.contact.peak_force},
+                         {"peak_force_time", s.contact.peak_force_time},
                          {"max_penetration", s.contact.max_penetration},
                          {"max_penetration_over_spacing", s.contact.max_penetration_over_spacing}};
       json["plastic"] = {

@@ -1,5 +1,8 @@
 #include <birdstrike/blade/expression.h>
+#include <birdstrike/blade/shell_mesh.h>
+#include <birdstrike/blade/solid_mesh.h>
 #include <birdstrike/blade/text_lists.h>
+#include <birdstrike/blade/thickness_law.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/symmetry_check.h>
@@ -18,23 +21,92 @@ namespace birdstrike
                          ".\n  Action: change it, or set Case/Symmetry plane to none.");
     }
 
-    /// Whether each component of a formula is even (+1) or odd (-1) in y; sampled on the unit plate and three times.
-    void require_parity(const std::string &text, const std::vector<int> &parity, const std::string &entry)
+    constexpr const char *mirrored_values = "the same at y and -y (a y component: with the other sign)";
+
+    bool is_same(const double a, const double b)
+    {
+      return std::abs(a - b) <= 1e-9 * (std::abs(a) + std::abs(b));
+    }
+
+    /// Where the blade evaluates formulas, on the half that is computed: nodes, centroids and points of integration.
+    /// The mesh is made when it is first asked for.
+    class Places
+    {
+    public:
+      explicit Places(const BladeParameters &blade) : blade(blade)
+      {
+      }
+
+      const std::vector<Point3> &get()
+      {
+        if (points.empty())
+          blade.kind == "solid" && blade.mesh.generator == "file" ? add_solid() : add_surface();
+        return points;
+      }
+
+    private:
+      const BladeParameters &blade;
+      std::vector<Point3>    points;
+
+      void add_surface()
+      {
+        const ShellMesh    shell(blade.mesh, true);
+        const SurfaceMesh &mesh = shell.surface();
+        for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+          points.push_back(mesh.node(n));
+        for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+          {
+            const Point3 middle = mesh.centroid(cell);
+            points.push_back(middle);
+            for (const std::uint32_t n : mesh.cells[cell])
+              points.push_back(middle + (mesh.node(n) - middle) / std::sqrt(3.));
+          }
+      }
+
+      void add_solid()
+      {
+        const SolidMesh   solid(blade);
+        const VolumeMesh &mesh = solid.volume();
+        for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+          points.push_back(mesh.node(n));
+        for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+          points.push_back(mesh.centroid(cell));
+      }
+    };
+
+    /// Whether each component of a formula is even (+1) or odd (-1) in y, wherever and whenever the blade asks it.
+    void require_parity(const std::string &text, const std::vector<int> &parity, const std::string &entry,
+                        const double end_time, Places &places)
     {
       if (!is_present(text))
         return;
       const Expression expression(text, parity.size(), entry);
       bool             is_symmetric = true;
-      for (const double x : {0., 0.03, 0.11, 0.29})
-        for (const double y : {0.002, 0.017, 0.041})
-          for (const double t : {0., 0.4e-3, 3e-3})
-            for (unsigned int c = 0; c < parity.size(); ++c)
-              {
-                const double here[3] = {x, y, 0.}, there[3] = {x, -y, 0.};
-                const double a = expression.value(here, t, c), b = parity[c] * expression.value(there, t, c);
-                is_symmetric = is_symmetric && std::abs(a - b) <= 1e-12 * (std::abs(a) + std::abs(b));
-              }
-      refuse_unless(is_symmetric, "Blade/" + entry, "the same at y and -y (a y component: with the other sign)");
+      for (const Point3 &p : places.get())
+        for (const double t : {0., 1e-3 * end_time, 0.03 * end_time, 0.4 * end_time, end_time})
+          for (unsigned int c = 0; c < parity.size(); ++c)
+            {
+              const double there[3] = {p[0], -p[1], p[2]};
+              is_symmetric =
+                is_symmetric && is_same(expression.value(p.data(), t, c), parity[c] * expression.value(there, t, c));
+            }
+      refuse_unless(is_symmetric, "Blade/" + entry, mirrored_values);
+    }
+
+    void require_symmetric_thickness(const BladeParameters &blade, Places &places)
+    {
+      const ThicknessLaw law          = make_thickness_law(blade);
+      bool               is_symmetric = true;
+      for (const Point3 &p : places.get())
+        {
+          const double there[3] = {p[0], -p[1], p[2]};
+          is_symmetric          = is_symmetric && is_same(law(p.data(), 0), law(there, 0));
+        }
+      if (blade.thickness.maximum.empty())
+        refuse_unless(is_symmetric, "Blade/Thickness/Value", mirrored_values);
+      else
+        refuse_unless(is_symmetric, "Blade/Thickness/Maximum station, with Leading edge and Trailing edge,",
+                      "0.5, and both edges alike");
     }
 
     void require_symmetric_bird(const BirdParameters &bird)
@@ -51,21 +123,27 @@ namespace birdstrike
       refuse_unless(!bird.is_periodic(1), "Bird/Periodic directions", "none, x, z");
     }
 
-    void require_symmetric_supports(const BladeParameters::Supports &supports)
+    void require_both_edges(const std::string &ids, const std::string &entry)
     {
       constexpr unsigned int leading = 2, trailing = 3; // boundaries of the flat plate
-      for (const auto &[ids, entry] : {std::pair{supports.clamped, "Supports/Clamped"}, {supports.hub, "Supports/Hub"}})
+      const auto             list = parse_ids(ids, entry);
+      const auto has = [&](const unsigned int id) { return std::find(list.begin(), list.end(), id) != list.end(); };
+      refuse_unless(has(leading) == has(trailing), "Blade/" + entry, "both edges (2 and 3) or neither");
+    }
+
+    void require_symmetric_supports(const BladeParameters &blade)
+    {
+      const BladeParameters::Supports &supports = blade.supports;
+      if (blade.mesh.generator != "file") // of a file the other half has the boundaries of this one
         {
-          const auto list = parse_ids(ids, entry);
-          const auto has = [&](const unsigned int id) { return std::find(list.begin(), list.end(), id) != list.end(); };
-          refuse_unless(has(leading) == has(trailing), std::string("Blade/") + entry,
-                        "both edges (2 and 3) or neither");
+          require_both_edges(supports.clamped, "Supports/Clamped");
+          require_both_edges(supports.hub, "Supports/Hub");
         }
       refuse_unless(supports.held.empty(), "Blade/Supports/Held", "nothing, with a symmetry plane");
       refuse_unless(supports.held_boxes.empty(), "Blade/Supports/Held boxes", "nothing, with a symmetry plane");
     }
 
-    void require_symmetric_blade(const BladeParameters &blade)
+    void require_symmetric_blade(const BladeParameters &blade, const double end_time)
     {
       if (blade.kind == "rigid")
         refuse_unless(blade.rigid.centre[1] == 0. && blade.rigid.normal[1] == 0., "Blade/Rigid/Centre or Normal",
@@ -75,12 +153,16 @@ namespace birdstrike
       refuse_unless(blade.mesh.generator != "flat plate" ||
                       (blade.mesh.chord_grading == 1. && blade.mesh.n_chord % 2 == 0),
                     "Blade/Mesh", "an even number of equal elements along the chord");
-      require_parity(blade.thickness.value, {1}, "Thickness/Value");
-      require_parity(blade.loads.pressure, {1}, "Loads/Pressure");
-      require_parity(blade.loads.initial_velocity, {1, -1, 1}, "Loads/Initial velocity");
-      require_parity(blade.loads.initial_spin, {-1, 1, -1}, "Loads/Initial spin"); // a spin is an axial vector
+      Places places(blade);
+      require_symmetric_thickness(blade, places);
+      require_parity(blade.loads.pressure, {1}, "Loads/Pressure", end_time, places);
+      require_parity(blade.loads.initial_velocity, {1, -1, 1}, "Loads/Initial velocity", 0., places);
+      // a spin is an axial vector
+      require_parity(blade.loads.initial_spin, {-1, 1, -1}, "Loads/Initial spin", 0., places);
+      if (blade.kind == "solid" && blade.mesh.generator != "file" && is_present(blade.loads.pressure))
+        require_both_edges(blade.loads.pressure_boundaries, "Loads/Pressure boundaries");
       refuse_unless(blade.loads.point_loads.empty(), "Blade/Loads/Point loads", "nothing, with a symmetry plane");
-      require_symmetric_supports(blade.supports);
+      require_symmetric_supports(blade);
     }
 
     void require_visible(const CaseParameters &parameters)
@@ -99,7 +181,7 @@ namespace birdstrike
   {
     if (parameters.bird.enabled)
       require_symmetric_bird(parameters.bird);
-    require_symmetric_blade(parameters.blade);
+    require_symmetric_blade(parameters.blade, parameters.time.end_time);
     require_visible(parameters);
   }
 } // namespace birdstrike

@@ -76,7 +76,7 @@ namespace birdstrike
       "The energy balance is lost: {:+.3g} of the initial {:.6g} J at t = {:.6g} s, step {} (limit {:.3g}).\n"
       "Bird: kinetic {:.6g}, internal {:.6g}, retired {:.6g}; blade: kinetic {:.6g}, elastic {:.6g}, plastic {:.6g}, "
       "hourglass {:.6g},\n"
-      "viscous {:.6g}, damped {:.6g}, eroded {:.6g}; contact {:.6g} J. Reduce Time/Blade step scale and Time/Bird step "
+      "viscous {:.6g}, damped {:.6g}, eroded {:.6g}; contact {:.6g} J. Reduce Time/Step scale and Time/Bird step "
       "scale, and look at the last fields written.",
       error, reference_energy, time, step, limit, last.bird.kinetic, last.bird.elastic, last.bird.retired,
       last.blade.kinetic, last.blade.elastic, last.blade.plastic, last.blade.hourglass, last.blade.viscous,

@@ -18,8 +18,8 @@ namespace birdstrike
 {
   namespace
   {
-    /// Sums over all entities (energies, momenta, root section) every so many macro steps: a step changes them little,
-    /// and they cost about as much as a step of the elements.
+    /// Sums over all entities (energies, momenta) every so many macro steps: a step changes them little, and they cost
+    /// about as much as a step of the elements.
     constexpr unsigned long observation_stride = 10;
 
     /// Looking for particles that have left costs a pass over them: seldom enough not to count.
@@ -39,22 +39,24 @@ namespace birdstrike
 
     std::atomic<bool> stop_requested{false};
 
-    Stepper::Parts parts_of(Scene &scene)
+    Stepper::Parts parts_of(Scene &scene, ContactWatch &watch)
     {
-      return {scene.bird.get(), scene.blade.get(), scene.contact.get(), &scene.pool};
+      return {scene.bird.get(), scene.blade.get(), scene.contact.get(), &scene.pool, &watch};
     }
   } // namespace
 
   BirdStrike::BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder)
     : parameters(parameters)
     , scene(scene)
-    , stepper(parts_of(scene), timings)
+    , stepper(parts_of(scene, observed.contact), timings)
     , sections{timings.section("retirement"), timings.section("step votes"), timings.section("balance and output")}
     , balance(parameters.time.energy_error_limit)
+    , row_balance(INFINITY)
+    , observed(scene.symmetry)
     , progress(parameters.time.end_time, parameters.output.console_interval)
   {
     if (!folder.empty())
-      recorder.emplace(scene, parameters, folder, observed, balance);
+      recorder.emplace(scene, parameters, folder, observed, row_balance);
     has_contact = scene.contact != nullptr;
     if (scene.bird)
       {
@@ -120,22 +122,38 @@ namespace birdstrike
       last_touch = now;
     if (scene.bird && scene.contact && n_steps % retirement_stride == 0)
       retire_particles();
-    if (n_steps % observation_stride == 0 || (recorder && recorder->is_due(now)))
-      observe();
+    observe();
   }
 
   void BirdStrike::observe()
   {
     const Timings::Scope scope(timings, sections.output);
-    balance.update(scene.state(), now, n_steps);
-    observed.update(scene, balance, now);
-    if (recorder)
+    observed.update_peaks(scene, now);
+    const bool is_sample = n_steps % observation_stride == 0, is_due = recorder && recorder->is_due(now);
+    if (!is_sample && !is_due)
+      return;
+    const SystemState state = scene.state();
+    if (is_sample)
       {
-        recorder->record(now, n_steps);
-        recorder->flush_when_due(timings.wall());
-        if (progress.is_due())
-          progress.print({now, schedule.step, n_steps, balance.energy_error()});
+        balance.update(state, now, n_steps);
+        observed.update_shares(balance, now);
       }
+    if (recorder)
+      record(state);
+  }
+
+  void BirdStrike::record(const SystemState &state)
+  {
+    if (recorder->is_due(now) || n_steps == 0)
+      {
+        row_balance.update(state, now, n_steps);
+        observed.update_present(scene);
+        if (recorder->record(now, n_steps))
+          observed.contact.start_row();
+      }
+    recorder->flush_when_due(timings.wall());
+    if (progress.is_due())
+      progress.print({now, schedule.step, n_steps, balance.energy_error()});
   }
 
   void BirdStrike::retire_particles()
@@ -184,8 +202,11 @@ namespace birdstrike
   void BirdStrike::finish()
   {
     const Timings::Scope scope(timings, sections.output);
-    balance.update(scene.state(), now, n_steps);
-    observed.update(scene, balance, now);
+    const SystemState    state = scene.state();
+    balance.update(state, now, n_steps);
+    row_balance.update(state, now, n_steps);
+    observed.update_shares(balance, now);
+    observed.update_present(scene);
     if (recorder)
       recorder->finish(now, n_steps);
     progress.finish();

@@ -73,10 +73,11 @@ namespace birdstrike
     summary.root.peak_force              = observed.root_force.value();
 
     summary.contact.impulse         = balance.state().blade_momentum.contact_impulse;
-    summary.contact.peak_force      = observed.contact_force.value();
-    summary.contact.max_penetration = observed.max_penetration;
+    summary.contact.peak_force      = observed.contact.peak().value();
+    summary.contact.peak_force_time = observed.contact.peak().time();
+    summary.contact.max_penetration = observed.contact.max_penetration();
     if (n_particles_at_start > 0)
-      summary.contact.max_penetration_over_spacing = observed.max_penetration / parameters.bird.spacing;
+      summary.contact.max_penetration_over_spacing = observed.contact.max_penetration() / parameters.bird.spacing;
 
     summary.plastic.max_strain = observed.plastic.value;
     summary.plastic.position   = observed.plastic.position;
@@ -150,7 +151,8 @@ namespace birdstrike
         table.add_heading("Contact");
         table.add("impulse on the blade", fmt::format("({:.4g}, {:.4g}, {:.4g}) N s", summary.contact.impulse[0],
                                                       summary.contact.impulse[1], summary.contact.impulse[2]));
-        table.add("peak force", summary.contact.peak_force, "N");
+        table.add("peak force", format_quantity(summary.contact.peak_force, "N") + " at " +
+                                  format_quantity(summary.contact.peak_force_time, "s"));
         table.add("largest penetration", fmt::format("{} ({:.3f} of the particle spacing)",
                                                      format_quantity(summary.contact.max_penetration, "m"),
                                                      summary.contact.max_penetration_over_spacing));

@@ -82,6 +82,7 @@ namespace birdstrike
   {
     for (unsigned int c = 0; c < 3; ++c)
       history.add_column(std::string("contact_force_") + axis_names[c], "N", [this, c] { return observed.force[c]; });
+    history.add_column("contact_force_peak", "N", [this] { return observed.contact.peak_since_row(); });
     for (unsigned int c = 0; c < 3; ++c)
       history.add_column(std::string("contact_impulse_") + axis_names[c], "N s",
                          [this, c] { return balance.state().blade_momentum.contact_impulse[c]; });
@@ -147,8 +148,8 @@ namespace birdstrike
     const std::size_t n = root.chord_position.size();
     history.add_profile("root_normal_stress", "Pa", {{"face", "-", {-1., 1.}}, {"chord", "m", root.chord_position}},
                         [this, n](const std::span<double> values) {
-                          std::copy_n(observed.root.stress_bottom.begin(), n, values.begin());
-                          std::copy_n(observed.root.stress_top.begin(), n, values.begin() + n);
+                          std::copy_n(observed.root.stress_struck.begin(), n, values.begin());
+                          std::copy_n(observed.root.stress_rear.begin(), n, values.begin() + n);
                         });
   }
 
@@ -166,17 +167,19 @@ namespace birdstrike
     return history_ticks.would_be_due(time) || field_ticks.would_be_due(time);
   }
 
-  void Recorder::record(const double time, const unsigned long n_steps)
+  bool Recorder::record(const double time, const unsigned long n_steps)
   {
-    now   = time;
-    steps = n_steps;
-    if (history_ticks.is_due(time))
+    now               = time;
+    steps             = n_steps;
+    const bool is_row = history_ticks.is_due(time);
+    if (is_row)
       {
         history.append_row();
         last_row = time;
       }
     if (field_ticks.is_due(time))
       write_fields(time);
+    return is_row;
   }
 
   void Recorder::finish(const double time, const unsigned long n_steps)
@@ -190,8 +193,8 @@ namespace birdstrike
     const RootSectionReport &root = observed.root_at_peak_stress;
     if (!root.chord_position.empty())
       {
-        std::vector<double> values = root.stress_bottom;
-        values.insert(values.end(), root.stress_top.begin(), root.stress_top.end());
+        std::vector<double> values = root.stress_struck;
+        values.insert(values.end(), root.stress_rear.begin(), root.stress_rear.end());
         history.set_constant("root_normal_stress_at_peak", "Pa",
                              {{"face", "-", {-1., 1.}}, {"chord", "m", root.chord_position}}, std::move(values));
       }

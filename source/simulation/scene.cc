@@ -1,11 +1,11 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/blade/make_blade.h>
 #include <birdstrike/contact/contact.h>
-#include <birdstrike/contact/flight.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/simulation/bird_phase.h>
+#include <birdstrike/simulation/first_touch.h>
 #include <birdstrike/simulation/scene.h>
 
 #include <fmt/format.h>
@@ -24,38 +24,18 @@ namespace birdstrike
     /// Largest growth of the bird's step from one macro step to the next.
     constexpr double step_growth = 1.02;
 
-    /// Velocity (m/s) of the surface where the bird aims: of the node nearest to that point.
-    Point3 find_velocity_at_aim(const BirdParameters &bird, const FacetsView &facets)
+    /// What helps where an element is crushed to nothing.
+    const char *advice_on_crushed_elements(const BladeParameters &blade)
     {
-      const Point3  aim(bird.aim_point[0], bird.aim_point[1] + bird.chordwise_offset, bird.aim_point[2]);
-      std::uint32_t nearest  = 0;
-      double        smallest = INFINITY;
-      for (std::size_t f = 0; f < facets.n_facets; ++f)
-        for (const std::uint32_t node : facets.nodes[f])
-          if (const double d = (Point3(facets.position + 3 * node) - aim).squaredNorm(); d < smallest)
-            {
-              smallest = d;
-              nearest  = node;
-            }
-      return Point3(facets.velocity + facets.velocity_stride * nearest);
+      const bool can_fail = blade.material.failure.law != "none";
+      if (can_fail && blade.material.failure.smallest_step == 0.)
+        return "Set Blade/Material/Smallest step (0.1, say) to take such elements away.";
+      if (can_fail)
+        return "Look at the last fields; Blade/Material/Smallest step takes elements away earlier.";
+      return "An element is crushed, or the mesh has one that is far too small. A metal that fails "
+             "(Blade/Material/Failure; Blade/Element/Formulation\nother than solid-shell) lets it go at "
+             "Blade/Material/Smallest step; else change loads or mesh.";
     }
-
-    /// The points' velocities as seen from a frame.
-    struct RelativePoints
-    {
-      RelativePoints(const PointsView &points, const Point3 &frame) : view(points)
-      {
-        for (int d = 0; d < 3; ++d)
-          {
-            velocity[d].assign(points.velocity[d], points.velocity[d] + points.n);
-            for (double &v : velocity[d])
-              v -= frame[d];
-            view.velocity[d] = velocity[d].data();
-          }
-      }
-      PointsView                         view;
-      std::array<std::vector<double>, 3> velocity;
-    };
   } // namespace
 
   Scene::Scene(const CaseParameters &parameters)
@@ -63,6 +43,8 @@ namespace birdstrike
     , symmetry(parameters.has_symmetry_plane())
     , parameters(parameters)
     , largest_bird_step(INFINITY)
+    , smallest_bird_step("bird", parameters.time.smallest_step)
+    , smallest_blade_step("blade", parameters.time.smallest_step)
   {
     blade = make_blade(parameters.blade, pool);
     if (parameters.bird.enabled)
@@ -72,32 +54,16 @@ namespace birdstrike
         "The case has neither a blade nor a bird.\nSet Blade/Kind to shell, solid or rigid, or Bird/Enabled to true.");
     if (blade && bird && parameters.contact.is_enabled)
       {
-        contact = std::make_unique<Contact>(parameters.contact);
-        place_at_first_touch();
+        contact                = std::make_unique<Contact>(parameters.contact);
+        const FirstTouch touch = place_at_first_touch(*bird, *blade, parameters.bird);
+        flight_time            = touch.flight_time;
+        bird->set_closing_speed(touch.closing_speed);
+        largest_bird_step = bird->shocked_step(touch.closing_speed);
         limit_multirate();
       }
   }
 
   Scene::~Scene() = default;
-
-  void Scene::place_at_first_touch()
-  {
-    const Overlap overlap = initial_overlap(bird->points(), blade->facets());
-    if (overlap.depth > 0.)
-      throw InputError(fmt::format("The bird starts inside the blade: {:.3g} m deep at ({:.4g}, {:.4g}, {:.4g}).\n"
-                                   "Enlarge Bird/Stand-off, or set it to 0 to have it chosen.",
-                                   overlap.depth, overlap.position[0], overlap.position[1], overlap.position[2]));
-    const Point3 frame = find_velocity_at_aim(parameters.bird, blade->facets());
-    flight_time        = time_to_first_touch(RelativePoints(bird->points(), frame).view, blade->facets());
-    if (!std::isfinite(flight_time))
-      throw InputError("The bird misses the blade: no particle meets it along Bird/Velocity.\n"
-                       "Change Bird/Aim point, Bird/Chordwise offset or Bird/Velocity.");
-    bird->advance_in_flight(flight_time, frame);
-    const auto  &v       = parameters.bird.velocity;
-    const double closing = (Point3(v[0], v[1], v[2]) - frame).norm();
-    bird->set_closing_speed(closing);
-    largest_bird_step = bird->shocked_step(closing);
-  }
 
   void Scene::limit_multirate()
   {
@@ -112,6 +78,7 @@ namespace birdstrike
 
   Schedule Scene::plan(const double remaining)
   {
+    const double            now = parameters.time.end_time - remaining;
     std::optional<StepVote> bird_vote, blade_vote;
     if (bird)
       {
@@ -120,6 +87,8 @@ namespace birdstrike
         if (const StepLimit in_touch = contact ? contact->step_limit() : StepLimit();
             in_touch.value < bird_vote->limit.value)
           bird_vote->limit = in_touch;
+        smallest_bird_step.check(bird_vote->limit, now, remaining,
+                                 "Reduce Bird/Courant number or Time/Bird step scale, and look at the last fields.");
         if (largest_bird_step < bird_vote->limit.value)
           bird_vote->limit = {largest_bird_step, "bird, smooth growth of the step", {}};
       }
@@ -127,6 +96,7 @@ namespace birdstrike
       {
         blade_vote = StepVote{blade->step_limit(), element_cost * static_cast<double>(blade->n_elements())};
         blade_vote->limit.value *= parameters.time.step_scale;
+        smallest_blade_step.check(blade_vote->limit, now, remaining, advice_on_crushed_elements(parameters.blade));
         if (contact && largest_step_in_contact < blade_vote->limit.value)
           blade_vote->limit = {largest_step_in_contact, "contact, particles on light facets", {}};
       }

@@ -1,6 +1,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/simulation/contact_watch.h>
 #include <birdstrike/simulation/stepper.h>
 
 namespace birdstrike
@@ -157,6 +158,8 @@ namespace birdstrike
         parts.bird->clear_contact_forces();
         parts.blade->clear_contact_forces();
         parts.contact->add_forces(parts.bird->points(), parts.blade->facets(), step, *parts.pool);
+        if (parts.watch)
+          parts.watch->update(parts.contact->report(), step);
       }
     const Timings::Scope scope(timings, sections.bird_rates);
     parts.bird->compute_rates();

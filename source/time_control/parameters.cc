@@ -34,6 +34,11 @@ namespace birdstrike
                       "Bird and contact are dropped once nothing touches and the impulse that the particles left could "
                       "still give is at most this share of the impulse given; 0 waits for the last particle. [-]",
                       Double(0., 1.));
+    prm.add_parameter(
+      "Smallest step", smallest_step,
+      "The run ends as a numerical failure when the stable step of bird or blade falls below this share "
+      "of its first value, as when elements are crushed to nothing; 0 never does. [-]",
+      Double(0., 1.));
     prm.add_parameter("Energy error limit", energy_error_limit,
                       "The run ends as a numerical failure when the energy error exceeds this share of the initial "
                       "energy. [-]",

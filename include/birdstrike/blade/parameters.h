@@ -3,6 +3,7 @@
 #include <birdstrike/material/metal_parameters.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -125,6 +126,9 @@ namespace birdstrike
     Rigid           rigid;
     std::string     probes;            ///< "name: x y z; ..."
     bool            is_halved = false; ///< only y >= 0 is computed; set by the case
+    /// m/s, of the bird that strikes: it gives reports their signs (orientation.h). Set by the case; none without a
+    /// bird.
+    std::optional<std::array<double, 3>> bird_velocity;
 
     /// "automatic" is a solid-shell where one layer of bricks makes up the thickness of a built-in part (in a file that
     /// is not known) and the metal does not fail, else one point. Throws InputError for an impossible metal.

@@ -52,25 +52,26 @@ namespace birdstrike
 
   /// Force and moment that the blade exerts on its clamped edge, and the stress that carries them.
   ///
-  /// Frame: `span` points from the edge into the blade, `normal` is the mean surface normal there, `chord` = normal x
-  /// span (flat plate: x, z, y). N > 0 is tension. The moment about `chord` is taken at the middle of the edge; M > 0
-  /// stretches the face on the side of -normal (the struck one). The transverse force is along `normal`.
+  /// Frame: `span` points from the edge into the blade, `normal` is the mean surface normal there, away from the struck
+  /// side, `chord` runs from the leading to the trailing edge (signs: orientation.h; flat plate struck from below: x,
+  /// z, y). N > 0 is tension. The moment about normal x span is taken at the middle of the edge; M > 0 stretches the
+  /// struck face, the one on the side of -normal. The transverse force is along `normal`.
   struct RootSectionReport
   {
     double              normal_force     = 0.; ///< N
     double              bending_moment   = 0.; ///< N m
     double              transverse_force = 0.; ///< N
     std::vector<double> chord_position;        ///< m from the middle of the edge, per root element, ascending
-    std::vector<double> stress_bottom;       ///< Pa, normal stress along span, face at -normal (outermost point there)
-    std::vector<double> stress_top;          ///< Pa, face at +normal
+    std::vector<double> stress_struck;       ///< Pa, normal stress along span, face at -normal (outermost point there)
+    std::vector<double> stress_rear;         ///< Pa, face at +normal
     double              peak_stress() const; ///< Pa, largest absolute value of both faces
   };
 
-  /// Displacement (m) of the tip row along the mean surface normal.
+  /// Displacement (m) of the tip row along its mean surface normal, positive away from the struck side (orientation.h).
   struct TipDeflection
   {
     double mid_chord = 0.;
-    double leading   = 0.; ///< corner at the smaller chord coordinate
+    double leading   = 0.; ///< corner at the smaller chord coordinate, whichever side is struck
     double trailing  = 0.;
   };
 
@@ -79,7 +80,7 @@ namespace birdstrike
   {
     std::array<double, 3> root{};   ///< m, middle of the clamped edge
     std::array<double, 3> tip{};    ///< m, middle of the tip row
-    std::array<double, 3> normal{}; ///< unit, mean surface normal at the tip, along which deflections are taken
+    std::array<double, 3> normal{}; ///< unit, of the tip, away from the struck side: along it deflections are taken
   };
 
   struct PeakPlasticStrain

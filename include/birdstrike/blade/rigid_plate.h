@@ -39,7 +39,7 @@ namespace birdstrike
     FieldSnapshot            snapshot() const override;
     std::vector<ProbeValues> probes() const override;
     RootSectionReport        root_section() const override;
-    TipDeflection            tip_deflection() const override; ///< displacement along the normal, everywhere alike
+    TipDeflection            tip_deflection() const override; ///< displacement along the normal, positive with the bird
     PeakPlasticStrain        peak_plastic_strain() const override;
 
     double speed() const; ///< m/s along the normal
@@ -53,6 +53,7 @@ namespace birdstrike
     std::vector<double>   inverse_mass, half_thickness;
     std::array<double, 3> normal;
     bool                  is_free;
+    bool                  is_turned = false;   ///< the bird flies against the normal
     double                plate_mass;          ///< kg, if free
     double                normal_speed   = 0.; ///< m/s
     double                displacement   = 0.; ///< m along the normal

@@ -17,7 +17,7 @@ namespace birdstrike
     std::vector<std::uint32_t> nodes;
     Point3 origin = Point3::Zero(), span = Point3::Zero(), chord = Point3::Zero(), normal = Point3::Zero();
 
-    /// Makes `normal` a unit vector, `span` one perpendicular to it, and `chord` = normal x span.
+    /// Makes `normal` a unit vector, `span` one perpendicular to it, `chord` perpendicular to both (orientation.h).
     void make_orthonormal();
 
     /// Force and moment of the nodal forces [n_nodes][n_unknowns] (N, N m) that elements exert at positions
@@ -30,11 +30,14 @@ namespace birdstrike
     static double stress_along(const Point3 &span, const Point3 &surface_normal, const std::array<double, 6> &stress);
   };
 
-  /// The clamped edge of a shell.
+  /// The clamped edge of a shell. Its normal is that of the surface until it is turned.
   class RootSection
   {
   public:
     RootSection(const SurfaceMesh &mesh, const std::vector<unsigned int> &root_ids);
+
+    /// From now on the normal looks the other way.
+    void turn();
 
     /// From the nodal forces [n_nodes][6] that elements exert (N, N m) at positions [n_nodes][3], and the layer
     /// stresses.
@@ -51,7 +54,8 @@ namespace birdstrike
       Point3      span;           ///< unit, in the element's plane, from its root edge inwards
     };
     SectionFrame         frame;
-    std::vector<Element> elements_at_root; ///< by chord position
+    std::vector<Element> elements_at_root;  ///< by chord position
+    bool                 is_turned = false; ///< the normal is not the surface's
   };
 
   /// The tip row: mid-chord and both corners. Of a solid, the mean of the rows on both faces: its mid-surface.
@@ -64,6 +68,9 @@ namespace birdstrike
     /// Adds a row of at least two nodes; `chord` and `normal` are unit vectors of the tip.
     void add_row(const std::vector<std::array<double, 3>> &nodes, const std::vector<std::uint32_t> &row,
                  const std::vector<std::uint32_t> &symmetry_nodes, const Point3 &chord, const Point3 &normal);
+
+    /// From now on deflections count in the other direction. Leading and trailing stay what they are.
+    void turn();
 
     bool          is_present() const;
     bool          has_any(FunctionRef<bool(std::uint32_t)> property) const; ///< of the nodes it watches

@@ -117,6 +117,9 @@ namespace birdstrike
     std::array<double, 3> layer_stress(std::size_t element, ShellLayer layer) const;
     /// sxx, syy, szz, sxy, syz, szx (Pa) in global axes.
     std::array<double, 6> global_layer_stress(std::size_t element, ShellLayer layer) const;
+    /// Normal stress (Pa) of the bottom and of the top layer along a direction without its part out of the element's
+    /// plane; zero of a failed element.
+    std::array<double, 2> outer_stresses_along(std::size_t element, const Point3 &direction) const;
     /// The largest of the points in the plane.
     double layer_plastic_strain(std::size_t element, ShellLayer layer) const;
 

@@ -13,8 +13,8 @@ namespace birdstrike
   ///
   /// `normal` runs through the thickness. Of a built-in part it is the mean of the cells' third axis, which runs along
   /// the mid-surface normal of the shell of the same part; of a file the principal axis of the cut's second moment of
-  /// area of which that moment is smaller, with the sign that makes its largest component positive. Half a cut
-  /// (symmetry plane y = 0) has the axes of the whole.
+  /// area of which that moment is smaller, with the sign of `sign_by_axes` z, y, x. Half a cut (symmetry plane y = 0)
+  /// has the axes of the whole.
   struct EndFaces
   {
     EndFaces(const VolumeMesh &mesh, const std::vector<unsigned int> &ids);
@@ -41,6 +41,9 @@ namespace birdstrike
   {
   public:
     SolidRootSection(const VolumeMesh &mesh, const std::vector<unsigned int> &root_ids, const Hardening &hardening);
+
+    /// From now on the normal looks the other way.
+    void turn();
 
     /// From the nodal forces [n_nodes][3] that elements exert (N) at positions [n_nodes][3] (m), and the stresses of
     /// the corners. A facet on the top without a counterpart is paired with the nearest below.

@@ -47,6 +47,11 @@ namespace birdstrike
   /// several pieces.
   void update_topology(SurfaceMesh &mesh);
 
+  /// Turns all cells of a surface whose mean normal has the wrong sign (`sign_by_axes` z, y, x of orientation.h), so
+  /// that which face is the upper one does not depend on the order in which a file lists nodes and cells. A closed
+  /// surface, which has no mean normal, stays as it is. After update_topology.
+  void face_upwards(SurfaceMesh &mesh);
+
   /// Takes the mesh as the half y >= 0 of a symmetric one: nodes within 1e-6 of its size are put on the plane, edges
   /// between them become symmetry edges. Throws InputError for nodes at y < 0, or none on the plane.
   void cut_at_symmetry_plane(SurfaceMesh &mesh);

@@ -29,7 +29,7 @@ namespace birdstrike
   };
 
   /// What runs came to, side by side: one column a run, and how much it differs from the first. Peaks are those of
-  /// summary.json, taken at every observation of the run and not only at the rows of its history. Rows that no run
+  /// summary.json, taken at every step of the run and not at the rows of its history. Rows that no run
   /// fills are left out. Writes no files.
   class ComparisonTable
   {

@@ -25,9 +25,9 @@ namespace birdstrike
   };
 
   /// Mean (trapezoidal rule) over the last whole period of a free vibration: between the last two maxima or the last
-  /// two minima, whichever end later, from the curve's highest point on. For a linear vibration about a deflection that
-  /// stays this is that deflection; its error is the amplitude's decay in a period. Ripples of less than a quarter of
-  /// the range after the peak are not taken for periods. Nothing if the curve holds no whole period after its peak.
+  /// two minima, whichever end later, from the largest absolute value on. For a linear vibration about a deflection
+  /// that stays this is that deflection; its error is the amplitude's decay in a period. Ripples of less than a quarter
+  /// of the range after the peak are not taken for periods. Nothing if the curve holds no whole period after its peak.
   std::optional<MeanOverPeriod> compute_mean_over_last_period(std::span<const double> times,
                                                               std::span<const double> values);
 } // namespace birdstrike

@@ -64,20 +64,23 @@ namespace birdstrike
     } steps;
     struct
     {
-      double peak = 0., peak_time = 0.,
-             final = 0.; ///< m, s, m: mid-chord, along the strike normal, positive with the bird
+      /// m, s, m: mid-chord, positive away from the struck side (blade/orientation.h); the peak is the largest absolute
+      /// value over all macro steps, with its sign.
+      double peak = 0., peak_time = 0., final = 0.;
     } tip;
     struct
     {
+      // largest absolute values over all macro steps
       double peak_normal_stress      = 0.; ///< Pa
       double peak_normal_stress_time = 0.; ///< s
       double peak_moment             = 0.; ///< N m
-      double peak_force              = 0.; ///< N
+      double peak_force              = 0.; ///< N, norm of normal and transverse force
     } root;
     struct
     {
       std::array<double, 3> impulse{};                         ///< N s, on the blade
-      double                peak_force                   = 0.; ///< N
+      double                peak_force                   = 0.; ///< N, norm of the sum, over every evaluation of contact
+      double                peak_force_time              = 0.; ///< s
       double                max_penetration              = 0.; ///< m
       double                max_penetration_over_spacing = 0.;
     } contact;

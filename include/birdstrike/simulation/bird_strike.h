@@ -46,8 +46,9 @@ namespace birdstrike
     void        start();
     void        plan();
     void        advance();
-    void        step(); ///< one macro step of the parts; a debug build asserts that it allocates nothing
-    void        observe();
+    void        step();    ///< one macro step of the parts; a debug build asserts that it allocates nothing
+    void        observe(); ///< peaks after each step; balance and rows when they are due
+    void        record(const SystemState &state);
     void        retire_particles();
     bool        is_bird_phase_over(double horizon);
     void        finish();
@@ -73,7 +74,8 @@ namespace birdstrike
     {
       std::size_t retirement, votes, output;
     } sections;
-    Balance                 balance;
+    Balance                 balance;     ///< judges the run, at a fixed stride of steps
+    Balance                 row_balance; ///< what rows show: wherever one is due, so that none moves a maximum
     Observed                observed;
     std::optional<Recorder> recorder;
     Progress                progress;

@@ -28,8 +28,8 @@ namespace birdstrike
     /// Whether a row of the history or a field file is due.
     bool is_due(double time) const;
 
-    /// Writes what is due at this time.
-    void record(double time, unsigned long n_steps);
+    /// Writes what is due at this time; whether that was a row of the history.
+    bool record(double time, unsigned long n_steps);
 
     /// Writes the last state whatever the intervals say, and waits until all is on disk.
     void finish(double time, unsigned long n_steps);

@@ -5,6 +5,7 @@
 #include <birdstrike/simulation/balance.h>
 #include <birdstrike/simulation/symmetry.h>
 #include <birdstrike/time_control/schedule.h>
+#include <birdstrike/time_control/smallest_step.h>
 
 #include <cstdint>
 #include <limits>
@@ -48,6 +49,8 @@ namespace birdstrike
     /// The bird's step grows by at most 2 % from step to step, and starts as if the whole bird were in the shocked
     /// state of first touch: Verlet's energy holds for a constant step, and a step that shrinks by a third while the
     /// shock builds up loses sum F^2 (dt_old^2 - dt_new^2)/(8 m), measured as 0.8 % of the bird's energy.
+    ///
+    /// @throws NumericalFailure for a step that collapses (Time/Smallest step).
     Schedule plan(double remaining);
 
     /// The latest plan; zero before the first.
@@ -75,10 +78,10 @@ namespace birdstrike
     Schedule              latest;
     double                largest_bird_step;                                                 // s, for the next plan
     double                largest_step_in_contact = std::numeric_limits<double>::infinity(); // s, of the blade
+    SmallestStep          smallest_bird_step, smallest_blade_step;
     EnergyReport          gone_energy;
     MomentumReport        gone_momentum;
 
-    void place_at_first_touch();
     void limit_multirate();
   };
 } // namespace birdstrike

@@ -11,6 +11,7 @@ namespace birdstrike
   class Bird;
   class Blade;
   class Contact;
+  class ContactWatch;
   class ThreadPool;
 
   /// One macro step of whatever parts a scene has: velocity-Verlet with both parts synchronous at its ends.
@@ -26,10 +27,11 @@ namespace birdstrike
   public:
     struct Parts
     {
-      Bird       *bird    = nullptr;
-      Blade      *blade   = nullptr;
-      Contact    *contact = nullptr;
-      ThreadPool *pool    = nullptr;
+      Bird         *bird    = nullptr;
+      Blade        *blade   = nullptr;
+      Contact      *contact = nullptr;
+      ThreadPool   *pool    = nullptr;
+      ContactWatch *watch   = nullptr; ///< told of every evaluation of contact
     };
     struct Counts
     {

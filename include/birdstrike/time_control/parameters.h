@@ -19,6 +19,7 @@ namespace birdstrike
     bool         stop_at_tip_peak = false;    ///< end once the tip has passed its first peak
     double       tip_peak_wait    = 1e-3;     ///< s, without a higher value before the peak counts as passed
     double       bird_phase_tolerance = 1e-3; ///< -, of the impulse: what the bird may still give when it is dropped
+    double       smallest_step        = 1e-3; ///< -, of a part's first stable step: below it the run ends
     double       energy_error_limit   = 0.05; ///< -, share of the initial energy
     double       maximum_wall_time    = 0.;   ///< s, 0: no limit
     unsigned int threads              = 0;    ///< -, 0: one for each core this process may use

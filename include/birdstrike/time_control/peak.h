@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace birdstrike
@@ -30,18 +31,51 @@ namespace birdstrike
     double when    = 0.;
   };
 
-  /// The first maximum of a deflection that follows a load. It has passed once
+  /// The largest value of a curve in either direction so far, with its sign, and when.
+  class SignedPeak
+  {
+  public:
+    /// Whether this value is the new peak.
+    bool update(const double time, const double value)
+    {
+      if (std::abs(value) <= std::abs(largest))
+        return false;
+      largest = value;
+      when    = time;
+      return true;
+    }
+    double value() const
+    {
+      return largest;
+    }
+    double time() const
+    {
+      return when;
+    }
+
+  private:
+    double largest = 0.;
+    double when    = 0.;
+  };
+
+  /// The first maximum of a deflection, in either direction, that follows a load. It has passed once
   ///  - the load has stayed below 5 % of its largest value,
-  ///  - the deflection has stayed below its maximum (a ripple on the way up ends sooner: 0.7 ms in the frontal strike),
+  ///  - the deflection has stayed within its extremes (a ripple on the way up ends sooner: 0.7 ms in the frontal
+  ///  strike),
   /// both for `wait` seconds, and
-  ///  - the maximum exceeds the largest deflection the other way: a blade struck outboard first moves its tip
-  ///  backwards.
+  ///  - the maximum exceeds the largest deflection the other way, against the load: a blade struck outboard first moves
+  ///    its tip backwards. Where nothing strikes, or the tip has since swung through to the other side, the larger of
+  ///    the two is the maximum.
   class FirstMaximum
   {
   public:
     void update(const double time, const double deflection, const double load)
     {
       peak.update(time, deflection);
+      if (backward.value() < -deflection)
+        has_swung_through = false;
+      else if (deflection > 0.)
+        has_swung_through = true;
       backward.update(time, -deflection);
       peak_load.update(time, load);
       if (load > 0.05 * peak_load.value())
@@ -49,12 +83,15 @@ namespace birdstrike
     }
     bool is_passed(const double now, const double wait) const
     {
-      return peak.value() > 0. && peak.value() > backward.value() && now - peak.time() > wait &&
-             now - last_loaded > wait;
+      const bool has_maximum =
+        peak.value() > backward.value() ? peak.value() > 0. : peak_load.value() == 0. || has_swung_through;
+      return has_maximum && std::max(peak.value(), backward.value()) > 0. && now - peak.time() > wait &&
+             now - backward.time() > wait && now - last_loaded > wait;
     }
 
   private:
     Peak   peak, backward, peak_load;
-    double last_loaded = -INFINITY; // s
+    double last_loaded       = -INFINITY; // s
+    bool   has_swung_through = false;     // since the largest deflection backwards
   };
 } // namespace birdstrike

@@ -217,11 +217,11 @@ namespace birdstrike
       // Equilibrium again: the mean over the chord of the face stress, half an element from the root, is M y / I.
       const double face = 6. * (0.3112 - 0.5 * 0.3112 / 14) / (0.0889 * 0.00427 * 0.00427);
       double       mean = 0.;
-      for (const double s : root.stress_bottom)
-        mean += s / root.stress_bottom.size();
-      ASSERT_EQ(root.stress_bottom.size(), 4u);
+      for (const double s : root.stress_struck)
+        mean += s / root.stress_struck.size();
+      ASSERT_EQ(root.stress_struck.size(), 4u);
       EXPECT_NEAR(mean / face, 1., 2e-3);
-      EXPECT_NEAR(root.stress_top[1], -root.stress_bottom[1], 1e-3 * face);
+      EXPECT_NEAR(root.stress_rear[1], -root.stress_struck[1], 1e-3 * face);
       EXPECT_LT(root.chord_position[0], root.chord_position[3]);
     }
 

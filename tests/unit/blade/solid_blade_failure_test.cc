@@ -127,7 +127,7 @@ namespace birdstrike
       run(blade, 60e-6);
       EXPECT_EQ(blade.failure().n_at_root, 2u);
       const auto root = blade.root_section();
-      ASSERT_EQ(root.stress_top.size(), 2u);
+      ASSERT_EQ(root.stress_rear.size(), 2u);
       EXPECT_EQ(root.peak_stress(), 0.);
       EXPECT_EQ(root.normal_force, 0.);
       EXPECT_FALSE(blade.failure().has_lost_tip);

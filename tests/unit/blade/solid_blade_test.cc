@@ -177,12 +177,12 @@ namespace birdstrike
       EXPECT_NEAR(root.normal_force, 0., 2e-3);
       const double face = 6. * (0.3112 - 0.5 * 0.3112 / 14) / (0.0889 * 0.00427 * 0.00427);
       double       mean = 0.;
-      for (const double s : root.stress_bottom)
-        mean += s / root.stress_bottom.size();
-      ASSERT_EQ(root.stress_bottom.size(), 4u);
+      for (const double s : root.stress_struck)
+        mean += s / root.stress_struck.size();
+      ASSERT_EQ(root.stress_struck.size(), 4u);
       EXPECT_NEAR(mean / face, 1., 0.01);
       RecordProperty("mean_face_stress", std::to_string(mean / face));
-      EXPECT_NEAR(root.stress_top[1], -root.stress_bottom[1], 1e-3 * face);
+      EXPECT_NEAR(root.stress_rear[1], -root.stress_struck[1], 1e-3 * face);
       EXPECT_LT(root.chord_position[0], root.chord_position[3]);
     }
 

@@ -53,6 +53,15 @@ TEST(CurveFeatures, MeanOverAPeriodIsTheDeflectionThatStays)
   EXPECT_NEAR(mean->mean, 0.12, 1e-6) << "a sine sampled 5000 times";
 }
 
+TEST(CurveFeatures, ACurveTheOtherWayHasTheOppositeMean)
+{
+  Curve      curve = vibrate(0.12, 0.05, 0., 3.);
+  const auto mean  = compute_mean_over_last_period(curve.t, curve.y);
+  for (double &y : curve.y)
+    y = -y;
+  EXPECT_EQ(compute_mean_over_last_period(curve.t, curve.y)->mean, -mean->mean);
+}
+
 TEST(CurveFeatures, ARippleIsNotTakenForThePeriod)
 {
   const Curve curve = vibrate(0.12, 0.05, 0.006, 3.);

@@ -46,6 +46,7 @@ struct RecordedRun
     history.add_column("blade_kinetic", "J", [&] { return t == 0. ? 2.5 : 1.; });
     for (const std::string axis : {"x", "y", "z"})
       history.add_column("contact_force_" + axis, "N", [] { return 1000.; });
+    history.add_column("contact_force_peak", "N", [] { return 1000. * std::sqrt(3.); });
     for (int row = 0; row < 2600; ++row)
       {
         t = row * 10e-6;

@@ -21,7 +21,7 @@ TEST(Summary, HasTheStableKeys)
     {"steps", {"blade", "bird"}},
     {"tip", {"peak", "peak_time", "final"}},
     {"root", {"peak_normal_stress", "peak_normal_stress_time", "peak_moment", "peak_force"}},
-    {"contact", {"impulse", "peak_force", "max_penetration", "max_penetration_over_spacing"}},
+    {"contact", {"impulse", "peak_force", "peak_force_time", "max_penetration", "max_penetration_over_spacing"}},
     {"plastic", {"max_strain", "position", "work"}},
     {"failed", {"elements", "collapsed", "at_root", "mass", "free_mass", "energy"}},
     {"energy", {"initial", "final", "max_relative_error", "max_hourglass_over_internal", "parts"}},

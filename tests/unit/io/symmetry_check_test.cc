@@ -9,13 +9,13 @@ using namespace birdstrike;
 
 namespace
 {
-  std::string refusal(const std::string &override_text)
+  std::string refusal(const std::string &override_text, const std::string &another = "Case/Name=case")
   {
     const ScratchFolder scratch;
     CaseParameters      parameters;
     try
       {
-        parameters.read(scratch.write("case.prm", ""), {"Case/Symmetry plane=y", override_text});
+        parameters.read(scratch.write("case.prm", ""), {"Case/Symmetry plane=y", override_text, another});
       }
     catch (const InputError &error)
       {
@@ -42,7 +42,10 @@ TEST(SymmetryPlane, RefusesWhatIsNotItsOwnMirrorImage)
                                     {"Bird/Chordwise offset=0.01", "Bird/Chordwise offset"},
                                     {"Bird/Yaw=10", "Bird/Yaw"},
                                     {"Blade/Thickness/Value=0.004 + 0.01*y", "Thickness/Value"},
+                                    {"Blade/Thickness/Value=0.00427+if(y>0.042,0.002,0)", "Thickness/Value"},
+                                    {"Blade/Thickness/Value=0.004+if(x>0.3 && y<-0.04,0.002,0)", "Thickness/Value"},
                                     {"Blade/Loads/Pressure=1e5*y", "Loads/Pressure"},
+                                    {"Blade/Loads/Pressure=if(t>5e-3, 1e5*y, 0)", "Loads/Pressure"},
                                     {"Blade/Loads/Initial velocity=0; 1; 0", "Loads/Initial velocity"},
                                     {"Blade/Loads/Initial spin=1; 0; 0", "Loads/Initial spin"},
                                     {"Blade/Supports/Clamped=0, 2", "Supports/Clamped"},
@@ -52,5 +55,16 @@ TEST(SymmetryPlane, RefusesWhatIsNotItsOwnMirrorImage)
       const std::string message = refusal(text);
       EXPECT_NE(message.find(entry), std::string::npos) << text << ": " << message;
       EXPECT_NE(message.find("symmetric"), std::string::npos) << text << ": " << message;
+    }
+}
+
+TEST(SymmetryPlane, RefusesAProfileOfThicknessThatIsNotItsOwnMirrorImage)
+{
+  const std::string maximum = "Blade/Thickness/Maximum=0.004 - 0.001*s";
+  EXPECT_EQ(refusal(maximum), "");
+  for (const char *text : {"Blade/Thickness/Leading edge=0.5", "Blade/Thickness/Maximum station=0.4"})
+    {
+      const std::string message = refusal(text, maximum);
+      EXPECT_NE(message.find("Thickness/Maximum station"), std::string::npos) << text << ": " << message;
     }
 }

@@ -38,7 +38,7 @@ TEST(Symmetry, EnergiesAndForcesDoubleStressesStay)
   EXPECT_EQ(whole.contact_work, 18.);
   RootSectionReport root;
   root.normal_force = 1., root.bending_moment = 2., root.transverse_force = 3.;
-  root.stress_top = {5.};
+  root.stress_rear = {5.};
   EXPECT_EQ(mirrored.whole(root).bending_moment, 4.);
   EXPECT_EQ(mirrored.whole(root).peak_stress(), 5.);
 }

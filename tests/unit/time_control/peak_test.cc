@@ -67,3 +67,26 @@ TEST(FirstMaximum, NeverEndsACurveThatRises)
 {
   EXPECT_EQ(find_end([](const double t) { return t; }, short_load, 1e-3), -1.);
 }
+
+TEST(FirstMaximum, IsFoundInTheOtherDirectionToo)
+{
+  // nothing strikes: the swing of an initial velocity, away from the normal
+  const auto swing = [](const double t) { return -0.3 * std::sin(std::numbers::pi * t / 20e-3); };
+  const auto none  = [](double) { return 0.; };
+  EXPECT_NEAR(find_end(swing, none, 1e-3), 11e-3, 2e-5);
+  // a bird throws the tip backwards for good: known once it has swung through to its lesser maximum on the other side
+  const auto thrown = [](const double t) { return (t < 20e-3 ? -0.3 : -0.1) * std::sin(std::numbers::pi * t / 20e-3); };
+  EXPECT_NEAR(find_end(thrown, short_load, 1e-3), 31e-3, 2e-5);
+}
+
+TEST(SignedPeak, IsTheLargestInEitherDirection)
+{
+  SignedPeak peak;
+  EXPECT_EQ(peak.value(), 0.);
+  EXPECT_TRUE(peak.update(1., 2.));
+  EXPECT_TRUE(peak.update(2., -3.));
+  EXPECT_FALSE(peak.update(3., 3.)) << "the first of two equal ones";
+  EXPECT_EQ(peak.value(), -3.);
+  EXPECT_EQ(peak.time(), 2.);
+  EXPECT_TRUE(peak.update(4., std::nan(""))) << "a lost value is not hidden";
+}

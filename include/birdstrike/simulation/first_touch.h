@@ -1,0 +1,23 @@
+#pragma once
+
+namespace birdstrike
+{
+  class Bird;
+  class Blade;
+  struct BirdParameters;
+
+  /// How bird and blade met.
+  struct FirstTouch
+  {
+    double flight_time   = 0.; ///< s, skipped before first touch
+    double closing_speed = 0.; ///< m/s, of the bird relative to the blade where it aims
+  };
+
+  /// Moves the bird in closed form to where its first particle touches the blade as it lies at the start, along its
+  /// velocity relative to the blade's node nearest to the aim point: a blade that moves as a whole is met as in its own
+  /// frame. Without a stand-off of the user's, a bird that would have touched before its automatic start (at grazing
+  /// incidence, wider than the blade) is taken back to that touch.
+  ///
+  /// @throws InputError for a bird that misses the blade or starts inside it.
+  FirstTouch place_at_first_touch(Bird &bird, Blade &blade, const BirdParameters &parameters);
+} // namespace birdstrike

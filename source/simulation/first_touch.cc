@@ -1,0 +1,104 @@
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/blade/blade.h>
+#include <birdstrike/contact/flight.h>
+#include <birdstrike/core/errors.h>
+#include <birdstrike/simulation/first_touch.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Velocity (m/s) of the surface where the bird aims: of the node nearest to that point.
+    Point3 find_velocity_at_aim(const BirdParameters &bird, const FacetsView &facets)
+    {
+      const Point3  aim(bird.aim_point[0], bird.aim_point[1] + bird.chordwise_offset, bird.aim_point[2]);
+      std::uint32_t nearest  = 0;
+      double        smallest = INFINITY;
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        for (const std::uint32_t node : facets.nodes[f])
+          if (const double d = (Point3(facets.position + 3 * node) - aim).squaredNorm(); d < smallest)
+            {
+              smallest = d;
+              nearest  = node;
+            }
+      return Point3(facets.velocity + facets.velocity_stride * nearest);
+    }
+
+    /// The points moved by `shift`, all with one velocity, and a view of them.
+    struct MovedPoints
+    {
+      std::array<std::vector<double>, 3> position, velocity;
+      PointsView                         view;
+
+      MovedPoints(const PointsView &points, const Point3 &shift, const Point3 &common_velocity) : view(points)
+      {
+        for (int d = 0; d < 3; ++d)
+          {
+            position[d].assign(points.position[d], points.position[d] + points.n);
+            for (double &x : position[d])
+              x += shift[d];
+            velocity[d].assign(points.n, common_velocity[d]);
+            view.position[d] = position[d].data();
+            view.velocity[d] = velocity[d].data();
+          }
+      }
+    };
+
+    /// How long (s) before the present place of the points, which fly on with `velocity`, the first of them touched;
+    /// 0 if none has. They are followed from where all of them were behind the whole surface.
+    double find_earlier_touch(const PointsView &points, const FacetsView &facets, const Point3 &velocity)
+    {
+      const Point3 along = velocity.normalized();
+      double       front = -INFINITY, rear = INFINITY, margin = 0.;
+      for (std::size_t p = 0; p < points.n; ++p)
+        {
+          front =
+            std::max(front, along.dot(Point3(points.position[0][p], points.position[1][p], points.position[2][p])));
+          margin = std::max(margin, std::cbrt(points.volume[p]));
+        }
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        {
+          margin = std::max(margin, 2. * facets.half_thickness[f]);
+          for (const std::uint32_t n : facets.nodes[f])
+            rear = std::min(rear, along.dot(Point3(facets.position + 3 * n)));
+        }
+      const double behind = front - rear + 2. * margin; // m, how far to go back
+      if (!(behind > 0.))
+        return 0.;
+      const double      time = behind / velocity.norm();
+      const MovedPoints moved(points, -time * velocity, velocity);
+      return std::max(0., time - time_to_first_touch(moved.view, facets));
+    }
+  } // namespace
+
+  FirstTouch place_at_first_touch(Bird &bird, Blade &blade, const BirdParameters &parameters)
+  {
+    const FacetsView facets   = blade.facets();
+    const Point3     frame    = find_velocity_at_aim(parameters, facets);
+    const Point3     velocity = Point3(parameters.velocity.data()) - frame;
+    FirstTouch       touch{0., velocity.norm()};
+    const bool is_free_to_start = parameters.stand_off == 0. && parameters.shape != "slab" && velocity.norm() > 0.;
+    if (is_free_to_start)
+      if (const double earlier = find_earlier_touch(bird.points(), facets, velocity); earlier > 0.)
+        {
+          bird.advance_in_flight(-earlier, frame);
+          return touch;
+        }
+    if (const Overlap overlap = initial_overlap(bird.points(), facets); overlap.depth > 0.)
+      throw InputError(fmt::format("The bird starts inside the blade: {:.3g} m deep at ({:.4g}, {:.4g}, {:.4g}).\n{}",
+                                   overlap.depth, overlap.position[0], overlap.position[1], overlap.position[2],
+                                   parameters.stand_off > 0.
+                                     ? "Enlarge Bird/Stand-off, or set it to 0 to have it chosen."
+                                     : "Move Bird/Aim point, about which it starts."));
+    touch.flight_time = time_to_first_touch(MovedPoints(bird.points(), Point3::Zero(), velocity).view, facets);
+    if (!std::isfinite(touch.flight_time))
+      throw InputError("The bird misses the blade: no particle meets it along Bird/Velocity.\n"
+                       "Change Bird/Aim point, Bird/Chordwise offset or Bird/Velocity.");
+    bird.advance_in_flight(touch.flight_time, frame);
+    return touch;
+  }
+} // namespace birdstrike
