@@ -128,6 +128,19 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::add_internal_forces(const std::span<const NodalForce> forces)
+  {
+    if (forces.empty())
+      return;
+    added.assign(forces.begin(), forces.end());
+    for (const NodalForce &one : added)
+      for (unsigned int d = 0; d < 3; ++d)
+        force[n_unknowns * one.node + d] += one.force[d];
+    if (scaled)
+      scaled->update_forces(force.data(), external.data());
+  }
+
+  template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::set_contact_in_transit(const double duration)
   {
     in_transit = duration;

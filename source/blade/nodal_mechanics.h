@@ -13,6 +13,8 @@
 #include <birdstrike/core/half_kick.h>
 #include <birdstrike/core/thread_pool.h>
 
+#include <span>
+
 namespace birdstrike
 {
   /// The nodes of a blade of finite elements, and their equations of motion
@@ -71,10 +73,13 @@ namespace birdstrike
       if (increment_time > 0.)
         elements.compute_internal_forces(position.data(), increment.data(), increment_time, force.data());
       increment_time = 0.;
+      added.clear();
       update_loads();
       if (scaled)
         scaled->update_forces(force.data(), external.data());
     }
+
+    void add_internal_forces(std::span<const NodalForce> forces); ///< see Blade
 
     EnergyReport             energies() const; ///< kinetic, dissipated, works: nothing that elements store
     MomentumReport           momenta() const;
@@ -82,6 +87,7 @@ namespace birdstrike
     std::vector<ProbeValues> probes() const;
     NodeArrays               arrays();
     FacetsView               facets(); ///< nodes only: the facets are the owner's
+    FacetsView               internal_facets() const;
     void                     add_fields(std::vector<Field> &fields) const;
     std::size_t              bytes() const;
 
@@ -97,10 +103,7 @@ namespace birdstrike
     {
       return displacement.data();
     }
-    const double *element_forces() const
-    {
-      return force.data();
-    }
+    const double *element_forces() const; ///< without what others have added
 
   private:
     using Sums = std::array<double, 12>;
@@ -137,6 +140,8 @@ namespace birdstrike
     std::vector<double>                                node_inverse_mass;   ///< [n_nodes], 0 where all three are held
     std::vector<std::pair<std::string, std::uint32_t>> watched;             ///< probes: name, node
     std::unique_ptr<ScaledNodes>                       scaled;              ///< none: masses are those of the nodes
+    std::vector<NodalForce>                            added;               ///< to `force`, since it was computed
+    mutable std::vector<double>                        of_elements;         ///< N, `force` without them
 
     double time           = 0.;                   ///< s
     double increment_time = 0.;                   ///< s since the last compute_internal_forces

@@ -35,6 +35,7 @@ namespace birdstrike
           }
       }
     position = reference;
+    added.reserve(n_nodes);
     for (const std::uint32_t dof : held_dofs)
       inverse_mass[dof] = 0.;
     for (std::size_t n = 0; n < n_nodes; ++n)
@@ -202,15 +203,34 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
+  const double *NodalMechanics<n_unknowns>::element_forces() const
+  {
+    if (added.empty())
+      return force.data();
+    of_elements.assign(force.begin(), force.end());
+    for (const NodalForce &one : added)
+      for (unsigned int d = 0; d < 3; ++d)
+        of_elements[n_unknowns * one.node + d] -= one.force[d];
+    return of_elements.data();
+  }
+
+  template <unsigned int n_unknowns>
   FacetsView NodalMechanics<n_unknowns>::facets()
   {
     if (scaled)
       scaled->forget_contact(); // whoever asks may add forces
+    FacetsView view = internal_facets();
+    view.force      = contact.data();
+    return view;
+  }
+
+  template <unsigned int n_unknowns>
+  FacetsView NodalMechanics<n_unknowns>::internal_facets() const
+  {
     FacetsView view;
     view.n_nodes         = n_nodes;
     view.position        = position.data();
     view.velocity        = velocity.data();
-    view.force           = contact.data();
     view.inverse_mass    = node_inverse_mass.data();
     view.velocity_stride = n_unknowns;
     return view;
@@ -233,8 +253,8 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   std::size_t NodalMechanics<n_unknowns>::bytes() const
   {
-    // eight vectors of unknowns, two of coordinates, one scalar
-    return sizeof(double) * (8 * n_padded + 7 * n_nodes) + (scaled ? scaled->bytes() : 0);
+    // eight vectors of unknowns, two of coordinates, one scalar, one of forces with their nodes
+    return sizeof(double) * (8 * n_padded + 11 * n_nodes) + (scaled ? scaled->bytes() : 0);
   }
 
   template class NodalMechanics<3>;

@@ -48,6 +48,18 @@ namespace birdstrike
     return view;
   }
 
+  FacetsView ShellBlade::internal_facets()
+  {
+    FacetsView view = state->nodes.internal_facets();
+    state->surface.offer(view);
+    return view;
+  }
+
+  void ShellBlade::add_internal_forces(const std::span<const NodalForce> forces)
+  {
+    state->nodes.add_internal_forces(forces);
+  }
+
   NodeArrays ShellBlade::nodes()
   {
     return state->nodes.arrays();

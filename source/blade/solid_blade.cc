@@ -149,6 +149,20 @@ namespace birdstrike
     return view;
   }
 
+  FacetsView SolidBlade::internal_facets()
+  {
+    FacetsView view = state->nodes.internal_facets();
+    if (!state->can_fail)
+      view.n_nodes = state->mesh.volume().n_skin_nodes;
+    state->skin.offer(view);
+    return view;
+  }
+
+  void SolidBlade::add_internal_forces(const std::span<const NodalForce> forces)
+  {
+    state->nodes.add_internal_forces(forces);
+  }
+
   NodeArrays SolidBlade::nodes()
   {
     return state->nodes.arrays();

@@ -13,6 +13,9 @@ namespace birdstrike
   {
     prm.enter_subsection("Contact");
     prm.add_parameter("Enabled", is_enabled, "Whether bird and blade push one another; off, they pass through. [-]");
+    prm.add_parameter("Self-contact", self_contact,
+                      "Whether parts of a deformable blade push one another where they meet, without friction; off, "
+                      "they pass through. [-]");
     prm.add_parameter("Stiffness scale", stiffness_scale,
                       "Factor on the penalty stiffness, which is that of a cell of the undeformed bird. [-]",
                       Patterns::Double(0.));

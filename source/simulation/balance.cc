@@ -18,7 +18,8 @@ namespace birdstrike
     double energy_of(const SystemState &state)
     {
       return state.bird.total() + state.blade.total() - state.bird.contact_work - state.blade.contact_work -
-             state.bird.external_work - state.blade.external_work;
+             state.bird.external_work - state.blade.external_work + state.self_contact_stored +
+             state.self_contact_dissipated;
     }
 
     std::array<double, 3> momentum_of(const SystemState &state)

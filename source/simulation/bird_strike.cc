@@ -41,7 +41,7 @@ namespace birdstrike
 
     Stepper::Parts parts_of(Scene &scene, ContactWatch &watch)
     {
-      return {scene.bird.get(), scene.blade.get(), scene.contact.get(), &scene.pool, &watch};
+      return {scene.bird.get(), scene.blade.get(), scene.contact.get(), &scene.pool, &watch, scene.self_contact.get()};
     }
   } // namespace
 

@@ -37,7 +37,9 @@ namespace birdstrike
               {"blade_damped", blade.dissipated},
               {"external_work", blade.external_work},
               {"contact_stored", balance.state().contact_stored},
-              {"contact_dissipated", balance.contact_dissipated()}};
+              {"contact_dissipated", balance.contact_dissipated()},
+              {"self_contact_stored", balance.state().self_contact_stored},
+              {"self_contact_dissipated", balance.state().self_contact_dissipated}};
     }
   } // namespace
 

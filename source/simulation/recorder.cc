@@ -114,6 +114,11 @@ namespace birdstrike
     history.add_column("blade_viscous", "J", [this] { return balance.state().blade.viscous; });
     history.add_column("blade_damped", "J", [this] { return balance.state().blade.dissipated; });
     history.add_column("blade_external_work", "J", [this] { return balance.state().blade.external_work; });
+    if (scene.self_contact)
+      {
+        history.add_column("self_contact_stored", "J", [this] { return balance.state().self_contact_stored; });
+        history.add_column("self_contact_dissipated", "J", [this] { return balance.state().self_contact_dissipated; });
+      }
     for (unsigned int c = 0; c < 3; ++c)
       history.add_column(std::string("blade_momentum_") + axis_names[c], "N s",
                          [this, c] { return balance.state().blade_momentum.momentum[c]; });

@@ -1,6 +1,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/blade/make_blade.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/contact/self_contact.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
@@ -52,6 +53,8 @@ namespace birdstrike
     if (!blade && !bird)
       throw InputError(
         "The case has neither a blade nor a bird.\nSet Blade/Kind to shell, solid or rigid, or Bird/Enabled to true.");
+    if (blade && blade->is_deformable() && parameters.contact.self_contact)
+      self_contact = std::make_unique<SelfContact>();
     if (blade && bird && parameters.contact.is_enabled)
       {
         contact                = std::make_unique<Contact>(parameters.contact);
@@ -129,6 +132,11 @@ namespace birdstrike
       }
     else
       state.contact_dissipated = gone_contact.dissipated_energy;
+    if (self_contact)
+      {
+        state.self_contact_stored     = self_contact->report().stored_energy;
+        state.self_contact_dissipated = self_contact->report().dissipated_energy;
+      }
     return symmetry.whole(state);
   }
 
@@ -159,6 +167,8 @@ namespace birdstrike
     std::uint64_t n = bird ? bird->n_list_builds() : 0;
     if (contact)
       n += contact->report().searches;
+    if (self_contact)
+      n += self_contact->report().looks;
     if (blade)
       n += blade->census().n_elements_with_points + blade->failure().n_elements;
     return n;

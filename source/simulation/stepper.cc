@@ -1,6 +1,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/contact/self_contact.h>
 #include <birdstrike/simulation/contact_watch.h>
 #include <birdstrike/simulation/stepper.h>
 
@@ -41,7 +42,7 @@ namespace birdstrike
 
   void Stepper::compute_initial_forces(const double step)
   {
-    compute_blade_forces();
+    compute_blade_forces(step);
     compute_bird_forces(step);
     done = {};
   }
@@ -86,7 +87,7 @@ namespace birdstrike
         kick_bird(0.5 * step, HalfKick::second);
         kick_contact(0.5 * step, HalfKick::second);
       }
-    compute_blade_forces();
+    compute_blade_forces(schedule.step);
     parts.blade->kick_internal(0.5 * schedule.step, HalfKick::second);
   }
 
@@ -131,19 +132,24 @@ namespace birdstrike
       parts.blade->kick_internal(0.5 * step, HalfKick::first);
       parts.blade->drift(step);
     }
-    compute_blade_forces();
+    compute_blade_forces(step);
     const Timings::Scope scope(timings, sections.blade_motion);
     parts.blade->kick_internal(0.5 * step, HalfKick::second);
     if (contact_half > 0.)
       parts.blade->kick_contact(contact_half, HalfKick::second);
   }
 
-  void Stepper::compute_blade_forces()
+  void Stepper::compute_blade_forces(const double step)
   {
     if (!parts.blade || !parts.blade->is_deformable())
       return;
     const Timings::Scope scope(timings, sections.blade_forces);
     parts.blade->compute_internal_forces();
+    if (parts.self_contact)
+      {
+        parts.self_contact->update(parts.blade->internal_facets(), step);
+        parts.blade->add_internal_forces(parts.self_contact->forces());
+      }
     ++done.blade;
     done.element_steps += parts.blade->n_elements();
   }

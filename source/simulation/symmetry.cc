@@ -49,6 +49,8 @@ namespace birdstrike
             whole(state.bird_momentum),
             whole(state.blade_momentum),
             factor() * state.contact_stored,
-            factor() * state.contact_dissipated};
+            factor() * state.contact_dissipated,
+            factor() * state.self_contact_stored,
+            factor() * state.self_contact_dissipated};
   }
 } // namespace birdstrike

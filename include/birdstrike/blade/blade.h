@@ -8,6 +8,7 @@
 #include <birdstrike/core/step_limit.h>
 
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -52,6 +53,19 @@ namespace birdstrike
 
     /// The surface offered to contact; valid for the life of the blade.
     virtual FacetsView facets() = 0;
+
+    /// The same surface to be looked at only (`force` is null); forces between its own nodes come back through
+    /// add_internal_forces.
+    virtual FacetsView internal_facets()
+    {
+      throw std::logic_error("A blade of kind '" + kind() + "' has no internal forces.");
+    }
+    /// Adds to the forces of the present compute_internal_forces, which kick_internal kicks with. Once a step at most.
+    virtual void add_internal_forces(std::span<const NodalForce> forces)
+    {
+      if (!forces.empty())
+        throw std::logic_error("A blade of kind '" + kind() + "' has no internal forces.");
+    }
 
     /// The frame of contact force history: sum of the present contact forces, N.
     virtual std::array<double, 3> contact_force() const = 0;

@@ -34,6 +34,8 @@ namespace birdstrike
     void set_contact_in_transit(double duration) override;
 
     FacetsView               facets() override;
+    FacetsView               internal_facets() override;
+    void                     add_internal_forces(std::span<const NodalForce> forces) override;
     std::array<double, 3>    contact_force() const override;
     EnergyReport             energies() const override;
     MomentumReport           momenta() const override;

@@ -24,6 +24,7 @@ namespace birdstrike
   struct ContactParameters
   {
     bool        is_enabled      = true;
+    bool        self_contact    = true;
     double      stiffness_scale = 1.;  ///< -, on rho0 c0^2 V^(1/3)
     double      damping_scale   = 1.;  ///< -, on A rho c
     double      stability_share = 0.4; ///< -, N dt^2 of a full layer on a light blade (contact.h)

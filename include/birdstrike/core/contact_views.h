@@ -46,4 +46,11 @@ namespace birdstrike
     bool          two_sided      = true;    ///< false for the skin of a solid: only the normal side is outside
     std::uint64_t revision       = 0;       ///< grows whenever facets appear or vanish
   };
+
+  /// A force on one node.
+  struct NodalForce
+  {
+    std::uint32_t         node = 0;
+    std::array<double, 3> force{}; ///< N
+  };
 } // namespace birdstrike

@@ -12,12 +12,13 @@ namespace birdstrike
   {
     EnergyReport   bird, blade;
     MomentumReport bird_momentum, blade_momentum;
-    double         contact_stored     = 0.; ///< J, in the penalty springs
-    double         contact_dissipated = 0.; ///< J, by damper and friction, at their own rates
+    double         contact_stored      = 0.; ///< J, in the penalty springs
+    double         contact_dissipated  = 0.; ///< J, by damper and friction, at their own rates
+    double         self_contact_stored = 0., self_contact_dissipated = 0.; ///< J, of the blade with itself
   };
 
   /// The ledger of a run. Energy is conserved as
-  ///   sum of part totals + contact - external work = const,   contact = -(sum of contact works),
+  ///   sum of part totals + contact + self-contact - external work = const,   contact = -(sum of contact works),
   /// linear momentum as
   ///   sum of (carried + retired + given to supports) - external impulse = const.
   /// The contact part is stored in springs or dissipated by the damper: `contact_dissipated` must not fall.

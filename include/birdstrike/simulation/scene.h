@@ -19,6 +19,7 @@ namespace birdstrike
   class Bird;
   class Blade;
   class Contact;
+  class SelfContact;
 
   /// Which parts exist, and where they are when the clock starts. A part that the case lacks is never built: a rigid
   /// target has no finite elements, a blade alone no particles, a bird alone no contact.
@@ -28,13 +29,14 @@ namespace birdstrike
   /// until its first particle touches, and the clock starts there.
   struct Scene
   {
-    ThreadPool               pool;
-    std::unique_ptr<Blade>   blade;
-    std::unique_ptr<Bird>    bird;
-    std::unique_ptr<Contact> contact;
-    Symmetry                 symmetry;
-    double                   flight_time = 0.; ///< s, skipped before first touch
-    ContactReport            gone_contact;     ///< the last report of a contact that has been dropped
+    ThreadPool                   pool;
+    std::unique_ptr<Blade>       blade;
+    std::unique_ptr<Bird>        bird;
+    std::unique_ptr<Contact>     contact;
+    std::unique_ptr<SelfContact> self_contact; ///< of a deformable blade
+    Symmetry                     symmetry;
+    double                       flight_time = 0.; ///< s, skipped before first touch
+    ContactReport                gone_contact;     ///< the last report of a contact that has been dropped
 
     /// @throws InputError for a case without parts, a bird that misses the blade or starts inside it.
     explicit Scene(const CaseParameters &parameters);

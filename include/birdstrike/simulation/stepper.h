@@ -12,6 +12,7 @@ namespace birdstrike
   class Blade;
   class Contact;
   class ContactWatch;
+  class SelfContact;
   class ThreadPool;
 
   /// One macro step of whatever parts a scene has: velocity-Verlet with both parts synchronous at its ends.
@@ -27,11 +28,12 @@ namespace birdstrike
   public:
     struct Parts
     {
-      Bird         *bird    = nullptr;
-      Blade        *blade   = nullptr;
-      Contact      *contact = nullptr;
-      ThreadPool   *pool    = nullptr;
-      ContactWatch *watch   = nullptr; ///< told of every evaluation of contact
+      Bird         *bird         = nullptr;
+      Blade        *blade        = nullptr;
+      Contact      *contact      = nullptr;
+      ThreadPool   *pool         = nullptr;
+      ContactWatch *watch        = nullptr; ///< told of every evaluation of contact
+      SelfContact  *self_contact = nullptr; ///< of the blade
     };
     struct Counts
     {
@@ -63,7 +65,7 @@ namespace birdstrike
     void set_in_transit(double duration);
     void deliver(); ///< what is in transit, at once
     void step_blade(double step, double contact_half);
-    void compute_blade_forces();
+    void compute_blade_forces(double step);
     void compute_bird_forces(double step);
 
     Parts    parts;
