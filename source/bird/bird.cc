@@ -52,9 +52,9 @@ namespace birdstrike
             particles.correction[d][p] = 1.f;
           }
       }
-    half_step     = 0.;
-    retired_share = {};
-    contact_work  = 0.;
+    half_step = staggered_half = staggering = 0.;
+    retired_share                           = {};
+    contact_work                            = 0.;
     contact_impulse.setZero();
     has_contact_force = false;
     list.update(particles, pool);
@@ -104,7 +104,7 @@ namespace birdstrike
             particles.v[d][p] = v[d];
           }
       }
-    half_step = 0.;
+    half_step = staggered_half = 0.;
     list.update(particles, pool);
     ++revision;
     rates->renew_correction();
@@ -147,10 +147,10 @@ namespace birdstrike
     const bool is_first = half == HalfKick::first;
     if (is_first)
       {
+        follow_step(dt);
         half_step = dt;
         // Those that stay feel the present pair forces for this last half kick; so do those that have left.
-        retired_share.momentum += dt * retired_share.force;
-        retired_share.force.setZero();
+        retired_share.kick(dt);
       }
     else
       book_contact(dt);
@@ -166,6 +166,8 @@ namespace birdstrike
             power -= f * (is_first ? after : before);
           }
         store(load<Number>(&particles.internal_energy[p]) + dt * power, &particles.internal_energy[p]);
+        store(load<Number>(&particles.dissipated[p]) + dt * load<Number>(&particles.dissipation[p]),
+              &particles.dissipated[p]);
         const Number mu = load<Number>(&particles.mu[p]), rate = load<Number>(&particles.compression_rate[p]);
         store(expand_at_most(compress(mu, rate, dt)), &particles.mu[p]);
       });
@@ -212,13 +214,11 @@ namespace birdstrike
     if (!parameters.retire)
       return 0;
     const Point3       margin = Point3::Constant(parameters.retirement_margin);
-    const RetiredShare share  = retire_particles(particles, {blade_box.lower - margin, blade_box.upper + margin});
+    const RetiredShare share  = retire_particles(particles, {blade_box.lower - margin, blade_box.upper + margin},
+                                                 [this](const double mu) { return stored_energy(mu); });
     if (share.particles == 0)
       return 0;
-    retired_share.particles += share.particles;
-    retired_share.energy += share.energy;
-    retired_share.momentum += share.momentum;
-    retired_share.force += share.force;
+    retired_share.add(share);
     if (particles.size() > 0)
       list.update(particles, pool);
     ++revision;

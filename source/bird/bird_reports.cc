@@ -107,35 +107,68 @@ namespace birdstrike
     return limit;
   }
 
+  double Bird::stored_energy(const double mu) const
+  {
+    return parameters.tension_cutoff && mu <= 0. ? 0. : eos.energy(mu);
+  }
+
+  /// The reference of the staggering follows the step, see core/energy_report.h.
+  void Bird::follow_step(const double new_half_step)
+  {
+    if (std::abs(new_half_step - staggered_half) <= 1e-3 * staggered_half)
+      return;
+    const auto &f = particles.force, &g = particles.contact_force;
+    const auto  square = sum_particles<1>(
+      pool, particles.size(), [&]<class Number>(const Number &, const std::size_t p, RegisterSums<1> &total) {
+        for (int d = 0; d < 3; ++d)
+          {
+            const Number force = load<Number>(&f[d][p]) + load<Number>(&g[d][p]);
+            total.add(0, force * force);
+          }
+      })[0];
+    staggering += 0.5 * square / particles.mass * (new_half_step * new_half_step - staggered_half * staggered_half);
+    staggered_half = new_half_step;
+  }
+
   EnergyReport Bird::energies() const
   {
     const auto  &v = particles.v, &f = particles.force, &g = particles.contact_force;
-    const double m = particles.mass, lag = half_step / m;
-    // m v^{n-1/2}.v^{n+1/2}/2 = m/2 (|v|^2 - |f dt/2m|^2)
-    const auto sums = sum_particles<2>(
-      pool, particles.size(), [&]<class Number>(const Number &, const std::size_t p, RegisterSums<2> &total) {
-        Number product = 0.;
+    const double m = particles.mass, lag = staggered_half / m;
+    const auto   sums = sum_particles<5>(
+      pool, particles.size(), [&]<class Number>(const Number &, const std::size_t p, RegisterSums<5> &total) {
         for (int d = 0; d < 3; ++d)
           {
             const Number change = lag * (load<Number>(&f[d][p]) + load<Number>(&g[d][p]));
             const Number now    = load<Number>(&v[d][p]);
-            product += now * now - change * change;
+            total.add(0, now * now);
+            total.add(1, change * change);
           }
-        total.add(0, product);
-        total.add(1, load<Number>(&particles.internal_energy[p]));
+        total.add(2, load<Number>(&particles.internal_energy[p]));
+        total.add(3, load<Number>(&particles.dissipated[p]));
+        Number stored = 0.;
+        if constexpr (std::is_same_v<Number, double>)
+          stored = stored_energy(particles.mu[p]);
+        else
+          for (std::size_t k = 0; k < n_lanes; ++k)
+            stored[k] = stored_energy(particles.mu[p + k]);
+        total.add(4, stored);
       });
     EnergyReport report;
     report.kinetic      = 0.5 * m * sums[0];
-    report.elastic      = sums[1];
+    report.staggering   = staggering - 0.5 * m * sums[1];
+    report.elastic      = m * sums[4];
+    report.dissipated   = sums[3];
+    report.internal     = sums[2];
     report.retired      = retired_share.energy;
+    report.retired_made = retired_share.made;
     report.contact_work = contact_work;
     return report;
   }
 
   MomentumReport Bird::momenta() const
   {
-    const auto     sums = sum_particles<6>(pool, particles.size(),
-                                       [&]<class Number>(const Number &, const std::size_t p, RegisterSums<6> &total) {
+    const auto     sums = sum_particles<8>(pool, particles.size(),
+                                       [&]<class Number>(const Number &, const std::size_t p, RegisterSums<8> &total) {
                                          std::array<Number, 3> x, v;
                                          for (int d = 0; d < 3; ++d)
                                            {
@@ -148,6 +181,9 @@ namespace birdstrike
                                              const int a = (d + 1) % 3, b = (d + 2) % 3;
                                              total.add(3 + d, x[a] * v[b] - x[b] * v[a]);
                                            }
+                                         const Number v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+                                         total.add(6, sqrt((x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) * v2));
+                                         total.add(7, sqrt(v2));
                                        });
     MomentumReport report;
     for (int d = 0; d < 3; ++d)
@@ -155,8 +191,11 @@ namespace birdstrike
         report.momentum[d]         = particles.mass * sums[d];
         report.angular_momentum[d] = particles.mass * sums[3 + d];
         report.retired[d]          = retired_share.momentum[d];
+        report.retired_moment[d]   = retired_share.moment[d];
         report.contact_impulse[d]  = contact_impulse[d];
       }
+    report.moment_scale  = particles.mass * sums[6];
+    report.impulse_scale = particles.mass * sums[7];
     return report;
   }
 

@@ -96,8 +96,9 @@ namespace birdstrike
       prm.add_parameter("Tension cut-off", bird.tension_cutoff,
                         "Whether pressure stops at zero in tension; volume goes on evolving. [-]");
       prm.add_parameter("Courant number", bird.courant_number,
-                        "Share of smoothing length over signal speed taken as the time step. [-]",
-                        Patterns::Double(0.01, 1.));
+                        "Share of smoothing length over signal speed taken as the time step; times Time/Bird step "
+                        "scale at most 0.5 (riemann) or 0.7 (standard), above which steps make energy. [-]",
+                        Patterns::Double(0.01, 0.7));
       prm.add_parameter("Skin", bird.skin, "Skin of the neighbour list over the kernel's support. [-]",
                         Patterns::Double(0.001, 1.));
       prm.add_parameter("Retire", bird.retire,
@@ -181,6 +182,11 @@ namespace birdstrike
   bool BirdParameters::is_periodic(const int direction) const
   {
     return periodic_directions != "none" && periodic_directions.find("xyz"[direction]) != std::string::npos;
+  }
+
+  double BirdParameters::largest_courant_number() const
+  {
+    return is_riemann() ? 0.5 : 0.7;
   }
 
   bool BirdParameters::is_riemann() const

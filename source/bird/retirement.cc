@@ -35,7 +35,8 @@ namespace birdstrike
     return enters <= leaves;
   }
 
-  RetiredShare retire_particles(Particles &particles, const Box3 &box)
+  RetiredShare retire_particles(Particles &particles, const Box3 &box,
+                                const std::function<double(double mu)> &specific_energy)
   {
     RetiredShare             share;
     std::vector<std::size_t> kept;
@@ -49,9 +50,16 @@ namespace birdstrike
             continue;
           }
         ++share.particles;
+        const Point3 x = at(particles.x, p), f = at(particles.force, p);
         share.momentum += particles.mass * v;
-        share.force += at(particles.force, p);
-        share.energy += 0.5 * particles.mass * v.squaredNorm() + particles.internal_energy[p];
+        share.moment += particles.mass * x.cross(v);
+        share.force += f;
+        share.torque += x.cross(f);
+        const double heat = specific_energy
+                              ? particles.mass * specific_energy(particles.mu[p]) + particles.dissipated[p]
+                              : particles.internal_energy[p];
+        share.energy += 0.5 * particles.mass * v.squaredNorm() + heat;
+        share.made += heat - particles.internal_energy[p];
       }
     if (share.particles == 0)
       return share;

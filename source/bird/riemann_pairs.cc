@@ -185,9 +185,11 @@ namespace birdstrike
           }
       }
     // (p_i - p_j)/(Z_i + Z_j) with the mean of 1/Z, which records hold times 3/2 rho0
-    const N flux = by_volume * (1. / (1.5 * eos.reference_density())) * sum(SumBlock::flux);
-    store(-(divergence + 0.5 * pressure_share * flux), &particles.compression_rate[i]);
-    store(work - (volume * pressure * divergence + 0.5 * scale.force * sum(SumBlock::heat)), &particles.power[i]);
+    const N flux       = by_volume * (1. / (1.5 * eos.reference_density())) * sum(SumBlock::flux);
+    const N flux_share = (0.5 * pressure_share) * flux, heat = (-0.5 * scale.force) * sum(SumBlock::heat);
+    store(-(divergence + flux_share), &particles.compression_rate[i]);
+    store(work - volume * pressure * divergence + heat, &particles.power[i]);
+    store(heat + volume * pressure * flux_share, &particles.dissipation[i]);
     const N fastest = load<N>(&particles.sound_speed[i]) + 1.2 * sum(SumBlock::approach);
     store(select(sum(SumBlock::weight) > N(0.), fastest, N(0.)), &particles.signal_speed[i]);
     if constexpr (Variant::is_renewing)

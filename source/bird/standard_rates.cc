@@ -112,7 +112,7 @@ namespace birdstrike
         const double               c         = sound[i].value[0];
         const std::uint32_t *const neighbors = list.neighbors(i);
         Vector3<Lanes>             force(zero, zero, zero);
-        Lanes                      compression = 0., work = 0., approach = 0., densest = 0.;
+        Lanes                      compression = 0., work = 0., heat = 0., approach = 0., densest = 0.;
         bool                       is_isolated = true;
         for (std::size_t k = 0; k < list.padded_count(i); k += n_lanes)
           {
@@ -129,12 +129,14 @@ namespace birdstrike
             for (int d = 0; d < 3; ++d)
               force[d] += T * x[d];
             work += T * vx;
+            heat += w * Pi * vx;
             compression -= w * vx;
             approach = max(approach, select(meets, -vx / (r + 1e-60), zero));
             densest  = max(densest, select(meets, A[6], zero));
             is_isolated &= !any(meets);
           }
-        particles.power[i] = -0.5 * mass * mass * sum(work);
+        particles.power[i]       = -0.5 * mass * mass * sum(work);
+        particles.dissipation[i] = -0.5 * mass * mass * sum(heat);
         for (int d = 0; d < 3; ++d)
           {
             particles.force[d][i] = mass * mass * sum(force[d]);

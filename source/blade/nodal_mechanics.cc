@@ -9,8 +9,10 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::kick_internal(const double half_step, const HalfKick half)
   {
-    const bool    first = half == HalfKick::first;
-    double       *v     = velocity.data();
+    const bool first = half == HalfKick::first;
+    if (first)
+      follow_step(half_step);
+    double       *v = velocity.data();
     const double *f = scaled ? scaled->forces() : force.data(), *inverse = inverse_mass.data();
 
     if (loads.damping() == 0. && !loads.is_active())
@@ -21,9 +23,36 @@ namespace birdstrike
     else
       kick_loaded(half_step, first);
     for (const std::uint32_t dof : held_dofs)
-      if (dof % n_unknowns < 3)
-        impulses.support_impulse[dof % n_unknowns] += half_step * (f[dof] + external[dof]);
+      book_support(dof, half_step * (f[dof] + external[dof]));
     internal_half = first ? 0. : half_step;
+    left_half     = 0.;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::book_support(const std::uint32_t dof, const double impulse)
+  {
+    const std::uint32_t n = dof / n_unknowns, c = dof % n_unknowns;
+    if (c >= 3)
+      {
+        impulses.support_moment[c - 3] += impulse;
+        return;
+      }
+    const unsigned int a = (c + 1) % 3, b = (c + 2) % 3;
+    impulses.support_impulse[c] += impulse;
+    impulses.support_moment[a] += position[3 * n + b] * impulse;
+    impulses.support_moment[b] -= position[3 * n + a] * impulse;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::follow_step(const double half_step)
+  {
+    if (std::abs(half_step - staggered_half) <= 1e-3 * staggered_half)
+      return;
+    const double of_contact = contact_half + left_half, before = staggered_half;
+    booked.staggering += kinetic(half_step, before > 0. ? of_contact * half_step / before : 0.)[1];
+    if (before > 0.)
+      booked.staggering -= kinetic(before, of_contact)[1];
+    staggered_half = half_step;
   }
 
   template <unsigned int n_unknowns>
@@ -32,26 +61,54 @@ namespace birdstrike
     const double  decay = std::exp(-loads.damping() * half_step);
     double       *v     = velocity.data();
     const double *f = scaled ? scaled->forces() : force.data(), *f_external = external.data();
-    const double *inverse = inverse_mass.data(), *m = mass.data();
-    const Sums    sums = sum_nodes([=](const std::size_t n, Sums &sum) {
-      for (std::size_t i = n_unknowns * n; i < n_unknowns * n + n_unknowns; ++i)
+    const double *inverse = inverse_mass.data(), *m = mass.data(), *x = position.data();
+    if (scaled && first)
+      book_damping_of_scaling(half_step, first);
+    const Sums sums = sum_nodes([=](const std::size_t n, Sums &sum) {
+      std::array<double, n_unknowns> impulse; // of loads and damping
+      for (unsigned int c = 0; c < n_unknowns; ++c)
         {
-          const double kick   = half_step * (f[i] + f_external[i]) * inverse[i];
-          const double before = v[i];
-          v[i]                = first ? before * decay + kick : (before + kick) * decay;
+          const std::size_t i      = n_unknowns * n + c;
+          const double      kick   = half_step * (f[i] + f_external[i]) * inverse[i];
+          const double      before = v[i];
+          v[i]                     = first ? before * decay + kick : (before + kick) * decay;
           const double drift = first ? v[i] : before, damped = first ? before : before + kick;
           sum[0] += half_step * f_external[i] * drift;
           sum[1] += m[i] * (1. - decay) * damped * drift;
+          impulse[c] = half_step * f_external[i] - m[i] * (1. - decay) * damped;
         }
       for (unsigned int d = 0; d < 3; ++d)
-        sum[2 + d] += half_step * f_external[n_unknowns * n + d];
+        {
+          const unsigned int a = (d + 1) % 3, b = (d + 2) % 3;
+          sum[2 + d] += impulse[d];
+          sum[5 + d] += x[3 * n + a] * impulse[b] - x[3 * n + b] * impulse[a];
+          if constexpr (n_unknowns == 6)
+            sum[5 + d] += impulse[3 + d];
+        }
     });
     booked.external_work += sums[0];
     booked.dissipated += sums[1];
     if (scaled)
       booked.dissipated += scaled->dissipated({v, f_external, inverse, half_step, decay}, first);
+    if (scaled && !first)
+      book_damping_of_scaling(half_step, first);
     for (unsigned int d = 0; d < 3; ++d)
-      impulses.external_impulse[d] += sums[2 + d];
+      {
+        impulses.external_impulse[d] += sums[2 + d];
+        impulses.external_moment[d] += sums[5 + d];
+      }
+  }
+
+  /// Of the couplings, which have angular momentum of their own; before a first and after a second half kick.
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::book_damping_of_scaling(const double half_step, const bool is_first)
+  {
+    const double decay = std::exp(-loads.damping() * half_step), lost = is_first ? 1. - decay : 1. / decay - 1.;
+    if (lost == 0.)
+      return;
+    const auto carried = scaled->angular_momentum(position.data(), velocity.data());
+    for (unsigned int d = 0; d < 3; ++d)
+      impulses.external_moment[d] -= lost * carried[d];
   }
 
   template <unsigned int n_unknowns>
@@ -91,8 +148,8 @@ namespace birdstrike
       impulses.contact_impulse[d] += sums[0][d];
     booked.contact_work += sums[1][0] + sums[1][1] + sums[1][2];
     for (const std::uint32_t dof : held_dofs)
-      if (dof % n_unknowns < 3)
-        impulses.support_impulse[dof % n_unknowns] += half_step * kicking[dof];
+      book_support(dof, half_step * kicking[dof]);
+    left_half    = first ? contact_half : 0.;
     contact_half = first ? 0. : half_step;
   }
 

@@ -22,10 +22,12 @@ namespace birdstrike
   ///   m dv/dt = f_elements + f_loads + f_contact - alpha m v,   held unknowns: v = 0,
   ///
   /// in the verbs of velocity-Verlet (blade.h). Damping acts as the factor exp(-alpha dt/2) in every internal half kick
-  /// (unconditionally stable); its work is booked as dissipated. Held unknowns book the impulse they take. Kinetic
-  /// energy is reported as  m |v^n|^2 / 2 - (|J_i|^2 + |J_c|^2) / (2 m),  J the impulses of the last second half kicks:
-  /// the product of neighbouring half-step velocities, which closes against trapezoidal work (Belytschko et al.,
-  /// "Nonlinear Finite Elements", 2014, box 6.1).
+  /// (unconditionally stable); its work is booked as dissipated, its impulse as external. Held unknowns book the
+  /// impulse and the moment about the origin that they take. Kinetic energy is that of v^n; the staggering of
+  /// energy_report.h is
+  ///   -|J|^2 / (2 m) at the half step of reference,  J the impulse of the last second half kicks,
+  /// where the reference follows the step when it has changed by more than a thousandth: what the change does to the
+  /// energy that the scheme conserves is booked then.
   ///
   /// A node has n_unknowns: 3 displacements (solid), or 3 displacements and 3 rotations (shell). Node-major arrays,
   /// unknown c of node n at n_unknowns n + c, coordinate d at 3n + d; those of unknowns are padded with zeros to blocks
@@ -81,7 +83,7 @@ namespace birdstrike
 
     void add_internal_forces(std::span<const NodalForce> forces); ///< see Blade
 
-    EnergyReport             energies() const; ///< kinetic, dissipated, works: nothing that elements store
+    EnergyReport             energies() const; ///< kinetic, staggering, dissipated, works: nothing of the elements
     MomentumReport           momenta() const;
     std::array<double, 3>    contact_force() const;
     std::vector<ProbeValues> probes() const;
@@ -110,6 +112,11 @@ namespace birdstrike
 
     void update_loads();
     void kick_loaded(double half_step, bool is_first);
+    void book_damping_of_scaling(double half_step, bool is_first);
+    void book_support(std::uint32_t dof, double impulse);
+    /// Of half kicks of this length (s) by internal and contact forces: kinetic energy of v^n, and |J|^2 / (2 m) (J).
+    std::array<double, 2> kinetic(double half, double half_of_contact) const;
+    void                  follow_step(double half_step);
 
     /// Calls body(begin, end) over ranges of nodes.
     template <class Body>
@@ -146,9 +153,11 @@ namespace birdstrike
     double time           = 0.;                   ///< s
     double increment_time = 0.;                   ///< s since the last compute_internal_forces
     double internal_half = 0., contact_half = 0.; ///< s, of the last second half kicks; 0 after a first one
-    double in_transit = 0.;                       ///< s, for which the contact forces have still to act
+    double left_half      = 0.;                   ///< s, what contact_half was before the first half kick by contact
+    double staggered_half = 0.;                   ///< s, the half step that the staggering refers to
+    double in_transit     = 0.;                   ///< s, for which the contact forces have still to act
 
-    EnergyReport              booked; ///< dissipated, external_work, contact_work
+    EnergyReport              booked; ///< staggering by changes of the step, dissipated, external_work, contact_work
     MomentumReport            impulses;
     mutable std::vector<Sums> partial;
   };

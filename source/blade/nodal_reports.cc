@@ -97,15 +97,14 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
-  EnergyReport NodalMechanics<n_unknowns>::energies() const
+  std::array<double, 2> NodalMechanics<n_unknowns>::kinetic(const double h, const double h_c) const
   {
-    const double  decay = std::exp(-loads.damping() * internal_half);
-    const double *v = velocity.data(), *f = scaled ? scaled->forces() : force.data(), *m = mass.data();
-    const double  h = internal_half, h_c = contact_half;
-    const double *f_contact  = scaled ? scaled->contact() : contact.data();
-    const double *f_external = external.data(), *inverse = inverse_mass.data();
-    const double  back   = 1. - 1. / decay;
-    const auto    sums   = sum_components<1>([=](const std::size_t i, Eight *sum) {
+    const double          decay = std::exp(-loads.damping() * h);
+    const double         *v = velocity.data(), *f = scaled ? scaled->forces() : force.data(), *m = mass.data();
+    const double         *f_contact  = scaled ? scaled->contact() : contact.data();
+    const double         *f_external = external.data(), *inverse = inverse_mass.data();
+    const double          back = 1. - 1. / decay;
+    const auto            sums = sum_components<2>([=](const std::size_t i, Eight *sum) {
       Eight speed, inner, outer_contact, outer_load, inertia, mobility;
       read(v + i, speed);
       read(f + i, inner);
@@ -113,13 +112,29 @@ namespace birdstrike
       read(f_contact + i, outer_contact);
       read(f_external + i, outer_load);
       read(inverse + i, mobility);
-      const Eight internal = h * (inner + outer_load) * mobility + back * speed, outer = h_c * outer_contact * mobility;
-      sum[0] += 0.5 * inertia * (speed * speed - internal * internal - outer * outer);
+      const Eight change = (h * (inner + outer_load) + h_c * outer_contact) * mobility + back * speed;
+      sum[0] += 0.5 * inertia * (speed * speed);
+      sum[1] += 0.5 * inertia * (change * change);
     });
-    EnergyReport  report = booked;
-    report.kinetic       = std::accumulate(sums[0].begin(), sums[0].end(), 0.);
+    std::array<double, 2> result{std::accumulate(sums[0].begin(), sums[0].end(), 0.),
+                                 std::accumulate(sums[1].begin(), sums[1].end(), 0.)};
     if (scaled)
-      report.kinetic += scaled->kinetic({v, f_external, inverse, h, decay}, h_c);
+      {
+        const auto added = scaled->kinetic({v, f_external, inverse, h, decay}, h_c);
+        result[0] += added[0];
+        result[1] += added[1];
+      }
+    return result;
+  }
+
+  template <unsigned int n_unknowns>
+  EnergyReport NodalMechanics<n_unknowns>::energies() const
+  {
+    const double scale  = internal_half > 0. ? staggered_half / internal_half : 0.;
+    const auto   sums   = kinetic(scale * internal_half, scale * contact_half);
+    EnergyReport report = booked;
+    report.kinetic      = sums[0];
+    report.staggering -= sums[1];
     return report;
   }
 
@@ -127,7 +142,7 @@ namespace birdstrike
   MomentumReport NodalMechanics<n_unknowns>::momenta() const
   {
     const double  *v = velocity.data(), *m = mass.data(), *x = position.data();
-    const auto     sums       = sum_nodes([=](const std::size_t n, Sums &sum) {
+    const auto     sums   = sum_nodes([=](const std::size_t n, Sums &sum) {
       const double *p = x + 3 * n, *w = v + n_unknowns * n;
       const double  inertia = m[n_unknowns * n];
       for (unsigned int d = 0; d < 3; ++d)
@@ -139,6 +154,9 @@ namespace birdstrike
           else
             sum[3 + d] += inertia * (p[e] * w[f] - p[f] * w[e]);
         }
+      const double speed2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+      sum[6] += inertia * std::sqrt((p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * speed2);
+      sum[7] += inertia * std::sqrt(speed2);
     });
     MomentumReport report = impulses;
     for (unsigned int d = 0; d < 3; ++d)
@@ -146,6 +164,8 @@ namespace birdstrike
         report.momentum[d]         = sums[d];
         report.angular_momentum[d] = sums[3 + d];
       }
+    report.moment_scale  = sums[6];
+    report.impulse_scale = sums[7];
     if (scaled)
       {
         const auto added = scaled->angular_momentum(x, v);
@@ -154,11 +174,21 @@ namespace birdstrike
       }
     if (in_transit > 0.)
       {
-        const auto force = contact_force();
+        const double *f      = contact.data();
+        const auto    coming = sum_nodes([=](const std::size_t n, Sums &sum) {
+          const double *p = x + 3 * n, *g = f + n_unknowns * n;
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              const unsigned int a = (d + 1) % 3, b = (d + 2) % 3;
+              sum[d] += g[d];
+              sum[3 + d] += p[a] * g[b] - p[b] * g[a];
+            }
+        });
         for (unsigned int d = 0; d < 3; ++d)
           {
-            report.momentum[d] += in_transit * force[d];
-            report.contact_impulse[d] += in_transit * force[d];
+            report.momentum[d] += in_transit * coming[d];
+            report.contact_impulse[d] += in_transit * coming[d];
+            report.angular_momentum[d] += in_transit * coming[3 + d];
           }
       }
     return report;

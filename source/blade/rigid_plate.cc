@@ -83,6 +83,9 @@ namespace birdstrike
     const auto   total  = contact_force();
     const double along  = total[0] * normal[0] + total[1] * normal[1] + total[2] * normal[2];
     const double before = normal_speed;
+    if (is_free && half == HalfKick::first && half_step != last_half)
+      energy.staggering += 0.5 * along * along * (half_step * half_step - last_half * last_half) / plate_mass;
+    last_half = half_step;
     if (is_free)
       normal_speed += half_step * along / plate_mass;
     energy.contact_work += half_step * along * (half == HalfKick::first ? normal_speed : before);
@@ -91,6 +94,12 @@ namespace birdstrike
         momentum.contact_impulse[d] += half_step * total[d];
         momentum.support_impulse[d] += half_step * (total[d] - (is_free ? along * normal[d] : 0.));
       }
+    Point3 moment = centre().cross(
+      Point3(is_free ? -along * normal[0] : 0., is_free ? -along * normal[1] : 0., is_free ? -along * normal[2] : 0.));
+    for (std::size_t i = 0; i < position.size(); i += 3)
+      moment += Point3(&position[i]).cross(Point3(&force[i]));
+    for (unsigned int d = 0; d < 3; ++d)
+      momentum.support_moment[d] += half_step * moment[d];
     for (std::size_t i = 0; i < velocity.size(); ++i)
       velocity[i] = normal_speed * normal[i % 3];
     second_impulse = half == HalfKick::first ? 0. : half_step * along;
@@ -142,25 +151,34 @@ namespace birdstrike
   {
     EnergyReport report = energy;
     if (is_free)
-      report.kinetic =
-        0.5 * plate_mass * normal_speed * normal_speed - 0.5 * second_impulse * second_impulse / plate_mass;
+      {
+        report.kinetic = 0.5 * plate_mass * normal_speed * normal_speed;
+        report.staggering -= 0.5 * second_impulse * second_impulse / plate_mass;
+      }
     return report;
   }
 
   MomentumReport RigidPlate::momenta() const
   {
-    MomentumReport report = momentum;
-    Point3         centre = Point3::Zero();
-    for (std::size_t i = 0; i < position.size(); ++i)
-      centre[i % 3] += position[i] * 3. / position.size();
-    const Point3 carried = (is_free ? plate_mass * normal_speed : 0.) * Point3(normal[0], normal[1], normal[2]);
-    const Point3 angular = centre.cross(carried);
+    MomentumReport report  = momentum;
+    const Point3   carried = (is_free ? plate_mass * normal_speed : 0.) * Point3(normal[0], normal[1], normal[2]);
+    const Point3   angular = centre().cross(carried);
+    report.moment_scale    = centre().norm() * carried.norm();
+    report.impulse_scale   = carried.norm();
     for (unsigned int d = 0; d < 3; ++d)
       {
         report.momentum[d]         = carried[d];
         report.angular_momentum[d] = angular[d];
       }
     return report;
+  }
+
+  Point3 RigidPlate::centre() const
+  {
+    Point3 mean = Point3::Zero();
+    for (std::size_t i = 0; i < position.size(); ++i)
+      mean[i % 3] += position[i] * 3. / position.size();
+    return mean;
   }
 
   std::size_t RigidPlate::n_elements() const

@@ -33,17 +33,16 @@ namespace birdstrike
     });
   }
 
-  double ScaledNodes::kinetic(const Kick &kick, const double contact_duration) const
+  std::array<double, 2> ScaledNodes::kinetic(const Kick &kick, const double contact_duration) const
   {
     const double *v = kick.velocity, *f = effective.data(), *f_contact = effective_contact.data();
-    const double  back  = 1. - 1. / kick.decay;
-    const auto    inner = [=](const std::size_t k) {
-      return kick.duration * (f[k] + kick.external[k]) * kick.inverse_mass[k] + back * v[k];
+    const double  back   = 1. - 1. / kick.decay;
+    const auto    change = [=](const std::size_t k) {
+      const double impulse = kick.duration * (f[k] + kick.external[k]) + contact_duration * f_contact[k];
+      return impulse * kick.inverse_mass[k] + back * v[k];
     };
-    const auto outer = [=](const std::size_t k) { return contact_duration * f_contact[k] * kick.inverse_mass[k]; };
-    return 0.5 * mass.sum_edges([=](const std::size_t i, const std::size_t j) {
-      const double speed = v[j] - v[i], internal = inner(j) - inner(i), by_contact = outer(j) - outer(i);
-      return speed * speed - internal * internal - by_contact * by_contact;
-    });
+    const auto square = [](const double a) { return 0.5 * a * a; };
+    return {mass.sum_edges([=](const std::size_t i, const std::size_t j) { return square(v[j] - v[i]); }),
+            mass.sum_edges([=](const std::size_t i, const std::size_t j) { return square(change(j) - change(i)); })};
   }
 } // namespace birdstrike

@@ -42,8 +42,8 @@ namespace birdstrike
       const double *velocity, *external, *inverse_mass;
       double        duration, decay;
     };
-    double dissipated(const Kick &kick, bool is_first) const;        ///< J, by damping
-    double kinetic(const Kick &kick, double contact_duration) const; ///< J at the whole step, see NodalMechanics
+    double                dissipated(const Kick &kick, bool is_first) const;        ///< J, by damping
+    std::array<double, 2> kinetic(const Kick &kick, double contact_duration) const; ///< J, as NodalMechanics::kinetic
     std::array<double, 3> angular_momentum(const double *position, const double *velocity) const
     {
       return mass.angular_momentum(position, velocity);

@@ -76,6 +76,7 @@ namespace birdstrike
     report.plastic      = state->elements.plastic_work();
     report.hourglass    = state->elements.hourglass_energy();
     report.eroded       = state->elements.eroded_energy();
+    report.internal     = state->elements.work();
     return report;
   }
 

@@ -4,23 +4,6 @@
 
 namespace birdstrike
 {
-  double ShellElements::elastic_energy() const
-  {
-    double work = 0.;
-    for (const Row &sum : implementation->work)
-      for (const double part : sum.value)
-        work += part;
-    return work - plastic_work() - hourglass_energy() - eroded_energy();
-  }
-  double ShellElements::plastic_work() const
-  {
-    return implementation->sum(&Implementation::Chunk::plastic);
-  }
-  double ShellElements::hourglass_energy() const
-  {
-    return implementation->sum(&Implementation::Chunk::hourglass);
-  }
-
   std::size_t ShellElements::n_elements() const
   {
     return implementation->cells.size();

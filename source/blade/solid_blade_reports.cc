@@ -63,10 +63,12 @@ namespace birdstrike
     // What stabilises a brick of one point is the strain of bending and torsion, exact for a plate of one layer:
     // nothing in it is artificial, and counted as hourglass it would be most of what such a plate stores.
     EnergyReport report = state->nodes.energies();
-    report.elastic      = state->elements.elastic_energy() + state->elements.hourglass_energy();
+    const auto   stored = state->elements.stored_energy();
+    report.elastic      = stored[0] + stored[1];
     report.plastic      = state->elements.plastic_work();
     report.viscous      = state->elements.viscous_energy();
     report.eroded       = state->elements.eroded_energy();
+    report.internal     = state->elements.work();
     return report;
   }
 

@@ -87,27 +87,6 @@ namespace birdstrike
     return result;
   }
 
-  double SolidElements::elastic_energy() const
-  {
-    double total = 0.;
-    for (const auto &sum : implementation->work)
-      for (const double part : sum.value)
-        total += part;
-    return total - plastic_work() - hourglass_energy() - viscous_energy() - eroded_energy();
-  }
-  double SolidElements::plastic_work() const
-  {
-    return implementation->sum(&Implementation::Chunk::plastic);
-  }
-  double SolidElements::hourglass_energy() const
-  {
-    return implementation->sum(&Implementation::Chunk::hourglass);
-  }
-  double SolidElements::viscous_energy() const
-  {
-    return implementation->sum(&Implementation::Chunk::viscous);
-  }
-
   std::size_t SolidElements::n_elements() const
   {
     return implementation->cells.size();

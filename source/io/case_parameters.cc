@@ -1,7 +1,10 @@
+#include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/symmetry_check.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <fmt/format.h>
 
 #include <filesystem>
 
@@ -24,6 +27,20 @@ namespace birdstrike
       };
       return {declare, [] {}};
     }
+
+    void require_stable_bird_step(const CaseParameters &parameters)
+    {
+      const BirdParameters &bird  = parameters.bird;
+      const double          scale = parameters.time.bird_step_scale, limit = bird.largest_courant_number();
+      if (bird.enabled && bird.courant_number * scale > limit * (1. + 1e-9))
+        throw InputError(
+          fmt::format("Bird/Courant number {:g} with Time/Bird step scale {:g} makes steps of {:g} h/c: too "
+                      "long for Bird/Formulation = {}.\nAbove {:g} the rates, taken at velocities foretold "
+                      "by the last ones, make energy: pressures ring and forces double.\nGive a Courant "
+                      "number of at most {:g} (default {:g}).",
+                      bird.courant_number, scale, bird.courant_number * scale, bird.formulation, limit, limit / scale,
+                      BirdParameters().courant_number));
+    }
   } // namespace
 
   CaseParameters::CaseParameters()
@@ -41,6 +58,7 @@ namespace birdstrike
       blade.bird_velocity = bird.velocity;
     if (has_symmetry_plane())
       require_symmetry(*this);
+    require_stable_bird_step(*this);
     if (name.empty())
       file.set("Case/Name=" + std::filesystem::path(path).stem().string()); // so that the printed file knows it too
   }

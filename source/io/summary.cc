@@ -40,17 +40,20 @@ namespace birdstrike
                          {"max_penetration_over_spacing", s.contact.max_penetration_over_spacing}};
       json["plastic"] = {
         {"max_strain", s.plastic.max_strain}, {"position", s.plastic.position}, {"work", s.plastic.work}};
-      json["failed"]   = {{"elements", s.failed.elements},   {"collapsed", s.failed.collapsed},
-                          {"at_root", s.failed.at_root},     {"mass", s.failed.mass},
-                          {"free_mass", s.failed.free_mass}, {"energy", s.failed.energy}};
-      json["energy"]   = {{"initial", s.energy.initial},
-                          {"final", s.energy.final},
-                          {"max_relative_error", s.energy.max_relative_error},
-                          {"max_hourglass_over_internal", s.energy.max_hourglass_over_internal},
-                          {"parts", nlohmann::ordered_json(s.energy.parts)}};
-      json["momentum"] = {{"max_relative_error", s.momentum.max_relative_error}};
-      json["retired"]  = {{"particles", s.retired.particles}, {"mass", s.retired.mass}, {"energy", s.retired.energy}};
-      json["skipped"]  = nlohmann::ordered_json::object();
+      json["failed"]           = {{"elements", s.failed.elements},   {"collapsed", s.failed.collapsed},
+                                  {"at_root", s.failed.at_root},     {"mass", s.failed.mass},
+                                  {"free_mass", s.failed.free_mass}, {"energy", s.failed.energy}};
+      json["energy"]           = {{"initial", s.energy.initial},
+                                  {"final", s.energy.final},
+                                  {"max_relative_error", s.energy.max_relative_error},
+                                  {"max_hourglass_over_internal", s.energy.max_hourglass_over_internal},
+                                  {"bird_internal", s.energy.bird_internal},
+                                  {"parts", nlohmann::ordered_json(s.energy.parts)},
+                                  {"error_origins", nlohmann::ordered_json(s.energy.error_origins)}};
+      json["momentum"]         = {{"max_relative_error", s.momentum.max_relative_error}};
+      json["angular_momentum"] = {{"max_relative_error", s.angular_momentum.max_relative_error}};
+      json["retired"] = {{"particles", s.retired.particles}, {"mass", s.retired.mass}, {"energy", s.retired.energy}};
+      json["skipped"] = nlohmann::ordered_json::object();
       for (const SkippedWork &work : s.skipped)
         json["skipped"][work.what] = {{"count", work.count}, {"unit", work.unit}, {"saved", work.saved}};
       json["cost"] = {{"wall", s.cost.wall},

@@ -75,6 +75,27 @@ namespace birdstrike
       }
   }
 
+  double EquationOfState::energy(const double mu) const
+  {
+    const double eta = mu / (1. + mu), log = std::log1p(mu), first = log - eta;
+    const double linear = a1 * first / rho0;
+    switch (type)
+      {
+      case Type::linear:
+        return linear;
+      case Type::murnaghan:
+        return a1 / rho0 * ((a2 == 1. ? log : compute_power_less_one(mu, a2 - 1.) / (a2 - 1.)) - eta);
+      case Type::polynomial:
+        {
+          const double second = mu - log - first, third = 0.5 * mu * mu - 2. * second - first;
+          return mu > 0. ? (a1 * first + a2 * second + a3 * third) / rho0 : linear;
+        }
+      case Type::us_up:
+        return mu > 0. ? a1 / rho0 * (std::log1p(-a2 * eta) / (a2 * a2) + eta / (a2 * (1. - a2 * eta))) : linear;
+      }
+    return 0.;
+  }
+
   double EquationOfState::reference_sound_speed() const
   {
     return std::sqrt(sound_speed_squared(0., 0.));

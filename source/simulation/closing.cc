@@ -26,7 +26,8 @@ namespace birdstrike
     {
       const EnergyReport &bird = balance.state().bird, &blade = balance.state().blade;
       return {{"bird_kinetic", bird.kinetic},
-              {"bird_internal", bird.elastic},
+              {"bird_elastic", bird.elastic},
+              {"bird_dissipated", bird.dissipated},
               {"bird_retired", bird.retired},
               {"blade_kinetic", blade.kinetic},
               {"blade_elastic", blade.elastic},
@@ -35,6 +36,7 @@ namespace birdstrike
               {"blade_eroded", blade.eroded},
               {"blade_viscous", blade.viscous},
               {"blade_damped", blade.dissipated},
+              {"staggering", bird.staggering + blade.staggering},
               {"external_work", blade.external_work},
               {"contact_stored", balance.state().contact_stored},
               {"contact_dissipated", balance.contact_dissipated()},
@@ -92,12 +94,17 @@ namespace birdstrike
     summary.failed.free_mass = observed.failure.free_mass;
     summary.failed.energy    = balance.state().blade.eroded;
 
-    summary.energy.initial                     = balance.initial_energy();
-    summary.energy.final                       = balance.energy();
-    summary.energy.max_relative_error          = balance.max_energy_error();
-    summary.energy.max_hourglass_over_internal = observed.hourglass_share.value();
-    summary.energy.parts                       = energy_parts(balance);
-    summary.momentum.max_relative_error        = balance.max_momentum_error();
+    summary.energy.initial                      = balance.initial_energy();
+    summary.energy.final                        = balance.energy();
+    summary.energy.max_relative_error           = balance.max_energy_error();
+    summary.energy.max_hourglass_over_internal  = observed.hourglass_share.value();
+    summary.energy.parts                        = energy_parts(balance);
+    summary.momentum.max_relative_error         = balance.max_momentum_error();
+    summary.angular_momentum.max_relative_error = balance.max_angular_momentum_error();
+    summary.energy.bird_internal                = balance.state().bird.internal;
+    const Balance::Origins from                 = balance.origins();
+    summary.energy.error_origins                = {
+                     {"blade", from.blade}, {"bird", from.bird}, {"contact", from.contact}, {"steps", from.steps}};
 
     summary.retired.particles = scene.symmetry.factor() * (n_retired + n_dropped);
     summary.retired.mass   = n_particles_at_start > 0 ? bird_mass * (n_retired + n_dropped) / n_particles_at_start : 0.;
@@ -166,7 +173,12 @@ namespace birdstrike
         table.add("  " + part, fmt::format("{} ({})", format_quantity(value, "J"),
                                            format_share(value / std::max(1e-300, std::abs(summary.energy.initial)))));
     table.add("largest energy error", format_share(summary.energy.max_relative_error));
+    for (const auto &[origin, value] : summary.energy.error_origins)
+      if (std::abs(value) > 1e-3 * std::abs(summary.energy.initial))
+        table.add("  at the end, from " + origin,
+                  format_quantity(value, "J") + " (" + format_share(value / std::abs(summary.energy.initial)) + ")");
     table.add("largest momentum error", fmt::format("{:.2e}", summary.momentum.max_relative_error));
+    table.add("largest angular momentum error", fmt::format("{:.2e}", summary.angular_momentum.max_relative_error));
     table.add("hourglass over internal, at most", format_share(summary.energy.max_hourglass_over_internal));
     table.add_heading("Skipped");
     for (const SkippedWork &work : summary.skipped)

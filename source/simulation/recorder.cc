@@ -64,6 +64,9 @@ namespace birdstrike
     history.add_column("energy", "J", [this] { return balance.energy(); });
     history.add_column("energy_error", "-", [this] { return balance.energy_error(); });
     history.add_column("momentum_error", "-", [this] { return balance.momentum_error(); });
+    history.add_column("angular_momentum_error", "-", [this] { return balance.angular_momentum_error(); });
+    history.add_column("staggering", "J",
+                       [this] { return balance.state().bird.staggering + balance.state().blade.staggering; });
   }
 
   void Recorder::add_bird_columns()
@@ -71,7 +74,9 @@ namespace birdstrike
     history.add_column("particles", "-",
                        [this] { return scene.bird ? scene.symmetry.factor() * scene.bird->state().size() : 0.; });
     history.add_column("bird_kinetic", "J", [this] { return balance.state().bird.kinetic; });
-    history.add_column("bird_internal", "J", [this] { return balance.state().bird.elastic; });
+    history.add_column("bird_elastic", "J", [this] { return balance.state().bird.elastic; });
+    history.add_column("bird_dissipated", "J", [this] { return balance.state().bird.dissipated; });
+    history.add_column("bird_internal", "J", [this] { return balance.state().bird.internal; });
     history.add_column("bird_retired", "J", [this] { return balance.state().bird.retired; });
     for (unsigned int c = 0; c < 3; ++c)
       history.add_column(std::string("bird_momentum_") + axis_names[c], "N s",

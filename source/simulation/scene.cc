@@ -125,13 +125,10 @@ namespace birdstrike
         state.blade          = blade->energies();
         state.blade_momentum = blade->momenta();
       }
-    if (contact)
-      {
-        state.contact_stored     = contact->report().stored_energy;
-        state.contact_dissipated = contact->report().dissipated_energy;
-      }
-    else
-      state.contact_dissipated = gone_contact.dissipated_energy;
+    const ContactReport &of_contact = contact ? contact->report() : gone_contact;
+    state.contact_stored            = of_contact.stored_energy;
+    state.contact_dissipated        = of_contact.dissipated_energy;
+    state.contact_dissipation_fall  = of_contact.dissipation_fall;
     if (self_contact)
       {
         state.self_contact_stored     = self_contact->report().stored_energy;
@@ -178,12 +175,17 @@ namespace birdstrike
   {
     if (contact)
       gone_contact = contact->report();
-    gone_energy   = bird->energies();
-    gone_momentum = bird->momenta();
-    gone_energy.retired += gone_energy.kinetic + gone_energy.elastic;
-    gone_energy.kinetic = gone_energy.elastic = 0.;
+    gone_energy         = bird->energies();
+    gone_momentum       = bird->momenta();
+    gone_energy.retired = gone_energy.total();
+    gone_energy.retired_made += gone_energy.elastic + gone_energy.dissipated - gone_energy.internal;
+    gone_energy.kinetic = gone_energy.staggering = gone_energy.elastic = gone_energy.dissipated = 0.;
+    gone_energy.internal                                                                        = 0.;
     for (unsigned int d = 0; d < 3; ++d)
-      gone_momentum.retired[d] += gone_momentum.momentum[d];
+      {
+        gone_momentum.retired[d] += gone_momentum.momentum[d];
+        gone_momentum.retired_moment[d] += gone_momentum.angular_momentum[d];
+      }
     gone_momentum.momentum = gone_momentum.angular_momentum = {};
     contact.reset();
     bird.reset();

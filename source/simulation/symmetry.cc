@@ -9,9 +9,9 @@ namespace birdstrike
 
   EnergyReport Symmetry::whole(EnergyReport energy) const
   {
-    for (double *part :
-         {&energy.kinetic, &energy.elastic, &energy.plastic, &energy.hourglass, &energy.viscous, &energy.dissipated,
-          &energy.retired, &energy.eroded, &energy.external_work, &energy.contact_work})
+    for (double *part : {&energy.kinetic, &energy.staggering, &energy.elastic, &energy.plastic, &energy.hourglass,
+                         &energy.viscous, &energy.dissipated, &energy.retired, &energy.eroded, &energy.external_work,
+                         &energy.contact_work, &energy.internal, &energy.retired_made})
       *part *= factor();
     return energy;
   }
@@ -22,7 +22,11 @@ namespace birdstrike
                          &momentum.contact_impulse})
       *vector = whole(*vector);
     if (mirrored)
-      momentum.angular_momentum = {{0., 2. * momentum.angular_momentum[1], 0.}};
+      for (auto *axial :
+           {&momentum.angular_momentum, &momentum.support_moment, &momentum.retired_moment, &momentum.external_moment})
+        *axial = {{0., 2. * (*axial)[1], 0.}};
+    momentum.impulse_scale *= factor();
+    momentum.moment_scale *= factor();
     return momentum;
   }
 
@@ -51,6 +55,7 @@ namespace birdstrike
             factor() * state.contact_stored,
             factor() * state.contact_dissipated,
             factor() * state.self_contact_stored,
-            factor() * state.self_contact_dissipated};
+            factor() * state.self_contact_dissipated,
+            factor() * state.contact_dissipation_fall};
   }
 } // namespace birdstrike

@@ -24,9 +24,12 @@ namespace birdstrike
   ///                        then corrects them with the new rates (trapezoidal rule)
   ///   kick(dt/2, second)
   ///
-  /// Internal energy takes the pairwise work at the predicted velocity, and each half kick corrects it to the velocity
-  /// of the drift: kinetic (the product of neighbouring half-step velocities, core/energy_report.h) + internal -
-  /// contact work is then constant to round-off at constant steps. It is heat and compression together.
+  /// What the liquid stores is the energy of its equation of state at the present densities; what it dissipates is the
+  /// integral of its rate (rates.h), trapezoidal as everything. Beside them stands an energy equation, `internal`: the
+  /// pairwise work at the predicted velocity, corrected by each half kick to the velocity of the drift. Kinetic energy
+  /// with staggering (core/energy_report.h) + internal - contact work is constant to round-off. Internal less stored
+  /// and dissipated is what the integration of density and heat in time is wrong by: with v and mu predicted from old
+  /// rates, sum of |dt df|^2/(4 m) is made, little unless forces jump from step to step.
   ///
   /// Raises NumericalFailure from compute_rates (density, motion), InputError from the constructor. Knows no blade:
   /// contact adds to points().force between clear_contact_forces() and compute_rates().
@@ -91,7 +94,9 @@ namespace birdstrike
     }
 
   private:
-    void book_contact(double dt);
+    void   book_contact(double dt);
+    void   follow_step(double new_half_step);
+    double stored_energy(double mu) const; ///< J/kg
 
     BirdParameters         parameters;
     EquationOfState        eos;
@@ -101,8 +106,10 @@ namespace birdstrike
     Particles              particles;
     NeighborList           list;
     std::unique_ptr<Rates> rates;
-    Particles::Column      particle_masses; ///< kg, the same number for every particle: contact sees an array
-    double                 half_step = 0.;  ///< s, of the latest first kick
+    Particles::Column      particle_masses;     ///< kg, the same number for every particle: contact sees an array
+    double                 half_step      = 0.; ///< s, of the latest first kick
+    double                 staggered_half = 0.; ///< s, that the staggering refers to
+    double                 staggering     = 0.; ///< J, by changes of the step
     double                 hugoniot_slope;
     bool                   has_contact_force = false;
     std::uint64_t          revision          = 0;

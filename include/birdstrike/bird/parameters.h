@@ -58,5 +58,12 @@ namespace birdstrike
 
     bool is_periodic(int direction) const;
     bool is_riemann() const;
+
+    /// Of Courant number times step scale, up to which the explicit prediction makes little energy. Measured, a bird of
+    /// 6 mm particles on a rigid wall at 177 m/s, energy made over that brought:
+    ///   Courant number  0.35    0.5     0.6     0.7
+    ///   riemann         0.7 %   2.9 %   10 %    22 %, internal energy below zero and 1.7 times the peak force
+    ///   standard        0.3 %   0.6 %   1.0 %   1.7 %
+    double largest_courant_number() const;
   };
 } // namespace birdstrike

@@ -24,12 +24,14 @@ namespace birdstrike
     Column3                      x;               ///< m
     Column3                      v;               ///< m/s
     Column                       mu;              ///< rho/rho0 - 1
-    Column                       internal_energy; ///< J
+    Column                       internal_energy; ///< J, by the energy equation
+    Column                       dissipated;      ///< J, of it: by what heats
 
     // What the last evaluation of the rates left.
     Column3                    force;             ///< N, of the particles on each other
     Column                     compression_rate;  ///< 1/s, -div v
     Column                     power;             ///< W, internal energy rate + force . predicted velocity
+    Column                     dissipation;       ///< W, of viscosity or Riemann flux
     Column                     signal_speed;      ///< m/s, c + 1.2 largest approach speed; 0 if isolated
     Column                     largest_mu;        ///< of the particle and those within its support
     std::array<FloatColumn, 6> correction;        ///< B: xx yy zz xy xz yz
@@ -92,8 +94,8 @@ namespace birdstrike
     for (Column3 *vector : {&x, &v, &force, &contact_force})
       for (Column &column : *vector)
         f(column);
-    for (Column *column : {&mu, &internal_energy, &compression_rate, &power, &signal_speed, &largest_mu, &volume,
-                           &density, &sound_speed})
+    for (Column *column : {&mu, &internal_energy, &dissipated, &compression_rate, &power, &dissipation, &signal_speed,
+                           &largest_mu, &volume, &density, &sound_speed})
       f(*column);
     for (FloatColumn &column : correction)
       f(column);

@@ -13,7 +13,7 @@ namespace birdstrike
   /// The right-hand side of the particle equations at the positions, and at velocity and mu as the old rates foretell
   /// them for the time dt later (Prediction).
   ///
-  /// `update` fills force, compression_rate, power, signal_speed, largest_mu, volume, density and
+  /// `update` fills force, compression_rate, power, dissipation, signal_speed, largest_mu, volume, density and
   /// sound_speed. Each owner sums over all its neighbours, with formulas symmetric in the pair: forces cancel to
   /// round-off, and
   ///   sum_i power_i = 0  to round-off.

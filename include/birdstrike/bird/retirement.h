@@ -3,6 +3,7 @@
 #include <birdstrike/bird/particles.h>
 
 #include <cstddef>
+#include <functional>
 
 namespace birdstrike
 {
@@ -16,9 +17,31 @@ namespace birdstrike
   struct RetiredShare
   {
     std::size_t particles = 0;
-    double      energy    = 0.;       ///< J, kinetic and internal
+    double      energy    = 0.;       ///< J: kinetic, stored and dissipated
+    double      made      = 0.;       ///< J, stored and dissipated less what the energy equation has
     Point3      momentum{0., 0., 0.}; ///< N s
+    Point3      moment{0., 0., 0.};   ///< N m s, their angular momentum about the origin
     Point3      force{0., 0., 0.};    ///< N, of the particles on each other, whose next half kick is still to be booked
+    Point3      torque{0., 0., 0.};   ///< N m, of the same about the origin
+
+    void add(const RetiredShare &other)
+    {
+      particles += other.particles;
+      energy += other.energy;
+      made += other.made;
+      momentum += other.momentum;
+      moment += other.moment;
+      force += other.force;
+      torque += other.torque;
+    }
+    /// The half kick (s) that was still to be booked.
+    void kick(const double half_step)
+    {
+      momentum += half_step * force;
+      moment += half_step * torque;
+      force.setZero();
+      torque.setZero();
+    }
   };
 
   /// Whether the straight path x + v t, t >= 0, meets the box.
@@ -27,5 +50,7 @@ namespace birdstrike
   /// Removes particles whose ballistic path misses `box` and that are loose: alone within their support, or cavitated
   /// (mu < -0.01) with only cavitated neighbours. Unstrained liquid never counts as loose, so that a release wave from
   /// the strike still finds it. Columns are compacted in order; neighbour lists made before become invalid.
-  RetiredShare retire_particles(Particles &particles, const Box3 &box);
+  /// `specific_energy` is what the liquid stores (J/kg) at a compression mu; without it, the energy equation's.
+  RetiredShare retire_particles(Particles &particles, const Box3 &box,
+                                const std::function<double(double mu)> &specific_energy = {});
 } // namespace birdstrike

@@ -13,12 +13,15 @@ namespace birdstrike
   ///   force_i   =  V_i sum_j V_j w (p_i B_i + p_j B_j + q) x
   ///   div_i     =  sum_j V_j w [ (v_i - v_j).B_i x + r (p_i - p_j)(Y_i + Y_j)/4 ],   compression_rate = -div
   ///   energy_i  = -V_i sum_j V_j w (v_i - v_j).(p_i B_i + q/2) x
+  ///   heat_i    = -V_i sum_j V_j w (v_i - v_j).x q/2 + V_i p_i sum_j V_j w r (p_i - p_j)(Y_i + Y_j)/4 (`dissipation`)
   /// Force and divergence are adjoint, so the reversible part exchanges kinetic and internal energy exactly, and the
-  /// rest, q, heats. B = (sum_j V_j w x x^T)^-1 makes the divergence of a linear velocity exact up to a free surface
-  /// (Bonet & Lok 1999); it is blended to the identity where that sum is near singular (corners of spray). It is taken
-  /// from an earlier evaluation, renewed every few passes: geometry changes by a percent of h a step.
-  /// Half of the solver's velocity due to the pressure jump enters the divergence (see pressure_share for why not all).
-  /// The dissipative terms stay uncorrected and central: they keep angular momentum.
+  /// rest heats: q, and what the flux in the divergence takes of the energy that density stores (summed over a pair
+  /// V_i V_j w r (p_i - p_j)^2 (Y_i + Y_j)/4, never negative). B = (sum_j V_j w x x^T)^-1 makes the divergence of a
+  /// linear velocity exact up to a free surface (Bonet & Lok 1999); it is blended to the identity where that sum is
+  /// near singular (corners of spray). It is taken from an earlier evaluation, renewed every few passes: geometry
+  /// changes by a percent of h a step. Half of the solver's velocity due to the pressure jump enters the divergence
+  /// (see pressure_share for why not all). The dissipative terms stay uncorrected and central: they keep angular
+  /// momentum.
   ///
   /// With reconstruction, u is the jump at the midpoint after removing the harmonic mean (van Leer 1974) of both
   /// particles' velocity gradients.

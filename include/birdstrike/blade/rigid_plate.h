@@ -45,6 +45,8 @@ namespace birdstrike
     double speed() const; ///< m/s along the normal
 
   private:
+    Point3 centre() const;
+
     SurfaceMesh make_rectangle(const BladeParameters::Rigid &parameters, bool is_halved) const;
     void        take_mesh(SurfaceMesh mesh);
 
@@ -58,6 +60,7 @@ namespace birdstrike
     double                normal_speed   = 0.; ///< m/s
     double                displacement   = 0.; ///< m along the normal
     double                second_impulse = 0.; ///< N s, of the last second half kick
+    double                last_half      = 0.; ///< s, of the last half kick
     EnergyReport          energy;
     MomentumReport        momentum;
   };

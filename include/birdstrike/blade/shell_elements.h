@@ -93,10 +93,14 @@ namespace birdstrike
     /// Rotary inertia (kg m^2) per node, a quarter of m max(t^2/12, A/8) of each element: bending never sets the step.
     std::vector<double> compute_rotary_inertias() const;
 
-    /// Cumulative energies (J), trapezoidal in time; their sum is the work of the nodal forces to round-off.
+    /// Energies (J). Elastic: of the present stresses (StoredEnergy). Plastic and hourglass: cumulative, by their own
+    /// rates; hourglass energy is all work on the stabilisation, stored or taken by its limits. `work` is that of the
+    /// nodal forces, trapezoidal in time: what it differs from the sum of the others (and the eroded energy) is an
+    /// error.
     double elastic_energy() const;
     double plastic_work() const;
     double hourglass_energy() const;
+    double work() const;
     /// Elastic energy, and what of the hourglass energy was elastic, that points and elements had when they failed; it
     /// has left the other three.
     double eroded_energy() const;

@@ -3,6 +3,7 @@
 #include <birdstrike/blade/element_blocks.h>
 #include <birdstrike/blade/shell_erosion.h>
 #include <birdstrike/blade/shell_section.h>
+#include <birdstrike/blade/stored_energy.h>
 #include <birdstrike/core/aligned_vector.h>
 #include <birdstrike/core/lane_rows.h>
 
@@ -91,6 +92,7 @@ namespace birdstrike
     std::size_t           n_elements_of(std::size_t batch) const;
     ShellGeometry<double> geometry(std::size_t element) const;
     double                sum(Lanes Chunk::*energy) const;
+    StoredEnergy::State   stored(std::size_t section) const; ///< of section_of, by number: [n_batches][n_in_plane]
     Point3                compute_normal(std::size_t node, const double *position) const;
     EntityPlace           place(std::size_t element) const; ///< its middle
 

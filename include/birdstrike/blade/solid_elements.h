@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/blade/stored_energy.h>
 #include <birdstrike/blade/thickness_points.h>
 #include <birdstrike/core/number.h>
 #include <birdstrike/core/step_limit.h>
@@ -96,13 +97,16 @@ namespace birdstrike
     /// An eighth of each element's mass to each of its nodes (kg), [n_nodes].
     std::vector<double> compute_nodal_masses() const;
 
-    /// Cumulative energies (J), trapezoidal in time; their sum is the work of the nodal forces to round-off.
-    double elastic_energy() const;
-    double plastic_work() const;
-    /// Elastic, of the stabilisation: with one layer it is the energy of bending, no error. What it dissipates is
-    /// plastic work.
-    double hourglass_energy() const;
-    double viscous_energy() const; ///< of the bulk viscosity
+    /// Energies (J). Stored ones are those of the present stresses (StoredEnergy): elastic of the mean and of points,
+    /// hourglass of the stabilisation, which with one layer is the energy of bending, no error. Plastic and viscous:
+    /// cumulative, by their own rates; what the stabilisation dissipates is plastic work. `work` is that of the nodal
+    /// forces, trapezoidal in time: what it differs from the sum of the others (and the eroded energy) is an error.
+    StoredEnergy::Sums stored_energy() const; ///< elastic, hourglass
+    double             elastic_energy() const;
+    double             plastic_work() const;
+    double             hourglass_energy() const;
+    double             work() const;
+    double             viscous_energy() const; ///< of the bulk viscosity
     /// What elements and points stored, of both of the first kinds, when they failed; it has left these.
     double eroded_energy() const;
 

@@ -4,6 +4,7 @@
 #include <birdstrike/blade/solid_erosion.h>
 #include <birdstrike/blade/solid_shell.h>
 #include <birdstrike/blade/solid_step_bound.h>
+#include <birdstrike/blade/stored_energy.h>
 #include <birdstrike/core/aligned_vector.h>
 
 namespace birdstrike
@@ -61,12 +62,13 @@ namespace birdstrike
     Lanes compute_frequency_at_rest(std::size_t batch, const MassFactors<Lanes> &factors) const;
     class Trial; ///< of factors
 
-    std::size_t        n_elements_of(std::size_t batch) const;
-    unsigned int       axis_in_batch(std::size_t element, unsigned int axis) const; ///< of an axis of the mesh's cell
-    SolidModes<double> modes(std::size_t element) const;                            ///< of its geometry
-    std::size_t        n_points() const;                                            ///< of an element
-    double             sum(Lanes Chunk::*energy) const;
-    EntityPlace        place(std::size_t element) const; ///< its middle
+    std::size_t         n_elements_of(std::size_t batch) const;
+    unsigned int        axis_in_batch(std::size_t element, unsigned int axis) const; ///< of an axis of the mesh's cell
+    SolidModes<double>  modes(std::size_t element) const;                            ///< of its geometry
+    std::size_t         n_points() const;                                            ///< of an element
+    double              sum(Lanes Chunk::*energy) const;
+    StoredEnergy::State stored(std::size_t point) const;  ///< of one of `points`, or an element of one point
+    EntityPlace         place(std::size_t element) const; ///< its middle
     std::array<double, 6> point_stress(std::size_t element, std::size_t point) const;
     /// At natural coordinates of the mesh's cell, of one point and of solid-shells.
     std::array<double, 6> stabilised_stress(std::size_t element, const std::array<double, 3> &xi) const;

@@ -103,6 +103,21 @@ namespace birdstrike
       return (1. / 3.) * linear + (1. / 9.) * last;
     }
 
+    /// Elastic energy per volume: plane stress in each of the skew planes, uniaxial stress of the last modes.
+    template <class Number>
+    [[gnu::always_inline]] inline Number compute_energy(const Elasticity &elasticity, const Axes<Number> &axes,
+                                                        const Stabilisation<Number> &s)
+    {
+      Number linear = 0., last = 0.;
+      for (int k = 0; k < 3; ++k)
+        {
+          const PlaneSquares<Number> plane(axes.cosine[k], s.linear[k]);
+          linear += (1. + elasticity.poisson) * plane.all - elasticity.poisson * plane.trace;
+          last += s.last[k] * s.last[k];
+        }
+      return (0.5 / elasticity.young) * ((1. / 3.) * linear + (1. / 9.) * last);
+    }
+
     /// The stress that the stabilisation adds at a point, in global axes.
     template <class Number>
     inline Matrix3<Number> compute_stress_at(const SolidModes<Number> &x, const Stabilisation<Number> &s,

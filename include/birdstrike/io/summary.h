@@ -105,12 +105,14 @@ namespace birdstrike
       double                        final                       = 0.; ///< J
       double                        max_relative_error          = 0.;
       double                        max_hourglass_over_internal = 0.;
-      std::map<std::string, double> parts; ///< J at the end, e.g. "blade_elastic"
+      double                        bird_internal               = 0.; ///< J, by the energy equation; no part
+      std::map<std::string, double> parts;                            ///< J at the end, e.g. "blade_elastic"
+      std::map<std::string, double> error_origins;                    ///< J at the end, by blade, bird, contact, steps
     } energy;
     struct
     {
       double max_relative_error = 0.;
-    } momentum;
+    } momentum, angular_momentum;
     struct
     {
       std::size_t particles = 0;

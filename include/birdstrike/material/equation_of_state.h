@@ -67,6 +67,17 @@ namespace birdstrike
     template <class Number>
     Number sound_speed_squared(const Number &mu, const Number &pressure) const;
 
+    /// Energy stored per mass (J/kg), e(mu) = integral of p/rho^2 d rho from the reference density, in closed form,
+    /// with V = rho0/rho = 1/(1 + mu), eta = mu/(1 + mu):
+    ///   linear      rho0 e = K (ln(1 + mu) - eta)
+    ///   Murnaghan   rho0 e = B (((1 + mu)^(gamma - 1) - 1)/(gamma - 1) - eta)
+    ///   polynomial  rho0 e = C1 I1 + C2 I2 + C3 I3,  I1 = ln(1 + mu) - eta,  I2 = mu - ln(1 + mu) - I1,
+    ///               I3 = mu^2/2 - 2 I2 - I1
+    ///   us-up       rho0 e = rho0 c0^2 (ln(1 - k eta)/k^2 + eta/(k (1 - k eta)))
+    /// Below 1 % of compression all lose digits by cancellation, at mu = 1e-6 ten of sixteen; the energy there is
+    /// nothing.
+    double energy(double mu) const;
+
     double reference_density() const
     {
       return rho0;

@@ -13,45 +13,71 @@ namespace birdstrike
     EnergyReport   bird, blade;
     MomentumReport bird_momentum, blade_momentum;
     double         contact_stored      = 0.; ///< J, in the penalty springs
-    double         contact_dissipated  = 0.; ///< J, by damper and friction, at their own rates
+    double         contact_dissipated  = 0.; ///< J, by dampers and friction, from their own rates
     double         self_contact_stored = 0., self_contact_dissipated = 0.; ///< J, of the blade with itself
+    double         contact_dissipation_fall = 0.; ///< J, by which what dampers took has ever fallen
   };
 
   /// The ledger of a run. Energy is conserved as
-  ///   sum of part totals + contact + self-contact - external work = const,   contact = -(sum of contact works),
-  /// linear momentum as
-  ///   sum of (carried + retired + given to supports) - external impulse = const.
-  /// The contact part is stored in springs or dissipated by the damper: `contact_dissipated` must not fall.
+  ///   sum of part totals + stored and dissipated by contact and self-contact - external work = const,
+  /// linear and angular momentum (about the origin) as
+  ///   sum of (carried + retired + given to supports) - external = const.
+  /// No kind of energy is taken from this sum (core/energy_report.h), so what it changes by is an error, and where it
+  /// comes from can be told: each part's stored and dissipated energies against the work of its forces, contact's
+  /// against the works of its impulses; the rest is of the steps in time.
+  ///
   /// Errors are relative to the scale of the run: initial energy plus |external work|; largest of the initial momentum,
-  /// the impulse through contact, the supports' and the loads' (all as norms).
+  /// the impulse through contact, the supports' and the loads' (all as norms), or a hundredth of the sum of m |v| if
+  /// that is more: a free vibration has none. Of angular momentum the same with moments and the sum of m |x| |v|.
+  ///
+  /// A run ends where the energy error passes its limit, where a kind that cannot be negative is below -1e-3 of the
+  /// scale (they are sums of squares and of dissipation rates: 1e-6 of round-off in pairs of floats, up to 1e-4 of
+  /// trapezoids in time) or where contact has given back as much of what it had dissipated.
   class Balance
   {
   public:
+    /// An infinite limit switches all checks off: for those who only look.
     explicit Balance(double energy_error_limit);
 
+    static constexpr double negative_limit = 1e-3; ///< -, share of the energy scale
+
     /// Books a state; the first one is the reference.
-    /// @throws NumericalFailure if the energy error passes the limit or is not a number.
+    /// @throws NumericalFailure if a limit is passed or the energy is not a number.
     void update(const SystemState &state, double time, unsigned long step);
 
     double initial_energy() const;
     double energy() const; ///< of the last state, external work taken off (J)
     double contact_energy() const;
     double contact_dissipated() const;
+    double contact_fall() const; ///< J, the most that contact's dissipation has fallen
     double energy_error() const; ///< relative, with sign: positive is gained
     double max_energy_error() const;
     double momentum_error() const;
     double max_momentum_error() const;
+    double angular_momentum_error() const;
+    double max_angular_momentum_error() const;
+
+    /// Where an energy error comes from (J): what stored and dissipated energies are more than the work behind them.
+    struct Origins
+    {
+      double blade, bird, contact, steps;
+    };
+    Origins origins() const;
 
     const SystemState &state() const;
 
   private:
-    void check(double time, unsigned long step) const;
+    void        update_momenta();
+    void        check(double time, unsigned long step) const;
+    std::string describe_parts() const;
 
     double                limit;
     bool                  has_reference = false;
     SystemState           last;
-    double                reference_energy = 0., current_energy = 0., error = 0., max_error = 0.;
-    std::array<double, 3> reference_momentum{};
+    double                reference_energy = 0., current_energy = 0., scale = 0., error = 0., max_error = 0.;
+    double                most_dissipated = 0., fall = 0.; ///< J, by contact
+    std::array<double, 3> reference_momentum{}, reference_angular{};
     double                error_of_momentum = 0., max_error_of_momentum = 0.;
+    double                error_of_angular = 0., max_error_of_angular = 0.;
   };
 } // namespace birdstrike

@@ -63,7 +63,8 @@ TEST(SolidElements, EnergiesSumToTheWorkOfTheForces)
         }
       const auto  &e   = model.elements;
       const double sum = e.elastic_energy() + e.plastic_work() + e.hourglass_energy() + e.viscous_energy();
-      EXPECT_NEAR(sum / work, 1., 1e-12);
+      EXPECT_NEAR(e.work() / work, 1., 1e-12);
+      EXPECT_NEAR(sum / work, 1., 5e-3) << "trapezoids across the corner of yielding: 0.3 %";
       EXPECT_GT(e.plastic_work(), 0.1 * work);
       EXPECT_GT(e.viscous_energy(), 1e-4 * work);
       EXPECT_EQ(e.hourglass_energy() > 0., formulation != SolidFormulation::b_bar);

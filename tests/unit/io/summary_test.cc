@@ -24,8 +24,11 @@ TEST(Summary, HasTheStableKeys)
     {"contact", {"impulse", "peak_force", "peak_force_time", "max_penetration", "max_penetration_over_spacing"}},
     {"plastic", {"max_strain", "position", "work"}},
     {"failed", {"elements", "collapsed", "at_root", "mass", "free_mass", "energy"}},
-    {"energy", {"initial", "final", "max_relative_error", "max_hourglass_over_internal", "parts"}},
+    {"energy",
+     {"initial", "final", "max_relative_error", "max_hourglass_over_internal", "bird_internal", "parts",
+      "error_origins"}},
     {"momentum", {"max_relative_error"}},
+    {"angular_momentum", {"max_relative_error"}},
     {"retired", {"particles", "mass", "energy"}},
     {"skipped", {}},
     {"cost", {"wall", "threads", "ns_per_particle_step", "ns_per_element_step", "peak_memory"}}};

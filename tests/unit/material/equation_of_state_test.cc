@@ -90,3 +90,35 @@ TEST(EquationOfState, RefusesAnUnknownLawAndASofteningOne)
   parameters.shock_slope = 0.1;
   EXPECT_THROW(parameters.check(), InputError);
 }
+
+// e(mu) = integral of p/rho^2 d rho against Simpson's rule on 2000 intervals, whose own error is below 1e-12 here. Both
+// signs: below zero polynomial and us-up go on with their slope.
+TEST(EquationOfState, EnergyIsTheIntegralOfItsPressure)
+{
+  for (const std::string type : {"linear", "murnaghan", "polynomial", "us-up"})
+    for (const double mu : {-0.3, -0.01, 1e-3, 0.05, 0.3, 0.8})
+      {
+        if (type == "us-up" && mu > 0.5)
+          continue; // near the pole, mu = 1 at k = 2, Simpson's rule needs more
+        const EquationOfState eos = make(type);
+        const int             n   = 2000;
+        double                sum = 0.;
+        for (int k = 0; k <= n; ++k)
+          {
+            const double m = mu * k / n, weight = k == 0 || k == n ? 1. : k % 2 == 1 ? 4. : 2.;
+            sum += weight * eos.pressure(m) / (950. * (1. + m) * (1. + m));
+          }
+        EXPECT_NEAR(eos.energy(mu) / (sum * mu / (3. * n)), 1., 1e-9) << type << " " << mu;
+        EXPECT_GT(eos.energy(mu), 0.);
+      }
+}
+
+TEST(EquationOfState, EnergyOfAMurnaghanLawWithExponentOneIsTheLinearOne)
+{
+  EosParameters parameters;
+  parameters.murnaghan_exponent = 1.;
+  parameters.murnaghan_modulus  = parameters.bulk_modulus;
+  const EquationOfState murnaghan(parameters, 950.);
+  EXPECT_NEAR(murnaghan.energy(0.1) / make("linear").energy(0.1), 1., 1e-12);
+  EXPECT_NEAR(make("linear").energy(1e-3) / (0.5 * 2.2e9 / 950. * 1e-6), 1., 2e-3) << "K mu^2/2 to first order in mu";
+}

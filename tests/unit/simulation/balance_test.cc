@@ -33,6 +33,7 @@ namespace
     state.blade_momentum.momentum       = {0., 0., 0.01 * v};
     state.bird_momentum.contact_impulse = {0., 0., 0.03 * (v - 75.)};
     state.contact_stored                = 1.;
+    state.contact_dissipated            = 0.5 * (0.03 * 0.01 / 0.04) * 75. * 75. - 1.;
     return state;
   }
 } // namespace
@@ -48,6 +49,77 @@ TEST(Balance, ClosesWhenContactTakesWhatThePartsLose)
   const double lost = 0.5 * (0.03 * 0.01 / 0.04) * 75. * 75.;
   EXPECT_NEAR(balance.contact_energy(), lost, 1e-12);
   EXPECT_NEAR(balance.contact_dissipated(), lost - 1., 1e-12);
+  EXPECT_NEAR(balance.origins().contact, 0., 1e-12);
+  EXPECT_NEAR(balance.origins().steps, 0., 1e-12);
+}
+
+// No kind is what the others leave: what contact dissipates by its own rate shows against its works, what stresses
+// store against the work of their forces.
+TEST(Balance, TellsWhereAnErrorComesFrom)
+{
+  Balance balance(0.05);
+  balance.update(before(), 0., 0);
+  SystemState state = merged();
+  state.contact_dissipated += 1.;
+  state.blade.elastic = 0.5;
+  state.bird.elastic  = 0.25;
+  balance.update(state, 1e-4, 10);
+  EXPECT_NEAR(balance.origins().contact, 1., 1e-12);
+  EXPECT_NEAR(balance.origins().blade, 0.5, 1e-12);
+  EXPECT_NEAR(balance.origins().bird, 0.25, 1e-12);
+  EXPECT_NEAR(balance.origins().steps, 0., 1e-12);
+  EXPECT_NEAR(balance.energy_error(), 1.75 / before().bird.kinetic, 1e-12);
+}
+
+TEST(Balance, StopsWhereAnEnergyThatCannotBeIsNegative)
+{
+  const double scale = before().bird.kinetic;
+  for (double EnergyReport::*kind : {&EnergyReport::elastic, &EnergyReport::dissipated, &EnergyReport::plastic,
+                                     &EnergyReport::hourglass, &EnergyReport::viscous})
+    {
+      Balance balance(0.05);
+      balance.update(before(), 0., 0);
+      SystemState state = merged();
+      state.blade.*kind = -0.9e-3 * scale;
+      EXPECT_NO_THROW(balance.update(state, 1e-4, 10));
+      state.blade.*kind = -1.1e-3 * scale;
+      EXPECT_THROW(balance.update(state, 1e-4, 10), NumericalFailure);
+    }
+}
+
+TEST(Balance, StopsWhereContactGivesBackWhatItHadDissipated)
+{
+  Balance balance(0.05);
+  balance.update(before(), 0., 0);
+  balance.update(merged(), 1e-4, 10);
+  SystemState state = merged();
+  state.contact_dissipated -= 2e-3 * before().bird.kinetic;
+  try
+    {
+      balance.update(state, 2e-4, 20);
+      FAIL();
+    }
+  catch (const NumericalFailure &failure)
+    {
+      EXPECT_NE(std::string(failure.what()).find("contact_dissipated"), std::string::npos);
+    }
+}
+
+TEST(Balance, SeesLostAngularMomentumAndSetsSupportsAndLoadsAgainstIt)
+{
+  Balance     balance(0.05);
+  SystemState state                    = before();
+  state.bird_momentum.angular_momentum = {0., -2., 0.};
+  balance.update(state, 0., 0);
+  state.bird_momentum.angular_momentum  = {0., -0.5, 0.};
+  state.blade_momentum.angular_momentum = {0., -1., 1.};
+  state.blade_momentum.support_moment   = {0., -0.5, 0.};
+  state.blade_momentum.external_moment  = {0., 0., 1.};
+  balance.update(state, 1e-4, 10);
+  EXPECT_NEAR(balance.angular_momentum_error(), 0., 1e-14);
+  state.blade_momentum.support_moment = {0., 0., 0.};
+  balance.update(state, 2e-4, 20);
+  EXPECT_NEAR(balance.max_angular_momentum_error(), 0.25, 1e-14);
 }
 
 TEST(Balance, SeesLostMomentumAndEnergy)

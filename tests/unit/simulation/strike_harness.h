@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -69,6 +71,17 @@ namespace birdstrike::test
       if (t[k] >= time)
         return y[k - 1] + (y[k] - y[k - 1]) * (time - t[k - 1]) / (t[k] - t[k - 1]);
     return y.back();
+  }
+
+  /// Largest share of the initial energy that blade, bird or the steps in time make or lose at the end: with birds of
+  /// some hundred particles up to 0.7 %, in their shock. Contact's own share is for the tests of contact.
+  inline double energy_error_of_parts(const Summary &summary)
+  {
+    double largest = 0.;
+    for (const auto &[origin, energy] : summary.energy.error_origins)
+      if (origin != "contact")
+        largest = std::max(largest, std::abs(energy));
+    return largest / summary.energy.initial;
   }
 
   struct Strike
