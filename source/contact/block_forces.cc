@@ -115,7 +115,7 @@ namespace birdstrike
         stiffness = tangent[t] + (t > 0 && target.touches[t - 1].point == i ? stiffness : 0.);
         if (const double squared = stiffness / points.mass[i]; squared > report.largest_point.value)
           report.largest_point = {squared, i};
-        if (has_friction)
+        if (has_friction || touch.is_oblique)
           add_couple(target, touch, Point3(force[0], force[1], force[2]));
         if (!target.patches.empty())
           add_to_patches(target, touch, Point3(force[0], force[1], force[2]));

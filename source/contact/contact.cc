@@ -45,6 +45,7 @@ namespace birdstrike
           record.weights     = pairs.weights_of(touch.place);
           record.penetration = touch.penetration;
           record.share       = touch.share;
+          record.is_oblique  = touch.is_oblique;
           record.point       = block.points[touch.near];
           record.facet       = block.facets.keys()[facet];
           record.nodes       = block.facet_nodes[facet];
@@ -104,7 +105,7 @@ namespace birdstrike
     if (search.counts().searches > last.searches)
       {
         last.searches = search.counts().searches;
-        topology.update_thickness(facets); // it changes slowly
+        topology.update_slowly(facets, memory.max_size());
         node_sums.set_nodes(search.blocks(), facets.n_nodes);
       }
     block_reports.resize(search.blocks().size());

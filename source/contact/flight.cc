@@ -12,6 +12,7 @@ namespace birdstrike
   namespace
   {
     constexpr double never = std::numeric_limits<double>::infinity();
+    constexpr double tie   = 1e-9; // relative difference of equal distances
 
     struct Ray
     {
@@ -57,9 +58,13 @@ namespace birdstrike
     class Surface
     {
     public:
-      explicit Surface(const FacetsView &facets) : facets(facets)
+      Surface(const PointsView &points, const FacetsView &facets) : facets(facets)
       {
         topology.update(facets);
+        double largest = 0.;
+        for (std::size_t i = 0; i < points.n; ++i)
+          largest = std::max(largest, std::cbrt(points.volume[i]));
+        topology.update_slowly(facets, largest);
         boxes.resize(facets.n_facets);
         for (std::size_t f = 0; f < facets.n_facets; ++f)
           for (const std::uint32_t node : facets.nodes[f])
@@ -101,38 +106,101 @@ namespace birdstrike
         return never;
       }
 
-      double touch(const Ray &ray, double limit) const
+      /// Where the nearest facet's edges let the point in, or past: the offset surface is inside that without edges, so
+      /// the search starts where that is touched. m, negative outside.
+      double depth(const Point3 &p, const double half_size, Point3 &normal) const
       {
-        const double margin = ray.half_size + topology.max_half_thickness();
-        if (const Interval whole = crossing(all, margin, ray); whole.first > std::min(whole.last, limit))
+        const double margin = half_size + topology.max_half_thickness();
+        const Ray    resting{p, Point3::Zero(), 0.};
+        double       smallest = never, highest = 0.;
+        EdgeTouch    result;
+        result.overlap = -never;
+        for (std::uint32_t f = 0; f < facets.n_facets; ++f)
+          {
+            if (crossing(boxes[f], 2. * margin, resting).last < 0.)
+              continue;
+            const auto   x        = facet_nodes(facets, f);
+            const auto   closest  = compute_closest_point(p, x);
+            const double distance = std::sqrt(closest.distance_squared),
+                         height   = std::abs(closest.offset.dot(compute_area_vector(x).normalized()));
+            if (distance > smallest * (1. + tie) || (distance >= smallest * (1. - tie) && height <= highest))
+              continue;
+            smallest         = std::min(smallest, distance);
+            highest          = height;
+            double thickness = 0.;
+            for (unsigned int k = 0; k < 4; ++k)
+              thickness += closest.weights[k] * topology.half_thickness(facets.nodes[f][k]);
+            const Point3 outward = distance > 0. ? Point3(closest.offset / distance) : Point3::Zero();
+            result               = {closest.offset,
+                                    distance,
+                                    thickness,
+                                    2. * half_size,
+                                    topology.is_on_rim(facets, f, closest.weights),
+                                    half_size + thickness - distance,
+                                    outward};
+            if (topology.sharp_edges().are_near(f))
+              topology.sharp_edges().cut(facets, f, p - closest.offset, result);
+          }
+        normal = result.limit < result.overlap ? result.limit_normal : result.normal;
+        return std::min(result.limit, result.overlap);
+      }
+
+      /// From a time at which the point is outside on. Newton's step, exact on planes; where it oversteps, bisection.
+      double enter(const Ray &ray, double time, const double last) const
+      {
+        const double size = ray.half_size + topology.max_half_thickness(), speed = ray.velocity.norm();
+        const double tolerance = 1e-13 * (size + (ray.at(time) - ray.origin).norm());
+        double       outside   = time;
+        for (unsigned int iteration = 0; iteration < 1000 && time <= last; ++iteration)
+          {
+            Point3       normal = Point3::Zero();
+            const double gap    = -depth(ray.at(time), ray.half_size, normal);
+            if (gap <= tolerance)
+              return gap >= -tolerance || outside == time ? time : bisect(ray, outside, time);
+            outside              = time;
+            const double closing = -ray.velocity.dot(normal);
+            time += std::min(closing > 0. ? gap / closing : never, std::max(gap, 0.02 * size) / speed);
+          }
+        return never;
+      }
+
+      double bisect(const Ray &ray, double outside, double inside) const
+      {
+        for (unsigned int iteration = 0; iteration < 60; ++iteration)
+          {
+            const double middle = 0.5 * (outside + inside);
+            Point3       normal;
+            (depth(ray.at(middle), ray.half_size, normal) > 0. ? inside : outside) = middle;
+          }
+        return inside;
+      }
+
+      double touch(const Ray &ray, const double limit) const
+      {
+        const double   margin = ray.half_size + topology.max_half_thickness();
+        const Interval whole  = crossing(all, margin, ray);
+        if (whole.first > std::min(whole.last, limit))
           return limit;
+        double first = limit;
         for (std::size_t f = 0; f < facets.n_facets; ++f)
           {
             Interval interval = crossing(boxes[f], margin, ray);
-            interval.last     = std::min(interval.last * (1. + 1e-12), limit);
+            interval.last     = std::min(interval.last * (1. + 1e-12), first);
             if (interval.first <= interval.last)
-              limit = std::min(limit, touch(ray, f, interval));
+              first = std::min(first, touch(ray, f, interval));
           }
-        return limit;
+        return first < limit ? std::min(limit, enter(ray, first, std::min(whole.last, limit))) : limit;
       }
 
       Overlap deepest(const Ray &ray, const std::uint32_t id) const
       {
-        Overlap      result;
         const Ray    resting{ray.origin, Point3::Zero(), 0.};
         const double margin = ray.half_size + topology.max_half_thickness();
         if (crossing(all, margin, resting).last < 0.)
-          return result;
-        for (std::size_t f = 0; f < facets.n_facets; ++f)
-          {
-            if (crossing(boxes[f], margin, resting).last < 0.)
-              continue;
-            Point3       normal;
-            const double depth = overlap(ray.origin, f, ray.half_size, normal);
-            if (depth > result.depth)
-              result = {depth, id, ray.origin};
-          }
-        return result;
+          return {};
+        Point3       normal;
+        const double found = depth(ray.origin, ray.half_size, normal);
+        return found > 0. ? Overlap{found, id, ray.origin} : Overlap{};
       }
 
     private:
@@ -145,7 +213,7 @@ namespace birdstrike
 
   double time_to_first_touch(const PointsView &points, const FacetsView &facets)
   {
-    const Surface surface(facets);
+    const Surface surface(points, facets);
     double        first = never;
     for (std::size_t i = 0; i < points.n; ++i)
       first = surface.touch(ray_of(points, i), first);
@@ -154,7 +222,7 @@ namespace birdstrike
 
   Overlap initial_overlap(const PointsView &points, const FacetsView &facets)
   {
-    const Surface surface(facets);
+    const Surface surface(points, facets);
     Overlap       result;
     for (std::size_t i = 0; i < points.n; ++i)
       if (const Overlap found = surface.deepest(ray_of(points, i), points.id[i]); found.depth > result.depth)

@@ -20,6 +20,25 @@ namespace birdstrike
       return (x[2] - x[0]).cross(x[3] - x[1]).normalized();
     }
 
+    /// Of the overlap, what carries no force.
+    double inherited_reference(const ContactScene &scene, const EdgeTouch &edge, const PointRecord::Side &side,
+                               const double speed)
+    {
+      if (scene.is_first)
+        return edge.overlap;
+      if (edge.feature == EdgeTouch::Feature::beyond) // it comes in from the side, or not at all
+        return edge.overlap - std::max(edge.limit, 0.);
+      // just come in from there: what it has flown in this step past the plane, not more
+      if (side.was_beyond)
+        return std::max(std::min(side.reference, edge.overlap), edge.overlap - 0.5 * edge.limit);
+      // through the edge face into the middle surface, or back
+      if (side.is_touching && side.is_on_edge_face != (edge.feature == EdgeTouch::Feature::edge_face))
+        return edge.overlap;
+      // of a point that did not touch before the facets changed, all that it has not flown in this step is no contact
+      return scene.is_changed && !side.is_touching ? edge.overlap - speed * scene.step
+                                                   : std::min(side.reference, edge.overlap);
+    }
+
     bool has_passed(const PointRecord &record, const std::uint64_t call)
     {
       return record.last_call + 1 == call && (record.sides[0].is_through || record.sides[1].is_through);
@@ -156,18 +175,29 @@ namespace birdstrike
         for (unsigned int d = 0; d < 3; ++d)
           side.outward[d] = static_cast<float>(outward[d]);
       }
-    const double sign    = is_beyond ? 1. : side.sign * seen;
-    const double overlap = 0.5 * before.size + pairs.half_thickness[place] - sign * distance;
-    // of a point that did not touch before the facets changed, all that it has not flown in this step is no contact
-    const double inherited = scene.is_first                          ? overlap
-                             : scene.is_changed && !side.is_touching ? overlap - velocity.norm() * scene.step
-                                                                     : std::min(side.reference, overlap);
-    side.reference         = std::max(inherited, 0.);
-    side.is_touching       = overlap > 0.;
-    side.is_through        = side.is_touching && sign < 0.;
-    result.place           = place;
-    result.penetration     = overlap - side.reference;
-    result.normal = is_degenerate ? Point3((is_beyond ? seen : side.sign) * normal) : offset * (sign / distance);
+    const double sign = is_beyond ? 1. : side.sign * seen;
+    EdgeTouch    edge{offset,
+                   sign * distance,
+                   pairs.half_thickness[place],
+                   before.size,
+                   is_beyond,
+                   0.5 * before.size + pairs.half_thickness[place] - sign * distance,
+                   is_degenerate ? Point3((is_beyond ? seen : side.sign) * normal) : offset * (sign / distance)};
+    if (const SharpEdges &edges = scene.topology.sharp_edges(); edges.are_near(facet))
+      edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
+
+    const bool is_inside    = edge.overlap > 0. && edge.limit > 0.;
+    side.reference          = std::max(inherited_reference(scene, edge, side, velocity.norm()), 0.);
+    side.is_touching        = is_inside;
+    side.is_through         = is_inside && sign < 0.;
+    side.was_beyond         = edge.feature == EdgeTouch::Feature::beyond;
+    side.is_on_edge_face    = edge.feature == EdgeTouch::Feature::edge_face;
+    const double depth      = edge.overlap - side.reference;
+    const bool   is_limited = edge.limit < depth;
+    result.place            = place;
+    result.penetration      = is_limited ? edge.limit : depth;
+    result.normal           = is_limited ? edge.limit_normal : edge.normal;
+    result.is_oblique       = is_limited || edge.is_oblique;
     return result.penetration > 0.;
   }
 

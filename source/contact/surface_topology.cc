@@ -1,3 +1,4 @@
+#include <birdstrike/contact/edge_profile.h>
 #include <birdstrike/contact/surface_topology.h>
 
 #include <algorithm>
@@ -96,6 +97,12 @@ namespace birdstrike
         nodal_half_thickness[n] /= n_facets_of_node[n];
     largest_half_thickness =
       nodal_half_thickness.empty() ? 0. : *std::max_element(nodal_half_thickness.begin(), nodal_half_thickness.end());
+  }
+
+  void SurfaceTopology::update_slowly(const FacetsView &facets, const double size)
+  {
+    update_thickness(facets);
+    edges.update(facets, edge_reach(size));
   }
 
   bool SurfaceTopology::is_on_rim(const FacetsView &facets, const std::uint32_t facet,

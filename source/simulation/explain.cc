@@ -1,6 +1,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/contact/mass_in_the_way.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/fields.h>
 #include <birdstrike/io/text.h>
@@ -124,6 +125,10 @@ namespace birdstrike
       {
         scene.bird->compute_rates(); // the step limit needs the present rates
         add_bird(table, *scene.bird, parameters.bird);
+        if (scene.blade)
+          table.add("mass in the way of the blade",
+                    format_share(compute_share_in_the_way(scene.bird->points(), scene.blade->facets())) +
+                      ", by straight paths to its outline");
       }
     add_steps(table, parameters, scene);
     add_files(table, parameters, scene);

@@ -19,8 +19,8 @@ namespace birdstrike
   /// on with their velocities and the facets rest; infinity if none ever does, 0 if one touches now.
   ///
   /// The distance from a moving point to a convex facet is a convex function of time, so Newton's method on distance -
-  /// g starts and stays before the root: on a face it is exact at the first step, at an edge it converges
-  /// quadratically, and a point whose distance no longer falls misses.
+  /// g starts and stays before the root: on a face it is exact at the first step, and a point whose distance no longer
+  /// falls misses. Where that surface without edges is touched, the search for the one with edges (EdgeTouch) starts.
   double time_to_first_touch(const PointsView &points, const FacetsView &facets);
 
   /// Deepest penetration now, for refusing points that start inside the surface.

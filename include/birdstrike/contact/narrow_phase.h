@@ -11,11 +11,12 @@ namespace birdstrike
   /// One point that touches one facet.
   struct TouchingPair
   {
-    std::uint32_t place;       ///< in PairGeometry
-    std::uint32_t near;        ///< place of the point in CandidateBlock::points
-    double        share;       ///< -, in (0, 1]: weight of a second facet, see NarrowPhase
-    double        penetration; ///< m, > 0
-    Point3        normal;      ///< from the surface to the point
+    std::uint32_t place;              ///< in PairGeometry
+    std::uint32_t near;               ///< place of the point in CandidateBlock::points
+    double        share;              ///< -, in (0, 1]: weight of a second facet, see NarrowPhase
+    double        penetration;        ///< m, > 0
+    Point3        normal;             ///< from the surface to the point
+    bool          is_oblique = false; ///< not along the point's offset from q: the force leaves a couple
   };
 
   /// What the decision rests on.
@@ -37,8 +38,11 @@ namespace birdstrike
   /// *Side.* The sign is that of the closest facet's normal; where facets tie at a common edge, that of the facet seen
   /// least edge-on (the angle-weighted pseudo-normal of Baerentzen and Aanaes 2005 decides alike at an edge). It is
   /// remembered per point and piece of surface while the point is near: a fast point that has come through the middle
-  /// surface is pushed back to where it came from. Beyond a free edge there is no side: the distance is unsigned, the
-  /// surface ends in a half cylinder of radius g, and from there a point may pass to the other side.
+  /// surface is pushed back to where it came from. Beyond a free edge there is no side: from there a point may pass to
+  /// the other.
+  ///
+  /// *Edges.* Free edges of shells and ridges of skins bound the offset surface: the blade ends where it ends, not half
+  /// a thickness or half a spacing beyond (edge_profile.h, SharpEdges). What comes in from the side keeps its height.
   ///
   /// *The skin of a solid* (one-sided) is the same with the outside as the only side. A point that has come through it
   /// keeps to the facets that look towards where it came from: of an edge thinner than the point, the face behind may

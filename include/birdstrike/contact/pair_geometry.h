@@ -39,6 +39,14 @@ namespace birdstrike
     {
       return {offset[0][a], offset[1][a], offset[2][a]};
     }
+    /// q, from the positions of the facet's nodes.
+    Point3 closest_of(const FacetsView &facets, const std::array<std::uint32_t, 4> &corners, const std::size_t a) const
+    {
+      Point3 q = Point3::Zero();
+      for (unsigned int k = 0; k < 4; ++k)
+        q += weight[k][a] * Eigen::Map<const Point3>(facets.position + 3 * corners[k]);
+      return q;
+    }
     Point3 velocity_of(const std::size_t a) const
     {
       return {velocity[0][a], velocity[1][a], velocity[2][a]};

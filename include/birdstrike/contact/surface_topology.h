@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/contact/sharp_edges.h>
 #include <birdstrike/core/contact_views.h>
 
 #include <array>
@@ -26,6 +27,14 @@ namespace birdstrike
     /// Recomputes everything if the facets are others than before.
     Change update(const FacetsView &facets);
     void   update_thickness(const FacetsView &facets);
+
+    /// What changes slowly: thickness, and the sharp edges for points up to `size` = V^(1/3), m.
+    void update_slowly(const FacetsView &facets, double size);
+
+    const SharpEdges &sharp_edges() const
+    {
+      return edges;
+    }
 
     /// Whether the closest point with these weights lies on a free edge or at a node of one.
     bool is_on_rim(const FacetsView &facets, std::uint32_t facet, const std::array<double, 4> &weights) const;
@@ -58,6 +67,7 @@ namespace birdstrike
     std::vector<double>        nodal_half_thickness;
     std::vector<std::uint32_t> n_facets_of_node;
     double                     largest_half_thickness = 0.;
+    SharpEdges                 edges;
   };
 
   /// Corner k of a triangular facet stands twice; its side between the two is no edge.

@@ -19,6 +19,8 @@ namespace birdstrike
     double                penetration;                  ///< m
     double                share;                        ///< -, in (0, 1], of force and potential
 
+    bool is_oblique; ///< not along the offset: the force leaves a couple
+
     std::uint32_t                point; ///< its index in PointsView
     std::uint32_t                facet; ///< its index in FacetsView
     std::array<std::uint32_t, 4> nodes; ///< the facet's, by the numbers of the block

@@ -31,12 +31,15 @@ TEST(Flight, AgainstAFaceItIsGapOverNormalSpeed)
   EXPECT_NEAR(flight({0.022, 0.013, -0.1}, {0., 0., 177.4}), (0.1 - g) / 177.4, 1e-15); // from below
 }
 
-TEST(Flight, AgainstAFreeEdgeAndACornerItEndsOnTheRounding)
+// Half a spacing before the edge face, and where the plane at 45 degrees through its edges z = +-1 mm stands nearer,
+// there; on the diagonal at a corner likewise.
+TEST(Flight, AgainstAFreeEdgeAndACornerItEndsWhereTheEdgeFaceIs)
 {
-  for (const double height : {0., 0.4 * g, 0.9 * g, -0.9 * g})
-    EXPECT_NEAR(flight({0.02, -0.1, height}, {0., 200., 0.}), (0.1 - std::sqrt(g * g - height * height)) / 200., 1e-13);
-  // along the diagonal at the corner (0, 0), in the plane
-  EXPECT_NEAR(flight({-0.1, -0.1, 0.}, {100., 100., 0.}), (0.1 * std::sqrt(2.) - g) / (100. * std::sqrt(2.)), 1e-13);
+  for (const auto &[height, before] :
+       {std::pair{0., 0.5e-3}, {0.6e-3, 0.4e-3}, {0.9e-3, 0.1e-3}, {1.35e-3, -0.35e-3}, {-1.35e-3, -0.35e-3}})
+    EXPECT_NEAR(flight({0.02, -0.1, height}, {0., 200., 0.}), (0.1 - before) / 200., 1e-12) << height;
+  EXPECT_NEAR(flight({-0.1, -0.1, 0.}, {100., 100., 0.}), (0.1 * std::sqrt(2.) - 0.5e-3) / (100. * std::sqrt(2.)),
+              1e-12);
 }
 
 TEST(Flight, AMissNeverTouches)

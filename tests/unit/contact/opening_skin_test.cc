@@ -124,7 +124,8 @@ TEST(OpeningSkin, WhereACellFailsTheForceIsNoLargerThanBefore)
             EXPECT_LE(std::abs(after[d]), before.norm() * (1. + 1e-9)) << x << ' ' << y << ' ' << z;
           const double from_wall = std::hypot(std::min(x - 2e-3, 4e-3 - x), std::max(z - 2e-3, 0.));
           const double from_next = std::hypot(std::min(y - 2e-3, 4e-3 - y), std::max(z - 2e-3, 0.));
-          EXPECT_EQ(after.norm() > 0., std::min(from_wall, from_next) < g) << "floor out of reach: walls alone push";
+          EXPECT_TRUE(after.norm() == 0. || std::min(from_wall, from_next) < g)
+            << "floor out of reach: walls alone push";
         }
 }
 

@@ -80,7 +80,7 @@ TEST(Search, NothingIsDoneWhilePointsAndFacetsAreApart)
 TEST(Search, BoxesApartCostNoSearchAndNoPairAndNearnessIsCounted)
 {
   FreeMasses scene;
-  scene.add_plate(3, 3, 0.01, 2e-3);
+  scene.add_plate(3, 3, 0.01, 2e-3, Point3(-2e-3, 0., 0.));
   for (unsigned int i = 0; i < 300; ++i) // two blocks: one over the plate, one 0.2 m away, all of them in flight
     scene.add_point({Point3(1e-4 * i, 0.01, i < 256 ? 0.01 : 0.2), Point3(0., 0., -100.)});
   Contact    contact{ContactParameters()};

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace birdstrike
+{
+  /// What an edge of the blade takes off the offset surface. Across the edge, s is the distance beyond it in the plane
+  /// of a face, z the height above that face.
+  ///
+  /// A point stands for a cube of side L = V^(1/3): its centre stays L/2 off a face. Carried round an edge, that
+  /// stand-off makes the body larger than it is by L/2 on every side, and what flies past is caught. So the stand-off
+  /// belongs to the faces only, and each is bounded at its edge by the plane that halves the angle there and goes
+  /// through the true edge (for a right angle s + z = 0): the depth is
+  ///
+  ///   d = min(L/2 - z - r, -(s + z)/sqrt(2)),   and nothing where either is negative.
+  ///
+  /// Behind that plane the other face holds in the same way; between the two nothing does. A shell's edge face, of its
+  /// thickness at right angles to the middle surface, has no facets: a point beyond the rim and between the planes of
+  /// the two faces meets it at d = min(L/2 - s - r, ...), so that shell and solid end alike.
+  ///
+  /// *Reference r.* A point that comes in through that plane keeps the height it then has as its stand-off: r is what
+  /// of the overlap it brings along, and only what it comes deeper carries a force. So who is held is decided by
+  /// whether the path meets the true outline, whatever the place of the lattice and the ratio of thickness to L: for
+  /// paths along the normal of the face, inwards from the edge, and outwards by up to 45 degrees; at a larger angle phi
+  /// to the normal (L/2)(tan(phi) - 1) too many, in s. Inwards the face itself holds them. Along the normal the last
+  /// strip of L/2 lies under the plane, which takes half of a free point's normal momentum (n_z^2 = 1/2) and sends it
+  /// out over the edge, where a jet's own pressure sends it too. A rim round with radius L/2 holds L/2 too many.
+  ///
+  /// *Energy.* For given r the depth is continuous and piecewise plane, so k d^2/2 is a potential. r changes only where
+  /// d = 0, or downwards with an overlap smaller than r (d = 0 again), or so that d falls: contact makes no energy.
+  ///
+  /// How far over a face its edge is felt at most, for points of size L: the two planes meet at s = -L/2, and at a
+  /// depth d below it (sqrt(2) - 1) d further in. m
+  inline double edge_reach(const double size)
+  {
+    return 0.75 * size;
+  }
+
+  /// Share of the stand-off that goes on round a ridge between two faces whose normals part by `angle`: all of it below
+  /// 30 degrees, where a ridge is the facetting of a round surface, none from 90 degrees on.
+  inline double round_share(const double angle)
+  {
+    return std::clamp(std::cos(angle) / std::cos(std::numbers::pi / 6.), 0., 1.);
+  }
+} // namespace birdstrike

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <birdstrike/core/contact_views.h>
+#include <birdstrike/core/number.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace birdstrike
+{
+  /// A point p over or beside a facet, and what a surface without edges would make of it; SharpEdges::cut() corrects
+  /// it.
+  struct EdgeTouch
+  {
+    enum class Feature
+    {
+      face,
+      edge_face, ///< of a shell, which has no facets there
+      beyond     ///< between the two faces of an edge: nothing is in the way
+    };
+
+    Point3 offset{0., 0., 0.};     ///< p - q from the closest point q of the facet, m
+    double height         = 0.;    ///< of p above q, with the sign of its side of the surface, m
+    double half_thickness = 0.;    ///< at q, m
+    double size           = 0.;    ///< V^(1/3), m
+    bool   is_beyond      = false; ///< q lies on a free edge
+
+    double  overlap = 0.;       ///< in: of a surface without edges; out: of the face. m
+    Point3  normal{0., 0., 0.}; ///< likewise, outwards
+    Feature feature    = Feature::face;
+    bool    is_oblique = false; ///< the normal does not pass through q
+    double  limit      = 1e300; ///< depth below the plane of the edge that bounds the face, m
+    Point3  limit_normal{0., 0., 0.};
+  };
+
+  /// The sharp edges of a surface and what they take off the offset (edge_profile.h): free edges of shells, where the
+  /// edge face is as high as the shell is thick, and ridges between faces of a solid's skin. Edges on a plane of
+  /// symmetry are none. Facets further than the reach from any edge have nothing to do with it.
+  class SharpEdges
+  {
+  public:
+    /// Finds the edges within `reach` of each facet. Done again when facets come and go, and for the angles of
+    /// a skin with every call: with every search is often enough.
+    void update(const FacetsView &facets, double reach);
+
+    bool are_near(const std::uint32_t facet) const
+    {
+      return first[facet] != first[facet + 1];
+    }
+
+    void cut(const FacetsView &facets, std::uint32_t facet, const Point3 &closest, EdgeTouch &touch) const;
+
+  private:
+    struct Edge
+    {
+      std::array<std::uint32_t, 2> nodes;
+      std::array<std::int32_t, 2>  facets; // the second is -1 at a free edge
+      double                       angle;  // between their normals
+    };
+    struct Foot; // of a perpendicular on an edge
+
+    void find_edges(const FacetsView &facets);
+    void add_ridge(const FacetsView &facets, std::uint32_t facet, unsigned int side);
+    void spread(const FacetsView &facets, double reach);
+    void cut_rim(const FacetsView &facets, const Foot &foot, EdgeTouch &touch) const;
+    void cut_ridge(const FacetsView &facets, const Foot &foot, EdgeTouch &touch) const;
+
+    std::uint64_t              revision    = 0;
+    double                     known_reach = -1.;
+    std::vector<Edge>          edges;
+    std::vector<std::uint32_t> first, near; // edges near facet f: near[first[f]] ...
+    std::vector<Point3>        normals;     // [n_facets], unit
+  };
+} // namespace birdstrike

@@ -1,0 +1,111 @@
+#include "free_masses.h"
+
+#include <birdstrike/contact/mass_in_the_way.h>
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+using namespace birdstrike;
+using birdstrike::test::FreeMasses;
+
+/// Points that fly one by one, evenly spread, at an edge: as many lose half of their normal speed, or more, as
+/// are in the way of the true outline.
+namespace
+{
+  constexpr double size = 1e-3, gap = 1e-4, speed = 20.; // m, m, m/s: d = L u/c is a fiftieth of a point's size
+
+  /// Width of the beam, points of spacing `gap` about `centre` across the direction, that loses half of its normal
+  /// speed or more.
+  double stopped_width(FreeMasses scene, const Point3 &centre, const Point3 &direction, const Point3 &across,
+                       const Point3 &normal)
+  {
+    constexpr int n = 40;
+    for (int i = -n; i < n; ++i)
+      scene.add_point({centre + (i + 0.5) * gap * across - 3e-3 * direction, speed * direction});
+    scene.mass.assign(scene.id.size(), size * size * size * 1000.);
+    Contact    contact{ContactParameters()};
+    ThreadPool pool;
+    scene.compute_contact(contact, 4e-7, pool);
+    for (unsigned int step = 0; step < 1200; ++step)
+      scene.advance(contact, 4e-7, pool);
+    int stopped = 0;
+    for (std::size_t i = 0; i < scene.id.size(); ++i)
+      stopped += -scene.velocity(i).dot(normal) < -0.5 * speed * direction.dot(normal);
+    return stopped * gap - n * gap; // beyond `centre`
+  }
+
+  FreeMasses shell(const double thickness) // x 0 ... 20 mm, y 0 ... 20 mm
+  {
+    FreeMasses scene;
+    scene.add_plate(4, 4, 5e-3, thickness);
+    return scene;
+  }
+  const Point3 edge(0.02, 0.0077, 0.);
+} // namespace
+
+TEST(Capture, OnTheFaceItEndsAtTheEdgeForAnyThickness)
+{
+  for (const double thickness : {0., 0.2e-3, 1e-3, 4e-3})
+    for (const double degrees : {-60., -30., 0., 30.}) // inwards to outwards, against the normal
+      {
+        const double angle = degrees * std::numbers::pi / 180.;
+        const Point3 direction(std::sin(angle), 0., -std::cos(angle)), across(std::cos(angle), 0., std::sin(angle));
+        // seen along the path the upper corner of the edge, if the edge face is not in sight
+        const Point3 corner = edge + Point3(0., 0., 0.5 * thickness);
+        const double width  = stopped_width(shell(thickness), corner, direction, across, Point3::UnitZ());
+        EXPECT_NEAR(width, 0., 0.12 * size) << thickness << ' ' << degrees; // spacing of the beam, and d
+      }
+}
+
+TEST(Capture, OnTheEdgeFaceItIsTheThickness)
+{
+  for (const double thickness : {0.2e-3, 0.5e-3, 1e-3, 4e-3})
+    {
+      const double width =
+        stopped_width(shell(thickness), edge, -Point3::UnitX(), Point3::UnitZ(), Point3::UnitX()) + 40 * gap;
+      EXPECT_NEAR(width, thickness, 0.25 * size) << thickness; // some slip off it: d and a spacing on either side
+    }
+}
+
+TEST(Capture, APlaneOfSymmetryIsNoEdge)
+{
+  FreeMasses scene = shell(1e-3);
+  for (auto &neighbors : scene.neighbor)
+    for (std::int32_t &neighbor : neighbors)
+      neighbor = neighbor == FacetsView::free_edge ? FacetsView::symmetry_edge : neighbor;
+  scene.add_point({Point3(0.01999, 0.0077, 0.95e-3)});
+  scene.add_point({Point3(0.0111, 1e-5, 0.95e-3)});
+  Contact    contact{ContactParameters()};
+  ThreadPool pool;
+  for (const double z : {1.1e-3, 0.95e-3})
+    {
+      for (std::size_t i = 0; i < 2; ++i)
+        scene.place(i, Point3(scene.x[0][i], scene.x[1][i], z));
+      scene.compute_contact(contact, 1e-7, pool);
+    }
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_LT((scene.force_on_point(i) - Point3(0., 0., 1e6 * 0.05e-3)).norm(), 1e-6) << i;
+}
+
+TEST(Capture, TheShareInTheWayIsThatOfTheOutline)
+{
+  FreeMasses scene = shell(2e-3);
+  for (int i = 0; i < 100; ++i)
+    for (int j = 0; j < 20; ++j)
+      scene.add_point({Point3(0.02 + 1e-4 * (i - 49.5), 0.001 + 9e-4 * j, 0.1), Point3(0., 0., -50.)});
+  EXPECT_NEAR(compute_share_in_the_way(scene.points(), scene.facets()), 0.5, 1e-12); // centres half a gap off the edge
+  for (std::size_t i = 0; i < scene.id.size(); ++i)
+    {
+      scene.place(i, Point3(0.1, scene.x[1][i], 1e-4 * (static_cast<double>(i / 20) - 49.5)));
+      scene.v[0][i] = -50.;
+      scene.v[2][i] = 0.;
+    }
+  EXPECT_NEAR(compute_share_in_the_way(scene.points(), scene.facets()), 0.2, 1e-12); // 2 mm of 10
+  for (auto &v : scene.v[0])
+    v = 50.;
+  EXPECT_EQ(compute_share_in_the_way(scene.points(), scene.facets()), 0.); // flying away
+  for (auto &node : scene.node)
+    node.velocity = Point3(100., 0., 0.);
+  EXPECT_NEAR(compute_share_in_the_way(scene.points(), scene.facets()), 0.2, 1e-12); // and overtaken
+}
