@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace birdstrike
@@ -135,10 +136,18 @@ namespace birdstrike
         arm -= mean;
         moment += arm.squaredNorm() * Matrix3<double>::Identity() - arm * arm.transpose();
       }
-    const Point3 turn = moment.inverse() * couple;
+    const Point3 turn    = moment.inverse() * couple;
+    double       largest = 0.;
+    for (const Point3 &arm : arms)
+      largest = std::max(largest, turn.cross(arm).norm());
+    // on facets much smaller than the offset the pair of forces would be many times the touch's own, and unstable:
+    // there it stays as large as that, and a part of the couple is lost
+    const double share = largest > force.norm() ? force.norm() / largest : 1.;
+    if (!(largest < std::numeric_limits<double>::infinity()))
+      return; // a facet without area
     for (unsigned int k = 0; k < 4; ++k)
       for (unsigned int d = 0; d < 3; ++d)
-        target.node_sums[touch.nodes[k]][d] -= turn.cross(arms[k])[d];
+        target.node_sums[touch.nodes[k]][d] -= share * turn.cross(arms[k])[d];
   }
 
   void BlockForces::add_to_patches(const Target &target, const TouchRecord &touch, const Point3 &force)

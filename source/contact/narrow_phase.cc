@@ -136,7 +136,7 @@ namespace birdstrike
   }
 
   bool NarrowPhase::touch(const ContactScene &scene, const std::uint32_t place, const PointRecord &before,
-                          TouchingPair &result, PointRecord::Side &side) const
+                          const unsigned int role, TouchingPair &result, PointRecord::Side &side) const
   {
     const std::uint32_t facet    = facet_of(place);
     const std::int32_t  piece    = scene.topology.piece(facet);
@@ -148,11 +148,13 @@ namespace birdstrike
     // on the surface itself the point is where it came from
     const std::int8_t seen = (is_degenerate ? -velocity.dot(normal) : pairs.height[place]) < 0. ? -1 : 1;
 
+    // a second facet of the same piece is met on the side on which it is seen, unless it was the second before: where a
+    // surface folds, the other side of the first one means nothing to it
     side = {};
     if (before.last_call + 1 == scene.call)
-      for (const PointRecord::Side &old : before.sides)
-        if (old.piece == piece && side.piece < 0)
-          side = old;
+      for (unsigned int k = role; k < 2; ++k)
+        if (before.sides[k].piece == piece && side.piece < 0)
+          side = before.sides[k];
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around
@@ -216,13 +218,13 @@ namespace birdstrike
     first.share = second.share = 0.;
     record.sides[1]            = {};
     record.last_call           = scene.call;
-    if (touch(scene, closest, before, first, record.sides[0]))
+    if (touch(scene, closest, before, 0, first, record.sides[0]))
       first.share = 1.;
     if (group.end - group.begin > 1)
       {
         const std::int64_t other =
           opposed(group, scene, closest, scene.topology.max_half_thickness() + 0.5 * before.size);
-        if (other >= 0 && touch(scene, static_cast<std::uint32_t>(other), before, second, record.sides[1]))
+        if (other >= 0 && touch(scene, static_cast<std::uint32_t>(other), before, 1, second, record.sides[1]))
           {
             const double cosine = first.share > 0. ? first.normal.dot(second.normal) : -1.;
             const double ramp   = std::clamp((share_starts_at - cosine) / (share_starts_at - share_is_full_at), 0., 1.);

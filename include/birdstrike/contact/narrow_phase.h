@@ -83,8 +83,8 @@ namespace birdstrike
                          const PointRecord &before) const;
     std::int64_t  opposed(const Group &group, const ContactScene &scene, std::uint32_t first, double reach) const;
     bool          is_local_minimum(const Group &group, const ContactScene &scene, std::uint32_t place) const;
-    bool          touch(const ContactScene &scene, std::uint32_t place, const PointRecord &before, TouchingPair &result,
-                        PointRecord::Side &side) const;
+    bool          touch(const ContactScene &scene, std::uint32_t place, const PointRecord &before, unsigned int role,
+                        TouchingPair &result, PointRecord::Side &side) const;
     void          keep_passed_awake(const ContactScene &scene, PointMemory &memory);
     void          keep_awake(std::uint32_t near);
     std::uint32_t facet_of(const std::uint32_t place) const // global
