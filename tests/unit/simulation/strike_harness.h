@@ -73,17 +73,6 @@ namespace birdstrike::test
     return y.back();
   }
 
-  /// Largest share of the initial energy that blade, bird or the steps in time make or lose at the end: with birds of
-  /// some hundred particles up to 0.7 %, in their shock. Contact's own share is for the tests of contact.
-  inline double energy_error_of_parts(const Summary &summary)
-  {
-    double largest = 0.;
-    for (const auto &[origin, energy] : summary.energy.error_origins)
-      if (origin != "contact")
-        largest = std::max(largest, std::abs(energy));
-    return largest / summary.energy.initial;
-  }
-
   struct Strike
   {
     Summary summary;
