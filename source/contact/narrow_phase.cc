@@ -157,8 +157,11 @@ namespace birdstrike
           side = before.sides[k];
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
-    // around
-    const bool is_passage = side.is_touching || distance <= 2. * velocity.norm() * scene.step;
+    // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
+    const double way        = 2. * std::max(velocity.norm() * scene.step, block->step_motion);
+    const double if_past    = 0.5 * before.size + pairs.half_thickness[place] + distance;
+    const bool   is_passage = side.is_touching ? if_past <= side.overlap + way + 1e-3 * before.size
+                                               : distance <= 2. * velocity.norm() * scene.step;
     if (is_beyond)
       side.sign = 0;
     else if (side.piece < 0 || side.sign == 0 || (seen != side.sign && !is_passage))
@@ -196,6 +199,7 @@ namespace birdstrike
     side.is_on_edge_face    = edge.feature == EdgeTouch::Feature::edge_face;
     const double depth      = edge.overlap - side.reference;
     const bool   is_limited = edge.limit < depth;
+    side.overlap            = edge.overlap;
     result.place            = place;
     result.penetration      = is_limited ? edge.limit : depth;
     result.normal           = is_limited ? edge.limit_normal : edge.normal;

@@ -58,13 +58,14 @@ namespace birdstrike
     if (!is_held)
       kick_contact(on_time, HalfKick::first);
     for (unsigned int k = 0; k < schedule.n_blade; ++k)
-      step_blade(schedule.blade_step(), each_half);
+      step_blade(schedule.blade_step(), each_half, k + 1 == schedule.n_blade);
     if (parts.bird)
       {
         const Timings::Scope scope(timings, sections.bird_motion);
         parts.bird->drift(schedule.step);
       }
-    compute_bird_forces(schedule.step);
+    compute_bird_forces(schedule.step); // at velocities of the drift, on both sides
+    finish_blade_step(schedule.blade_step());
     kick_bird(0.5 * schedule.step, HalfKick::second);
     if (!is_held)
       kick_contact(0.5 * schedule.step, HalfKick::second);
@@ -121,7 +122,15 @@ namespace birdstrike
     set_in_transit(0.);
   }
 
-  void Stepper::step_blade(const double step, const double contact_half)
+  void Stepper::finish_blade_step(const double step)
+  {
+    if (!parts.blade)
+      return;
+    const Timings::Scope scope(timings, sections.blade_motion);
+    parts.blade->kick_internal(0.5 * step, HalfKick::second);
+  }
+
+  void Stepper::step_blade(const double step, const double contact_half, const bool is_last)
   {
     if (!parts.blade)
       return;
@@ -133,10 +142,13 @@ namespace birdstrike
       parts.blade->drift(step);
     }
     compute_blade_forces(step);
-    const Timings::Scope scope(timings, sections.blade_motion);
-    parts.blade->kick_internal(0.5 * step, HalfKick::second);
-    if (contact_half > 0.)
-      parts.blade->kick_contact(contact_half, HalfKick::second);
+    {
+      const Timings::Scope scope(timings, sections.blade_motion);
+      if (contact_half > 0.)
+        parts.blade->kick_contact(contact_half, HalfKick::second);
+    }
+    if (!is_last)
+      finish_blade_step(step);
   }
 
   void Stepper::compute_blade_forces(const double step)

@@ -176,7 +176,7 @@ def output_intervals(check):
 def rubber_multirate(check):
     one, two = check.run("rubber-multirate"), check.run("rubber-multirate", "Time/Multirate=false")
     for result in filter(None, (one, two)):
-        check.sound(result)
+        check.sound(result, 0.02)  # at strains of a fifth a law in rates is no potential: 1 % is the rubber's own
     if one and two:
         check.equal("impulse", one["contact/impulse/2"], two["contact/impulse/2"], 0.005)
         check.equal("blade's kinetic energy", one.most("blade_kinetic"), two.most("blade_kinetic"), 0.005)

@@ -26,6 +26,7 @@ namespace birdstrike
       bool                 is_on_edge_face = false; ///< of a shell
       bool                 was_beyond      = false; ///< an edge's plane, where nothing is in the way
       double               reference       = 0.;    ///< m, penetration when the facet was new: carries no force
+      double               overlap         = 0.;    ///< m, in the last call
       std::array<float, 3> outward{}; ///< of a one-sided surface: the direction away from it when last seen outside
     };
 

@@ -80,6 +80,7 @@ namespace birdstrike
     Schedule              latest;
     double                largest_bird_step;                                                 // s, for the next plan
     double                largest_step_in_contact = std::numeric_limits<double>::infinity(); // s, of the blade
+    bool                  has_multirate;
     SmallestStep          smallest_bird_step, smallest_blade_step;
     EnergyReport          gone_energy;
     MomentumReport        gone_momentum;

