@@ -21,8 +21,9 @@ namespace birdstrike
     }
 
     /// Of the overlap, what carries no force.
+    /// `is_new`: another sheet of the same surface, or facets that have just come.
     double inherited_reference(const ContactScene &scene, const EdgeTouch &edge, const PointRecord::Side &side,
-                               const double speed)
+                               const bool is_new, const double way)
     {
       if (scene.is_first)
         return edge.overlap;
@@ -34,9 +35,8 @@ namespace birdstrike
       // through the edge face into the middle surface, or back
       if (side.is_touching && side.is_on_edge_face != (edge.feature == EdgeTouch::Feature::edge_face))
         return edge.overlap;
-      // of a point that did not touch before the facets changed, all that it has not flown in this step is no contact
-      return scene.is_changed && !side.is_touching ? edge.overlap - speed * scene.step
-                                                   : std::min(side.reference, edge.overlap);
+      // of a point that did not touch it before, all that it has not flown in this step is no contact
+      return is_new && !side.is_touching ? edge.overlap - way : std::min(side.reference, edge.overlap);
     }
 
     bool has_passed(const PointRecord &record, const std::uint64_t call)
@@ -136,7 +136,7 @@ namespace birdstrike
   }
 
   bool NarrowPhase::touch(const ContactScene &scene, const std::uint32_t place, const PointRecord &before,
-                          const unsigned int role, TouchingPair &result, PointRecord::Side &side) const
+                          const bool is_other_sheet, TouchingPair &result, PointRecord::Side &side) const
   {
     const std::uint32_t facet    = facet_of(place);
     const std::int32_t  piece    = scene.topology.piece(facet);
@@ -152,7 +152,7 @@ namespace birdstrike
     // surface folds, the other side of the first one means nothing to it
     side = {};
     if (before.last_call + 1 == scene.call)
-      for (unsigned int k = role; k < 2; ++k)
+      for (unsigned int k = is_other_sheet ? 1 : 0; k < 2; ++k)
         if (before.sides[k].piece == piece && side.piece < 0)
           side = before.sides[k];
 
@@ -192,7 +192,8 @@ namespace birdstrike
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
     const bool is_inside    = edge.overlap > 0. && edge.limit > 0.;
-    side.reference          = std::max(inherited_reference(scene, edge, side, velocity.norm()), 0.);
+    const bool is_new       = scene.is_changed || is_other_sheet;
+    side.reference          = std::max(inherited_reference(scene, edge, side, is_new, 0.5 * way), 0.);
     side.is_touching        = is_inside;
     side.is_through         = is_inside && sign < 0.;
     side.was_beyond         = edge.feature == EdgeTouch::Feature::beyond;
@@ -222,13 +223,16 @@ namespace birdstrike
     first.share = second.share = 0.;
     record.sides[1]            = {};
     record.last_call           = scene.call;
-    if (touch(scene, closest, before, 0, first, record.sides[0]))
+    if (touch(scene, closest, before, false, first, record.sides[0]))
       first.share = 1.;
     if (group.end - group.begin > 1)
       {
         const std::int64_t other =
           opposed(group, scene, closest, scene.topology.max_half_thickness() + 0.5 * before.size);
-        if (other >= 0 && touch(scene, static_cast<std::uint32_t>(other), before, 1, second, record.sides[1]))
+        const bool is_other_sheet =
+          other >= 0 && scene.topology.piece(facet_of(static_cast<std::uint32_t>(other))) == record.sides[0].piece;
+        if (other >= 0 &&
+            touch(scene, static_cast<std::uint32_t>(other), before, is_other_sheet, second, record.sides[1]))
           {
             const double cosine = first.share > 0. ? first.normal.dot(second.normal) : -1.;
             const double ramp   = std::clamp((share_starts_at - cosine) / (share_starts_at - share_is_full_at), 0., 1.);

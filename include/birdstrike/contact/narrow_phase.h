@@ -83,7 +83,7 @@ namespace birdstrike
                          const PointRecord &before) const;
     std::int64_t  opposed(const Group &group, const ContactScene &scene, std::uint32_t first, double reach) const;
     bool          is_local_minimum(const Group &group, const ContactScene &scene, std::uint32_t place) const;
-    bool          touch(const ContactScene &scene, std::uint32_t place, const PointRecord &before, unsigned int role,
+    bool          touch(const ContactScene &scene, std::uint32_t place, const PointRecord &before, bool is_other_sheet,
                         TouchingPair &result, PointRecord::Side &side) const;
     void          keep_passed_awake(const ContactScene &scene, PointMemory &memory);
     void          keep_awake(std::uint32_t near);
