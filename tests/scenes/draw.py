@@ -22,7 +22,9 @@ import draws
 import strike
 import twins
 
-NEGATIVE, ENERGY, MOMENTUM, DEEP = 1e-4, 1e-2, 1e-9, 0.5
+# Birds of some hundred particles make up to 3 % of their energy in the first microseconds of the shock, at the default Courant
+# number (2.9, 1.1, 0.5 % at 0.35, 0.30, 0.25); contact, blade and steps are held to a third of that.
+NEGATIVE, ENERGY, ENERGY_OF_A_PART, MOMENTUM, DEEP = 1e-4, 3e-2, 1e-2, 1e-9, 0.5
 
 
 def energy_residual(result):
@@ -86,10 +88,9 @@ def judge(scene, result):
     for name, limit in (("error", ENERGY), ("sum", ENERGY), ("momentum", MOMENTUM), ("depth", DEEP)):
         if not figures[name] < limit:
             faults.append(f"{name} {figures[name]:.2g} above {limit:g}")
-    if figures["error"] >= ENERGY and "error_origins" in result.summary["energy"]:
-        origins = result["energy/error_origins"]
-        worst = max(origins, key=lambda name: abs(origins[name]))
-        faults.append(f"made by {worst}: {origins[worst] / scale:.2g} E0")
+    for name, energy in result["energy/error_origins"].items():
+        if name != "bird" and abs(energy) > ENERGY_OF_A_PART * scale:
+            faults.append(f"made by {name}: {energy / scale:.2g} E0")
     if result.most("blade_kinetic") + result.least("bird_kinetic") > 1.01 * scale:
         faults.append(f"blade_kinetic {result.most('blade_kinetic') / scale:.3g} E0")
     if scene.info.get("fold"):
