@@ -42,11 +42,8 @@ namespace birdstrike
       const Point3 normal = (b - a).cross(centre - a).normalized();
       return {normal, (b - a).cross(normal).normalized()};
     }
-  } // namespace
 
-  namespace
-  {
-    /// The chamfer.
+    /// Bounds a face at a right-angled edge, s beyond it and z above the face, by the plane s + z = 0.
     void bound(const Point3 &outward, const double s, const double z, EdgeTouch &touch)
     {
       const double cosine = std::sqrt(0.5);
@@ -56,6 +53,7 @@ namespace birdstrike
         touch.feature = EdgeTouch::Feature::beyond;
     }
   } // namespace
+
   struct SharpEdges::Foot
   {
     const Edge *edge;

@@ -47,10 +47,10 @@ namespace birdstrike
   ///
   /// It is a cell of the liquid, L long and of area L^2, compressed by eta = d/L: k is its stiffness, and beta makes
   /// the force follow its Hugoniot curve p = rho0 c0^2 eta/(1 - s eta)^2 to second order in eta, and be stiffer beyond.
-  /// So the depth that carries a shock is 0.12 L at 177 m/s, 0.2 L at 500 m/s and 0.3 L at 1500 m/s, whatever the
-  /// liquid. Beyond y = 3/4 the force goes on along its tangent. Nothing in it changes with time or with the state of
-  /// the liquid: what the spring gives it has received. A stiffer one would ask for shorter steps than the liquid
-  /// itself, a metal's modulus for a thirtieth of them.
+  /// So the depth that carries a shock is 0.12 L at 177 m/s, 0.2 L at 500 m/s and 0.3 L at 1500 m/s in
+  /// Murnaghan's liquid, twice that in a linear one. Beyond y = 3/4 the force goes on along its tangent. Nothing in it
+  /// changes with time or with the state of the liquid: what the spring gives it has received. A stiffer one would ask
+  /// for shorter steps than the liquid itself, a metal's modulus for a thirtieth of them.
   template <class Number>
   struct ContactSpring
   {
