@@ -159,7 +159,12 @@ namespace birdstrike
           "The energy balance is lost: {:+.3g} of {:.6g} J {} (Time/Energy error limit {:.3g}).\n{}\n"
           "The error comes from the blade's elements with {:+.3g} J, the bird's density {:+.3g}, contact {:+.3g}, the "
           "steps in time {:+.3g}.\n{}",
-          error, scale, when, limit, describe_parts(), from.blade, from.bird, from.contact, from.steps, advise(last)));
+          error, scale, when, limit, describe_parts(), from.blade, from.bird, from.contact, from.steps,
+          advise(last) +
+            (from.blade > 0.5 * std::abs(error) * scale
+               ? "\nThe elements make it: bricks without Blade/Element/Linear viscosity do so at strains of "
+                 "some per cent, crushed elements at any."
+               : "")));
       }
     for (const Kind &kind : kinds_of(last))
       if (!(kind.value >= -negative_limit * scale))
