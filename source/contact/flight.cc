@@ -136,6 +136,7 @@ namespace birdstrike
                                     thickness,
                                     2. * half_size,
                                     topology.is_on_rim(facets, f, closest.weights),
+                                    false,
                                     half_size + thickness - distance,
                                     outward};
             if (topology.sharp_edges().are_near(f))

@@ -186,6 +186,7 @@ namespace birdstrike
                    pairs.half_thickness[place],
                    before.size,
                    is_beyond,
+                   side.is_touching && side.is_on_edge_face,
                    0.5 * before.size + pairs.half_thickness[place] - sign * distance,
                    is_degenerate ? Point3((is_beyond ? seen : side.sign) * normal) : offset * (sign / distance)};
     if (const SharpEdges &edges = scene.topology.sharp_edges(); edges.are_near(facet))

@@ -198,8 +198,16 @@ namespace birdstrike
     };
     if (!touch.is_beyond)
       {
-        bound(outward(foot.from_closest, foot.distance, touch.normal), -foot.distance,
-              touch.height - touch.half_thickness, touch);
+        const Point3 out = outward(foot.from_closest, foot.distance, touch.normal);
+        const double z   = touch.height - touch.half_thickness;
+        bound(out, -foot.distance, z, touch);
+        if (touch.was_on_edge_face && z < 0. && touch.feature == EdgeTouch::Feature::face)
+          {
+            touch.feature    = EdgeTouch::Feature::edge_face;
+            touch.overlap    = 0.5 * touch.size + foot.distance;
+            touch.normal     = out;
+            touch.is_oblique = true;
+          }
         return;
       }
     const double height = touch.offset.dot(frame.normal), z = std::abs(height) - touch.half_thickness;

@@ -25,6 +25,7 @@ namespace birdstrike
     double half_thickness = 0.;    ///< at q, m
     double size           = 0.;    ///< V^(1/3), m
     bool   is_beyond      = false; ///< q lies on a free edge
+    bool was_on_edge_face = false; ///< in touch with it in the last call; behind it, within the thickness, it still is
 
     double  overlap = 0.;       ///< in: of a surface without edges; out: of the face. m
     Point3  normal{0., 0., 0.}; ///< likewise, outwards

@@ -68,6 +68,31 @@ TEST(Capture, OnTheEdgeFaceItIsTheThickness)
     }
 }
 
+// A solid has a facet there; a shell's middle surface must not take the point for one that comes through a face.
+TEST(Capture, BehindAShellsEdgeFaceItIsStillTheEdgeFaceThatHolds)
+{
+  FreeMasses   scene   = shell(4e-3);
+  const Point3 corner  = edge + Point3(0., 0., 2e-3);
+  const Point3 outside = corner + size * Point3(0.4, 0., 0.1);
+  scene.add_point({outside});
+  Contact    contact{ContactParameters()};
+  ThreadPool pool;
+  const auto force_at = [&](const Point3 &p) {
+    scene.place(0, p);
+    scene.compute_contact(contact, 1e-7, pool);
+    return scene.force_on_point(0);
+  };
+  force_at(outside);
+  double before = 0.;
+  for (const double s : {0.3, 0.2, 0.1, 0.01, -0.01, -0.1, -0.2})
+    {
+      const Point3 force = force_at(corner + size * Point3(s, 0., -1.));
+      EXPECT_GT(force[0], before) << s;
+      EXPECT_LT(std::hypot(force[1], force[2]), 1e-12 * force[0]) << s;
+      before = force[0];
+    }
+}
+
 TEST(Capture, APlaneOfSymmetryIsNoEdge)
 {
   FreeMasses scene = shell(1e-3);
