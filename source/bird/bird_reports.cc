@@ -210,6 +210,7 @@ namespace birdstrike
     Field pressure{"pressure", "Pa", false, 1, std::vector<double>(n)};
     Field density{"density", "kg/m^3", false, 1, std::vector<double>(n)};
     Field energy{"specific_internal_energy", "J/kg", false, 1, std::vector<double>(n)};
+    Field id{"id", "", false, 1, std::vector<double>(n)}; // kept for life: output follows memory, which sorting changes
     for (std::size_t p = 0; p < n; ++p)
       {
         for (int d = 0; d < 3; ++d)
@@ -221,8 +222,9 @@ namespace birdstrike
         pressure.values[p] = parameters.tension_cutoff ? std::max(p0, 0.) : p0;
         density.values[p]  = eos.reference_density() * (1. + particles.mu[p]);
         energy.values[p]   = particles.internal_energy[p] / particles.mass;
+        id.values[p]       = particles.id[p];
       }
-    snapshot.fields = {std::move(velocity), std::move(pressure), std::move(density), std::move(energy)};
+    snapshot.fields = {std::move(velocity), std::move(pressure), std::move(density), std::move(energy), std::move(id)};
     return snapshot;
   }
 

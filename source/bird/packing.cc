@@ -83,7 +83,8 @@ namespace birdstrike
       return points;
     }
 
-    /// Axis turned from the velocity by yaw and pitch; the columns are the images of x, y, z of the bird's frame.
+    /// Turned about the axis by roll, then the axis from the velocity by pitch and yaw; the columns are the images of
+    /// x, y, z of the bird's frame.
     Matrix3<double> compute_attitude(const BirdParameters &parameters)
     {
       const Point3 v(parameters.velocity[0], parameters.velocity[1], parameters.velocity[2]);
@@ -96,7 +97,8 @@ namespace birdstrike
       frame << span, direction.cross(span), direction;
       const double degree = std::numbers::pi / 180.;
       return Eigen::AngleAxisd(parameters.yaw * degree, span) *
-             Eigen::AngleAxisd(parameters.pitch * degree, frame.col(1)) * frame;
+             Eigen::AngleAxisd(parameters.pitch * degree, frame.col(1)) *
+             Eigen::AngleAxisd(parameters.roll * degree, direction) * frame;
     }
 
     Point3 compute_start(const BirdParameters &parameters, const double bounding_radius)

@@ -50,6 +50,11 @@ namespace birdstrike
                         "Turn of the bird's axis away from its velocity, about the direction normal to velocity and "
                         "yaw axis. [degree]",
                         Patterns::Double(-90., 90.));
+      prm.add_parameter("Roll", bird.roll,
+                        "Turn of the bird about its own axis. The shapes are round, so it turns the lattice alone: "
+                        "where an edge cuts the bird, 22.5 keeps rows of particles from lying along the edge, "
+                        "which would catch or miss a whole row at once. [degree]",
+                        Patterns::Double(-180., 180.));
       prm.add_parameter("Aim point", bird.aim_point,
                         "Point that the bird's centre would fly through if nothing stood in its way. [m]",
                         three_numbers);
@@ -166,6 +171,8 @@ namespace birdstrike
       refuse_half(aim_point[1] != 0. ? "Aim point" : "Chordwise offset", "an aim beside the plane", "Aim at y = 0");
     if (yaw != 0.)
       refuse_half("Yaw", "a yawed bird", "Set it to 0 (pitch stays in the plane)");
+    if (roll != 0.)
+      refuse_half("Roll", "a lattice turned about the bird's axis", "Set it to 0");
     if (std::hypot(velocity[1], velocity[2]) < 1e-3 * std::abs(velocity[0]))
       refuse_half("Velocity", "the frame of a bird that flies along x", "Let it fly across the span");
     if (packing != "cubic")

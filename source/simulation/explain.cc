@@ -75,6 +75,14 @@ namespace birdstrike
       table.add("memory, about", format_bytes(bytes_per_particle * static_cast<double>(bird.state().size())));
     }
 
+    void add_mass_in_the_way(TextTable &table, const double share, const BirdParameters &bird)
+    {
+      const bool is_cut = share > 0.02 && share < 0.98, may_lie_along = bird.roll == 0. && bird.shape != "slab";
+      table.add("mass in the way of the blade",
+                format_share(share) + ", by straight paths to its outline" +
+                  (is_cut && may_lie_along ? "; rows of particles may lie along an edge: see Bird/Roll" : ""));
+    }
+
     void add_steps(TextTable &table, const CaseParameters &parameters, Scene &scene)
     {
       const Schedule schedule = scene.plan(parameters.time.end_time);
@@ -126,9 +134,8 @@ namespace birdstrike
         scene.bird->compute_rates(); // the step limit needs the present rates
         add_bird(table, *scene.bird, parameters.bird);
         if (scene.blade)
-          table.add("mass in the way of the blade",
-                    format_share(compute_share_in_the_way(scene.bird->points(), scene.blade->facets())) +
-                      ", by straight paths to its outline");
+          add_mass_in_the_way(table, compute_share_in_the_way(scene.bird->points(), scene.blade->facets()),
+                              parameters.bird);
       }
     add_steps(table, parameters, scene);
     add_files(table, parameters, scene);

@@ -25,6 +25,7 @@ namespace birdstrike
     std::array<double, 3> velocity{{0., 0., 177.4}};    ///< m/s
     double                yaw   = 0.;                   ///< degrees
     double                pitch = 0.;                   ///< degrees
+    double                roll  = 0.;                   ///< degrees; of a round bird this turns the lattice alone
     std::array<double, 3> aim_point{{0.21784, 0., 0.}}; ///< m; 70 % of a 311.2 mm span
     double                chordwise_offset    = 0.;     ///< m
     double                stand_off           = 0.;     ///< m; 0 is automatic

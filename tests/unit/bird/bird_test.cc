@@ -302,6 +302,7 @@ TEST(Bird, RefusesToHalveWhatIsNotSymmetric)
   expect_refused("Aim point", [](BirdParameters &p) { p.aim_point = {0., 0.01, 0.}; });
   expect_refused("Chordwise offset", [](BirdParameters &p) { p.chordwise_offset = 0.01; });
   expect_refused("Yaw", [](BirdParameters &p) { p.yaw = 5.; });
+  expect_refused("Roll", [](BirdParameters &p) { p.roll = 5.; });
   expect_refused("Packing", [](BirdParameters &p) { p.packing = "fcc"; });
   expect_refused("Formulation", [](BirdParameters &p) { p.formulation = "standard"; });
 }
