@@ -20,23 +20,50 @@ namespace birdstrike
       return (x[2] - x[0]).cross(x[3] - x[1]).normalized();
     }
 
+    bool have_common_node(const std::array<std::uint32_t, 4> &a, const std::array<std::uint32_t, 4> &b)
+    {
+      return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+    }
+
+    /// What the point remembers of this facet: what it knows of the facet itself or of one next to it, else of the same
+    /// piece, the second touch of a piece only what the second was.
+    /// Nearest and second change places in a fold: its sheets must not change their memories.
+    PointRecord::Side remembered(const PointRecord &before, const std::array<std::uint32_t, 4> &nodes,
+                                 const std::int32_t piece, const bool is_other_sheet)
+    {
+      for (const PointRecord::Side &side : before.sides)
+        if (side.piece == piece && have_common_node(side.nodes, nodes))
+          return side;
+      for (unsigned int k = is_other_sheet ? 1 : 0; k < 2; ++k)
+        if (before.sides[k].piece == piece)
+          return before.sides[k];
+      return {};
+    }
+
     /// Of the overlap, what carries no force.
-    /// `is_new`: another sheet of the same surface, or facets that have just come.
+    /// `is_new`: another sheet of the same surface, or facets that have just come; `is_elsewhere`: another place of the
+    /// surface than the one remembered.
     double inherited_reference(const ContactScene &scene, const EdgeTouch &edge, const PointRecord::Side &side,
-                               const bool is_new, const double way)
+                               const bool is_new, const bool is_elsewhere, const double way)
     {
       if (scene.is_first)
         return edge.overlap;
       if (edge.feature == EdgeTouch::Feature::beyond) // it comes in from the side, or not at all
         return edge.overlap - std::max(edge.limit, 0.);
+      const double kept = std::min(side.reference, edge.overlap);
+      // a slide over small facets, on which the overlap is continuous, or another sheet: it gives no depth
+      if (is_elsewhere)
+        return std::max(kept, edge.overlap - way - (side.is_touching ? side.overlap - side.reference : 0.));
       // just come in from there: what it has flown in this step past the plane, not more
       if (side.was_beyond)
-        return std::max(std::min(side.reference, edge.overlap), edge.overlap - 0.5 * edge.limit);
+        return std::max(kept, edge.overlap - 0.5 * edge.limit);
       // through the edge face into the middle surface, or back
       if (side.is_touching && side.is_on_edge_face != (edge.feature == EdgeTouch::Feature::edge_face))
         return edge.overlap;
       // of a point that did not touch it before, all that it has not flown in this step is no contact
-      return is_new && !side.is_touching ? edge.overlap - way : std::min(side.reference, edge.overlap);
+      if (is_new && !side.is_touching)
+        return edge.overlap - way;
+      return kept;
     }
 
     bool has_passed(const PointRecord &record, const std::uint64_t call)
@@ -148,13 +175,11 @@ namespace birdstrike
     // on the surface itself the point is where it came from
     const std::int8_t seen = (is_degenerate ? -velocity.dot(normal) : pairs.height[place]) < 0. ? -1 : 1;
 
-    // a second facet of the same piece is met on the side on which it is seen, unless it was the second before: where a
+    // a second facet of the same piece is met on the side on which it is seen, unless it was known before: where a
     // surface folds, the other side of the first one means nothing to it
-    side = {};
-    if (before.last_call + 1 == scene.call)
-      for (unsigned int k = is_other_sheet ? 1 : 0; k < 2; ++k)
-        if (before.sides[k].piece == piece && side.piece < 0)
-          side = before.sides[k];
+    const auto &nodes = scene.facets.nodes[facet];
+    side = before.last_call + 1 == scene.call ? remembered(before, nodes, piece, is_other_sheet) : PointRecord::Side();
+    const bool is_elsewhere = side.piece == piece && !have_common_node(side.nodes, nodes);
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
@@ -174,6 +199,7 @@ namespace birdstrike
         side.sign = seen;
       }
     side.piece = piece;
+    side.nodes = nodes;
     if (!scene.facets.two_sided && seen > 0)
       {
         const Point3 outward = is_degenerate ? normal : Point3(offset / distance);
@@ -194,7 +220,7 @@ namespace birdstrike
 
     const bool is_inside    = edge.overlap > 0. && edge.limit > 0.;
     const bool is_new       = scene.is_changed || is_other_sheet;
-    side.reference          = std::max(inherited_reference(scene, edge, side, is_new, 0.5 * way), 0.);
+    side.reference          = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, 0.5 * way), 0.);
     side.is_touching        = is_inside;
     side.is_through         = is_inside && sign < 0.;
     side.was_beyond         = edge.feature == EdgeTouch::Feature::beyond;

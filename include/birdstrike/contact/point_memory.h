@@ -19,14 +19,15 @@ namespace birdstrike
     /// The side on which the point met a piece of surface.
     struct Side
     {
-      std::int32_t         piece           = -1;
-      std::int8_t          sign            = 0; ///< +1 on the normal's side, -1 on the other, 0 beyond a free edge
-      bool                 is_touching     = false;
-      bool                 is_through      = false; ///< touching, and beyond the middle surface
-      bool                 is_on_edge_face = false; ///< of a shell
-      bool                 was_beyond      = false; ///< an edge's plane, where nothing is in the way
-      double               reference       = 0.;    ///< m, penetration when the facet was new: carries no force
-      double               overlap         = 0.;    ///< m, in the last call
+      std::int32_t                 piece = -1;
+      std::array<std::uint32_t, 4> nodes{};         ///< of the facet: a fold has several sheets of one piece
+      std::int8_t                  sign        = 0; ///< +1 on the normal's side, -1 on the other, 0 beyond a free edge
+      bool                         is_touching = false;
+      bool                         is_through  = false;     ///< touching, and beyond the middle surface
+      bool                         is_on_edge_face = false; ///< of a shell
+      bool                         was_beyond      = false; ///< an edge's plane, where nothing is in the way
+      double                       reference       = 0.;    ///< m, penetration when the facet was new: carries no force
+      double                       overlap         = 0.;    ///< m, in the last call
       std::array<float, 3> outward{}; ///< of a one-sided surface: the direction away from it when last seen outside
     };
 
