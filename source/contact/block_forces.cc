@@ -156,6 +156,6 @@ namespace birdstrike
     const Point3 closest = Point3(x[0][touch.point], x[1][touch.point], x[2][touch.point]) - touch.offset;
     for (std::size_t k = 0; k < target.patches.size(); ++k)
       if (const double radius = target.patches[k].radius; (closest - target.patches[k].centre).norm() <= radius)
-        target.report.patch_pressures[k] += force.dot(touch.normal) / (std::numbers::pi * radius * radius);
+        target.report.patch_pressures[k] += force.dot(touch.normal.normalized()) / (std::numbers::pi * radius * radius);
   }
 } // namespace birdstrike

@@ -1,4 +1,5 @@
 #include <birdstrike/contact/narrow_phase.h>
+#include <birdstrike/contact/thickness_slope.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,9 @@ namespace birdstrike
     constexpr double tie           = 1e-9;                          // relative difference of equal distances
     constexpr double looks_outward = 0.25; // cosine between a facet's normal and where a point came from
 
+    // slopes below, of thickness that strains have changed, do no work worth their couples
+    constexpr double no_slope = 1e-3;
+
     // below this share of the size the direction p - q is round-off, and the facet's normal takes its place
     constexpr double no_distance = 1e-6;
 
@@ -18,6 +22,22 @@ namespace birdstrike
     {
       const auto x = facet_nodes(facets, facet);
       return (x[2] - x[0]).cross(x[3] - x[1]).normalized();
+    }
+
+    Point3 slope_at(const ContactScene &scene, const std::array<std::uint32_t, 4> &nodes,
+                    const std::array<double, 4> &weights)
+    {
+      const std::array<double, 4> t{scene.topology.half_thickness(nodes[0]), scene.topology.half_thickness(nodes[1]),
+                                    scene.topology.half_thickness(nodes[2]), scene.topology.half_thickness(nodes[3])};
+      const auto [least, most] = std::minmax_element(t.begin(), t.end());
+      if (*most == *least)
+        return {0., 0., 0.};
+      std::array<Point3, 4> x;
+      for (unsigned int k = 0; k < 4; ++k)
+        x[k] = Point3(scene.facets.position + 3 * nodes[k]);
+      if (*most - *least < no_slope * (x[2] - x[0]).norm())
+        return {0., 0., 0.};
+      return compute_thickness_slope(x, t, weights);
     }
 
     bool have_common_node(const std::array<std::uint32_t, 4> &a, const std::array<std::uint32_t, 4> &b)
@@ -215,6 +235,8 @@ namespace birdstrike
                    side.is_touching && side.is_on_edge_face,
                    0.5 * before.size + pairs.half_thickness[place] - sign * distance,
                    is_degenerate ? Point3((is_beyond ? seen : side.sign) * normal) : offset * (sign / distance)};
+    if (!is_beyond)
+      edge.slope = slope_at(scene, nodes, pairs.weights_of(place));
     if (const SharpEdges &edges = scene.topology.sharp_edges(); edges.are_near(facet))
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
@@ -230,8 +252,8 @@ namespace birdstrike
     side.overlap            = edge.overlap;
     result.place            = place;
     result.penetration      = is_limited ? edge.limit : depth;
-    result.normal           = is_limited ? edge.limit_normal : edge.normal;
-    result.is_oblique       = is_limited || edge.is_oblique;
+    result.normal           = is_limited ? edge.limit_normal : Point3(edge.normal - edge.slope);
+    result.is_oblique       = is_limited || edge.is_oblique || !edge.slope.isZero(0.);
     return result.penetration > 0.;
   }
 

@@ -43,12 +43,13 @@ namespace birdstrike
       return {normal, (b - a).cross(normal).normalized()};
     }
 
-    /// Bounds a face at a right-angled edge, s beyond it and z above the face, by the plane s + z = 0.
+    /// Bounds a face at a right-angled edge, s beyond it and z above the face, by the plane s + z = 0. The normal is
+    /// its gradient, as that of the face.
     void bound(const Point3 &outward, const double s, const double z, EdgeTouch &touch)
     {
       const double cosine = std::sqrt(0.5);
       touch.limit         = -cosine * (s + z);
-      touch.limit_normal  = cosine * (outward + touch.normal);
+      touch.limit_normal  = cosine * (outward + touch.normal - touch.slope);
       if (touch.limit <= 0.)
         touch.feature = EdgeTouch::Feature::beyond;
     }

@@ -26,7 +26,7 @@ namespace birdstrike
     Number          density;      ///< kg/m^3, now
     Number          sound_speed;  ///< m/s, now
     Number          reduced_mass; ///< kg, shared among all touches of point and nodes (compute_reduced_mass)
-    Vector3<Number> normal;       ///< from the facet to the point
+    Vector3<Number> normal;       ///< -grad d: from the facet to the point; not of length 1 where the thickness changes
     Vector3<Number> velocity;     ///< of the point relative to the facet's closest point, m/s
   };
 
@@ -89,6 +89,7 @@ namespace birdstrike
   /// surface drives into the liquid (Rankine-Hugoniot with U_s = c + s u) with the approach speed u, on the area L^2:
   /// the first touch needs no overlap. It lags by half a step; limited to m_red u / dt it cannot reverse u, and only
   /// takes. Friction opposes the slip with mu F_n, limited likewise so that it stops the slip and does not reverse it.
+  /// Spring and damper act along -grad d, which is not of length 1 where the thickness changes (thickness_slope.h).
   ///
   /// The stable step of the springs is no part of this law: see TouchBounds.
   template <class Number>
@@ -96,6 +97,7 @@ namespace birdstrike
   {
     const Number zero(0.), slope(law.hugoniot_slope);
     const Number inertia     = touch.reduced_mass / Number(law.step);
+    const Number squared     = touch.normal.dot(touch.normal); // of grad d
     const Number normal_rate = touch.velocity.dot(touch.normal), approach = max(zero, Number(-normal_rate));
     const Number area = touch.size * touch.size;
 
@@ -103,16 +105,16 @@ namespace birdstrike
                                        Number(4. / 3.) * slope / touch.size, touch.penetration);
     const Number                shock =
       Number(law.damping_scale) * area * touch.density * approach * (touch.sound_speed + slope * approach);
-    const Number damping = min(shock, Number(inertia * approach));
+    const Number damping = min(shock, Number(inertia * approach / squared));
 
     ContactForce<Number> result;
-    result.normal_force  = spring.force + damping;
+    result.normal_force  = (spring.force + damping) * sqrt(squared);
     result.dissipative   = damping * touch.normal;
     result.stored_energy = spring.energy;
-    result.tangent       = spring.tangent;
+    result.tangent       = spring.tangent * squared;
     if (law.friction > 0.)
       {
-        const Vector3<Number> slip  = touch.velocity - normal_rate * touch.normal;
+        const Vector3<Number> slip  = touch.velocity - (normal_rate / squared) * touch.normal;
         const Number          speed = sqrt(slip.dot(slip));
         const Number          drag  = min(Number(law.friction) * result.normal_force, Number(inertia * speed));
         result.dissipative -= (drag / max(speed, Number(1e-300))) * slip;

@@ -33,6 +33,8 @@ namespace birdstrike
     bool    is_oblique = false; ///< the normal does not pass through q
     double  limit      = 1e300; ///< depth below the plane of the edge that bounds the face, m
     Point3  limit_normal{0., 0., 0.};
+
+    Point3 slope{0., 0., 0.}; ///< in: of a face's half thickness along the surface (thickness_slope.h)
   };
 
   /// The sharp edges of a surface and what they take off the offset (edge_profile.h): free edges of shells, where the

@@ -11,7 +11,7 @@ namespace birdstrike
   /// geometry is in the cache; forces come in a second pass, for they depend on all touches of the same nodes.
   struct TouchRecord
   {
-    Point3                normal;                       ///< from the surface to the point
+    Point3                normal;                       ///< -grad d: from the surface to the point (law.h)
     Point3                velocity;                     ///< of the point relative to the facet's closest point, m/s
     Point3                offset;                       ///< from there to the point, m
     std::array<double, 4> weights;                      ///< of the facet's nodes in its closest point

@@ -80,6 +80,25 @@ TEST(ContactLaw, TheStepBoundsTheDamper)
   EXPECT_NEAR(compute_contact_force(law, water_at(100.)).normal_force, 1e-6 * 100. / 1e-5, 1e-12); // does not reverse
 }
 
+// On a tapered plate the depth grows faster than the way along the normal (thickness_slope.h).
+TEST(ContactLaw, AlongASteepGradientTheDamperDoesNotReverseAndTheSpringIsStiffer)
+{
+  auto touch        = water_at(100.);
+  touch.penetration = 1e-5;
+  const auto level  = compute_contact_force({1., 0., 0., 1.92, 1e-9}, touch);
+  touch.normal      = Point3(0.3, 0., 1.);
+  const auto steep  = compute_contact_force({1., 0., 0., 1.92, 1e-9}, touch);
+  EXPECT_NEAR((steep.force - level.force[2] * touch.normal).norm(), 0., 1e-12 * level.force.norm()); // -grad U
+  EXPECT_EQ(steep.stored_energy, level.stored_energy);
+  EXPECT_NEAR(steep.tangent, 1.09 * level.tangent, 1e-12 * level.tangent);
+
+  touch.penetration = 0.;
+  const double step = 1e-5;
+  const auto   stop = compute_contact_force({1., 1., 0., 1.92, step}, touch);
+  const Point3 left = touch.velocity + step / touch.reduced_mass * stop.force;
+  EXPECT_NEAR(left.dot(touch.normal), 0., 1e-10);
+}
+
 TEST(ContactLaw, DampersThatShareANodeOnlyTakeEnergy)
 {
   // n points of 1 g at different speeds hit one free node of 1 mg: each alone may stop itself against the node, all
