@@ -64,7 +64,7 @@ namespace birdstrike
     /// `is_new`: another sheet of the same surface, or facets that have just come; `is_elsewhere`: another place of the
     /// surface than the one remembered.
     double inherited_reference(const ContactScene &scene, const EdgeTouch &edge, const PointRecord::Side &side,
-                               const bool is_new, const bool is_elsewhere, const double way)
+                               const bool is_new, const bool is_elsewhere, const double approach)
     {
       if (scene.is_first)
         return edge.overlap;
@@ -73,16 +73,17 @@ namespace birdstrike
       const double kept = std::min(side.reference, edge.overlap);
       // a slide over small facets, on which the overlap is continuous, or another sheet: it gives no depth
       if (is_elsewhere)
-        return std::max(kept, edge.overlap - way - (side.is_touching ? side.overlap - side.reference : 0.));
+        return std::max(kept, edge.overlap - approach - (side.is_touching ? side.overlap - side.reference : 0.));
       // just come in from there: what it has flown in this step past the plane, not more
       if (side.was_beyond)
         return std::max(kept, edge.overlap - 0.5 * edge.limit);
       // through the edge face into the middle surface, or back
       if (side.is_touching && side.is_on_edge_face != (edge.feature == EdgeTouch::Feature::edge_face))
         return edge.overlap;
-      // of a point that did not touch it before, all that it has not flown in this step is no contact
+      // of a point that did not touch it before, all that it has not come nearer in this step is no contact: it was
+      // there before, beside the nearest sheet
       if (is_new && !side.is_touching)
-        return edge.overlap - way;
+        return edge.overlap - approach;
       return kept;
     }
 
@@ -240,9 +241,10 @@ namespace birdstrike
     if (const SharpEdges &edges = scene.topology.sharp_edges(); edges.are_near(facet))
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
-    const bool is_inside    = edge.overlap > 0. && edge.limit > 0.;
-    const bool is_new       = scene.is_changed || is_other_sheet;
-    side.reference          = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, 0.5 * way), 0.);
+    const double approach   = std::max(0., -velocity.dot(edge.normal)) * scene.step;
+    const bool   is_inside  = edge.overlap > 0. && edge.limit > 0.;
+    const bool   is_new     = scene.is_changed || is_other_sheet;
+    side.reference          = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, approach), 0.);
     side.is_touching        = is_inside;
     side.is_through         = is_inside && sign < 0.;
     side.was_beyond         = edge.feature == EdgeTouch::Feature::beyond;
@@ -252,8 +254,10 @@ namespace birdstrike
     side.overlap            = edge.overlap;
     result.place            = place;
     result.penetration      = is_limited ? edge.limit : depth;
-    result.normal           = is_limited ? edge.limit_normal : Point3(edge.normal - edge.slope);
-    result.is_oblique       = is_limited || edge.is_oblique || !edge.slope.isZero(0.);
+    if (side.is_on_edge_face)
+      edge.slope.setZero(); // its place does not depend on the thickness
+    result.normal     = is_limited ? edge.limit_normal : Point3(edge.normal - edge.slope);
+    result.is_oblique = is_limited || edge.is_oblique || !edge.slope.isZero(0.);
     return result.penetration > 0.;
   }
 

@@ -79,3 +79,21 @@ TEST(FoldedTarget, NoClosedPathBetweenTheLeavesGainsEnergy)
     }
   EXPECT_LT(least, 0.) << "some were in touch where they changed leaves";
 }
+
+// The wall of a notch comes to be opposed to its floor beside a point that flies along both: it was there before.
+TEST(FoldedTarget, ASecondSheetGivesNoDepthThatHasNotBeenFlown)
+{
+  constexpr double g = 1.5e-3; // offset of a 1 mm point from a plate of 2 mm
+  FreeMasses       scene;
+  scene.add_patch(2, 1, 2e-3, [](const unsigned int i, const unsigned int j) {
+    return i < 2 ? Point3(0.01 * i - 0.01, 0.01 * j, 0.) : Point3(0., 0.01 * j, 0.01);
+  });
+  scene.add_point({Point3(0.2, 0.2, 0.2), Point3(0., 1500., 0.)});
+  Contact    contact(without_damper());
+  ThreadPool pool;
+  scene.compute_contact(contact, 1e-7, pool);
+  scene.place(0, Point3(-g + 1e-4, 0.005, g - 1.1e-4));
+  scene.compute_contact(contact, 1e-7, pool);
+  EXPECT_EQ(contact.report().n_touching, 1u);
+  EXPECT_NEAR((scene.force_on_point(0) - Point3(0., 0., 1e6 * 1.1e-4)).norm(), 0., 1e-6);
+}
