@@ -4,9 +4,10 @@
     edges.py PROGRAM [--case half-jet,oblique,edge-on,leading-edge] [--spacing 5,4,3,2.5,2,1.5] [--threads N]
 
 half-jet      A cylinder flies along the normal at a rigid plate whose edge passes through its axis, the lattice shifted
-              by -3/8, -1/8, 1/8, 3/8 of a spacing against the edge: the mean, and the four. Half of the momentum, 8.91 N s,
-              is that of the mass in the way; the jet that turns round the edge takes some with it.
-oblique       The same for prm/oblique.prm on a rigid plate (--half-thickness, m).
+              across the flight by -3/8, -1/8, 1/8, 3/8 of a spacing against the edge: the mean, and the four. Half of the
+              momentum, 8.91 N s, is that of the mass in the way; the jet that turns round the edge takes some with it.
+oblique       The same for prm/oblique.prm on a rigid plate (--half-thickness, m). plane_jet.py has an exact reference
+              for the plane flow of both.
 leading-edge  prm/oblique.prm to 0.9 ms, shell and solid: impulse, tip, plastic work.
 edge-on       A bird of 100.5 g flies along the chord at the middle of the leading edge, shell and solid. Free streamlines
               (Kirchhoff, drag coefficient 0.88 on the thickness) give about 1.05 N s.
@@ -19,6 +20,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parents[2]
 SHIFTS = (-0.375, -0.125, 0.125, 0.375)
+SINE = 179.2710 / 302.1  # of the angle between flight and plate in prm/oblique.prm
 QUIET = {"Output/Field interval": "0", "Output/Bird fields": "false", "Output/Blade fields": "false",
          "Output/History interval": "1e-5"}
 
@@ -52,7 +54,7 @@ def oblique(arguments, spacing):
                      {"Blade/Kind": "rigid", "Blade/Probes": "", "Blade/Rigid/Length": "0.3112",
                       "Blade/Rigid/Width": "0.0889", "Blade/Rigid/Centre": "0.1556, 0, 0",
                       "Blade/Rigid/Half thickness": arguments.half_thickness, "Time/End time": "0.9e-3"},
-                     "Bird/Chordwise offset", lambda shift: str(-0.04445 + shift))
+                     "Bird/Chordwise offset", lambda shift: str(-0.04445 + shift / SINE))
 
 
 def deformable(arguments, name, prm, spacing, entries):
