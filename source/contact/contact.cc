@@ -107,6 +107,10 @@ namespace birdstrike
         last.searches = search.counts().searches;
         topology.update_slowly(facets, memory.max_size());
         node_sums.set_nodes(search.blocks(), facets.n_nodes);
+        touches.resize(search.blocks().size());
+        // at most two facets a point: steps without a search allocate nothing
+        for (std::size_t b = 0; b < touches.size(); ++b)
+          touches[b].reserve(2 * search.blocks()[b].points.size());
       }
     block_reports.resize(search.blocks().size());
     touches.resize(search.blocks().size());
