@@ -102,7 +102,7 @@ namespace birdstrike
                         "Whether pressure stops at zero in tension; volume goes on evolving. [-]");
       prm.add_parameter("Courant number", bird.courant_number,
                         "Share of smoothing length over signal speed taken as the time step; times Time/Bird step "
-                        "scale at most 0.5 (riemann) or 0.7 (standard), above which steps make energy. [-]",
+                        "scale at most 0.5 (riemann) or 0.7 (standard), above which nothing is gained. [-]",
                         Patterns::Double(0.01, 0.7));
       prm.add_parameter("Skin", bird.skin, "Skin of the neighbour list over the kernel's support. [-]",
                         Patterns::Double(0.001, 1.));

@@ -190,8 +190,11 @@ namespace birdstrike
     store(-(divergence + flux_share), &particles.compression_rate[i]);
     store(work - volume * pressure * divergence + heat, &particles.power[i]);
     store(heat + volume * pressure * flux_share, &particles.dissipation[i]);
-    const N fastest = load<N>(&particles.sound_speed[i]) + 1.2 * sum(SumBlock::approach);
+    const N c = load<N>(&particles.sound_speed[i]), fastest = c + 1.2 * sum(SumBlock::approach);
     store(select(sum(SumBlock::weight) > N(0.), fastest, N(0.)), &particles.signal_speed[i]);
+    store(compute_prediction_error<N>(particles, i, prediction_time,
+                                      has_cutoff ? select(prediction.mu < N(0.), N(0.), c) : c),
+          &particles.prediction_error[i]);
     if constexpr (Variant::is_renewing)
       store(particles.mass * scale.volume / (eos.reference_density() * sum(SumBlock::smallest)) - 1.,
             &particles.largest_mu[i]);

@@ -144,6 +144,8 @@ namespace birdstrike
           }
         particles.compression_rate[i] = has_summation ? 0. : mass * sum(compression) / a[6];
         particles.signal_speed[i]     = is_isolated ? 0. : c + 1.2 * stdx::hmax(approach);
+        particles.prediction_error[i] = compute_prediction_error(particles, i, prediction_time,
+                                                                 has_cutoff && a[6] < eos.reference_density() ? 0. : c);
         particles.largest_mu[i] =
           std::max(a[6], static_cast<double>(stdx::hmax(densest))) / eos.reference_density() - 1.;
       }
@@ -152,6 +154,7 @@ namespace birdstrike
   void StandardRates::update(Particles &particles, const double dt, const NeighborList &list, ThreadPool &pool)
   {
     const std::size_t n = particles.size();
+    prediction_time     = dt;
     motion.resize(n + 1);
     sound.resize(n + 1);
     motion[n].value   = {1e10, 1e10, 1e10, 0., 0., 0., 0., 0.};

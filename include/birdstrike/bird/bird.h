@@ -20,16 +20,18 @@ namespace birdstrike
   ///   kick(dt/2, first)    v += f dt/2m,  mu compressed over dt/2
   ///   drift(dt)            x += v dt; the list is rebuilt when its skin is used up
   ///   compute_rates()      at v + f_old dt/2m and at mu compressed further, both predicted to the end of the step; the
-  ///   second kick
-  ///                        then corrects them with the new rates (trapezoidal rule)
+  ///                        second kick then corrects them with the new rates (trapezoidal rule)
   ///   kick(dt/2, second)
+  ///
+  /// Where forces leap, as in the first steps of a shock, the rates are evaluated again at what new and old ones
+  /// predict together: whenever the energy that the prediction makes (compute_prediction_error), summed over the bird,
+  /// is more than a ten-thousandth of that with which it closes in.
   ///
   /// What the liquid stores is the energy of its equation of state at the present densities; what it dissipates is the
   /// integral of its rate (rates.h), trapezoidal as everything. Beside them stands an energy equation, `internal`: the
   /// pairwise work at the predicted velocity, corrected by each half kick to the velocity of the drift. Kinetic energy
   /// with staggering (core/energy_report.h) + internal - contact work is constant to round-off. Internal less stored
-  /// and dissipated is what the integration of density and heat in time is wrong by: with v and mu predicted from old
-  /// rates, sum of |dt df|^2/(4 m) is made, little unless forces jump from step to step.
+  /// and dissipated is what the integration of density and heat in time is wrong by, mostly the error of prediction.
   ///
   /// Raises NumericalFailure from compute_rates (density, motion), InputError from the constructor. Knows no blade:
   /// contact adds to points().force between clear_contact_forces() and compute_rates().
@@ -46,7 +48,8 @@ namespace birdstrike
     void advance_in_flight(double t, const Point3 &frame = Point3::Zero());
 
     /// The speed (m/s) at which the surface is met: the slope of the liquid's shock curve, which contact takes, is that
-    /// of this speed, the same in every frame. Without this call it is the bird's own speed.
+    /// of this speed, the same in every frame, and so is the energy that errors of prediction are measured by. Without
+    /// this call it is the bird's own speed.
     void set_closing_speed(double speed);
 
     /// Longest step (s) of the bird at rest, h/c0 times the Courant number.
@@ -84,6 +87,11 @@ namespace birdstrike
     {
       return packed;
     }
+    /// Evaluations that were done again at a better prediction.
+    unsigned long n_second_evaluations() const
+    {
+      return n_second;
+    }
     std::size_t n_list_builds() const
     {
       return list.n_builds();
@@ -94,6 +102,8 @@ namespace birdstrike
     }
 
   private:
+    bool   is_badly_predicted() const;
+    void   relax_prediction();
     void   book_contact(double dt);
     void   follow_step(double new_half_step);
     double stored_energy(double mu) const; ///< J/kg
@@ -106,11 +116,13 @@ namespace birdstrike
     Particles              particles;
     NeighborList           list;
     std::unique_ptr<Rates> rates;
-    Particles::Column      particle_masses;     ///< kg, the same number for every particle: contact sees an array
-    double                 half_step      = 0.; ///< s, of the latest first kick
-    double                 staggered_half = 0.; ///< s, that the staggering refers to
-    double                 staggering     = 0.; ///< J, by changes of the step
-    double                 hugoniot_slope;
+    Particles::Column      particle_masses;        ///< kg, the same number for every particle: contact sees an array
+    double                 half_step         = 0.; ///< s, of the latest first kick
+    double                 staggered_half    = 0.; ///< s, that the staggering refers to
+    double                 staggering        = 0.; ///< J, by changes of the step
+    double                 hugoniot_slope    = 0.;
+    double                 closing_energy    = 0.; ///< J
+    unsigned long          n_second          = 0;
     bool                   has_contact_force = false;
     std::uint64_t          revision          = 0;
     RetiredShare           retired_share;

@@ -10,12 +10,12 @@
 
 namespace birdstrike
 {
-  /// The right-hand side of the particle equations at the positions, and at velocity and mu as the old rates foretell
-  /// them for the time dt later (Prediction).
+  /// The right-hand side of the particle equations at the positions, and at velocity and mu as the predicting rates
+  /// foretell them for the time dt later (Prediction).
   ///
-  /// `update` fills force, compression_rate, power, dissipation, signal_speed, largest_mu, volume, density and
-  /// sound_speed. Each owner sums over all its neighbours, with formulas symmetric in the pair: forces cancel to
-  /// round-off, and
+  /// `update` fills force, compression_rate, power, dissipation, signal_speed, prediction_error, largest_mu, volume,
+  /// density and sound_speed. Each owner sums over all its neighbours, with formulas symmetric in the pair: forces
+  /// cancel to round-off, and
   ///   sum_i power_i = 0  to round-off.
   /// Raises NumericalFailure if a density is not positive or a position or velocity not finite.
   class Rates

@@ -32,7 +32,8 @@ namespace birdstrike
     EquationOfState    eos;
     double             spacing, h, alpha, beta;
     bool               has_cutoff, has_summation, is_spline, is_fcc;
-    Records<double, 8> motion; ///< x, v, rho, p/rho^2
-    Records<double, 8> sound;  ///< c
+    double             prediction_time = 0.; ///< s
+    Records<double, 8> motion;               ///< x, v, rho, p/rho^2
+    Records<double, 8> sound;                ///< c
   };
 } // namespace birdstrike

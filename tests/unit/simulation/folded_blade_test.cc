@@ -167,8 +167,7 @@ TEST_P(FoldedBlade, LegsPassThroughOneAnotherOnlyWithoutSelfContact)
   EXPECT_LT(folded.deepest, 0.1 * thickness); // as the law promises for 150 m/s: 2.2 steps' flight, 0.2 mm
   EXPECT_GT(folded.dissipated, 0.);
   EXPECT_EQ(folded.fall, 0.);
-  // a bird of some hundred particles makes up to 1.2 % in its first shock; self-contact's own share is below 0.1 %
-  EXPECT_LT(folded.energy_error, 1.5e-2);
+  EXPECT_LT(folded.energy_error, 1e-2);    // found 0.06 % for shells, 0.6 % for bricks
   EXPECT_LT(folded.momentum_error, 1e-12); // forces between its own nodes are equal and opposite, held ones are booked
 }
 

@@ -25,7 +25,7 @@ TEST(Perforation, TheBirdGoesThroughAndTheBalanceHolds)
   const Strike  run     = run_coarse();
   const Summary summary = run.summary;
   EXPECT_EQ(summary.end.reason, "end time reached");
-  EXPECT_LT(summary.energy.max_relative_error, 1e-2); // coupled gate
+  EXPECT_LT(summary.energy.max_relative_error, 5e-3); // coupled gate
   EXPECT_LT(summary.momentum.max_relative_error, 1e-8);
   EXPECT_GT(summary.failed.elements, 10u);
   EXPECT_LT(summary.failed.elements, 900u / 4);
@@ -63,7 +63,7 @@ TEST(Perforation, HalfOfItTellsOfTheWhole)
   EXPECT_NEAR(double(half.failed.elements) / whole.failed.elements, 1., 0.1);
   EXPECT_NEAR(half.failed.mass / whole.failed.mass, 1., 0.1);
   EXPECT_NEAR(half.contact.impulse[2] / whole.contact.impulse[2], 1., 0.01);
-  EXPECT_LT(half.energy.max_relative_error, 1e-2);
+  EXPECT_LT(half.energy.max_relative_error, 5e-3);
 }
 
 // The same with bricks: the closed skin opens, and its facets of the inside meet the bird.
@@ -74,7 +74,7 @@ TEST(Perforation, BricksLetTheBirdThroughAndTheBalanceHolds)
       const Strike  run     = run_coarse({"Blade/Kind=solid", "Blade/Mesh/Layers=" + layers, "Time/End time=0.15e-3"});
       const Summary summary = run.summary;
       EXPECT_EQ(summary.end.reason, "end time reached");
-      EXPECT_LT(summary.energy.max_relative_error, 1e-2); // coupled gate
+      EXPECT_LT(summary.energy.max_relative_error, 5e-3); // coupled gate
       EXPECT_LT(summary.momentum.max_relative_error, 1e-8);
       EXPECT_GT(summary.failed.elements, 10u);
       EXPECT_LT(summary.failed.elements, 900u * (layers == "2" ? 2 : 1) / 4);

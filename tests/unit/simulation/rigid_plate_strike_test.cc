@@ -41,7 +41,7 @@ namespace
     EXPECT_NEAR(stagnation / (0.5 * density * speed * speed), 1., gauge_tolerance);
 
     EXPECT_LT(run.summary.contact.max_penetration_over_spacing, 0.5);
-    EXPECT_LT(run.summary.energy.max_relative_error, 1e-2);
+    EXPECT_LT(run.summary.energy.max_relative_error, 4e-3); // found 0.15 to 0.23 %
     EXPECT_LT(run.summary.momentum.max_relative_error, 1e-10);
     EXPECT_EQ(run.summary.steps.blade, 0u); // no element exists
   }
@@ -66,6 +66,21 @@ TEST_P(RigidPlateStrike, ImpulseSteadyForceAndStagnationPressure)
 }
 
 INSTANTIATE_TEST_SUITE_P(Speeds, RigidPlateStrike, testing::Values(100., 177.4, 300.));
+
+// Coarse particles feel the first shock at once, which makes energy where it is not foreseen (bird.h): 2.7 % with this
+// liquid and spacing, and impulses that differed by 2.4 % between these Courant numbers. What is left is a tenth of it.
+TEST(RigidPlateStrike, FirstShockOfACoarseBirdMakesNoEnergy)
+{
+  const auto strike = [](const std::string &courant_number) {
+    return run_shipped("rigid-plate.prm",
+                       {"Bird/Velocity=0,0,100", "Bird/Particle spacing=0.008", "Time/End time=0.2e-3",
+                        "Bird/Equation of state/Type=linear", "Bird/Courant number=" + courant_number});
+  };
+  const Strike run = strike("0.35"), finer = strike("0.25");
+  EXPECT_LT(std::abs(run.summary.energy.error_origins.at("bird")), 3e-3 * run.summary.energy.initial);
+  EXPECT_LT(run.summary.energy.max_relative_error, 3e-3);
+  EXPECT_NEAR(run.summary.contact.impulse[2] / finer.summary.contact.impulse[2], 1., 3e-3);
+}
 
 // Oblique, frictionless: no tangential impulse, and the normal one is m v sin(theta).
 TEST(RigidPlateStrike, ObliqueStrikeIsFrictionless)

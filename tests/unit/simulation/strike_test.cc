@@ -23,7 +23,7 @@ namespace
 TEST(Strike, KeepsEnergyAndMomentum)
 {
   const Strike run = run_coarse();
-  EXPECT_LT(run.summary.energy.max_relative_error, 1e-2); // coupled gate
+  EXPECT_LT(run.summary.energy.max_relative_error, 5e-3); // coupled gate
   EXPECT_LT(run.summary.momentum.max_relative_error, 1e-8);
   EXPECT_LT(run.summary.contact.max_penetration_over_spacing, 0.5);
   EXPECT_LT(run.summary.energy.max_hourglass_over_internal, 0.05);
@@ -41,7 +41,7 @@ TEST(Strike, KeepsMomentumWhileParticlesLeave)
   const Strike run = run_coarse({"Time/End time=1.5e-3"}, "oblique.prm");
   EXPECT_GT(run.summary.retired.particles, run.summary.bird.particles / 4);
   EXPECT_LT(run.summary.momentum.max_relative_error, 1e-10);
-  EXPECT_LT(run.summary.energy.max_relative_error, 1e-2);
+  EXPECT_LT(run.summary.energy.max_relative_error, 5e-3);
   EXPECT_LT(run.summary.contact.max_penetration_over_spacing, 0.5);
 }
 
@@ -71,7 +71,7 @@ TEST(Strike, MultirateAgreesWithASingleRate)
   EXPECT_LT(multi.summary.steps.blade, single.summary.steps.blade);
   EXPECT_NEAR(multi.summary.contact.impulse[2] / single.summary.contact.impulse[2], 1., 0.01);
   EXPECT_NEAR(multi.summary.tip.final / single.summary.tip.final, 1., 0.03);
-  EXPECT_LT(multi.summary.energy.max_relative_error, 1e-2);
+  EXPECT_LT(multi.summary.energy.max_relative_error, 5e-3);
   EXPECT_LT(multi.summary.momentum.max_relative_error, 1e-8);
 }
 
