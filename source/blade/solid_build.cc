@@ -127,6 +127,8 @@ namespace birdstrike
     point.plastic_strain = point.plastic_work = 0.;
     point.yield                               = law.initial_yield();
     points.assign(n_batches * n_points(), point);
+    if (section.formulation == SolidFormulation::b_bar)
+      rest_det.resize(n_batches * n_points());
     if (section.formulation == SolidFormulation::solid_shell)
       {
         rule = make_thickness_points(section.rule, section.n_points);
@@ -143,7 +145,12 @@ namespace birdstrike
       {
         Batch            &batch = batches[e / n_lanes];
         const std::size_t k = e % n_lanes, element = std::min(e, cells.size() - 1);
-        batch.viscous_pressure = 0.;
+        batch.viscous_pressure     = 0.;
+        const SolidModes<double> x = modes(element);
+        batch.rest_det[k]          = SolidGeometry<double>(x).det;
+        for (std::size_t p = 0; p < n_points() && !rest_det.empty(); ++p)
+          rest_det[e / n_lanes * n_points() + p][k] =
+            b_bar_solid::Jacobian<double>(b_bar_solid::Derivatives<double>(x, int(p))).det;
         for (int i = 0; i < 8; ++i)
           {
             batch.record[i][k] = cells[element][i] * (sizeof(NodeRecord) / sizeof(double));
@@ -175,7 +182,7 @@ namespace birdstrike
         const SolidGeometry<double> g(x);
         double                      drag;
         law.compute_viscous_pressure(0., g.compute_height(), drag);
-        const double value    = compute_frequency_bound(g, inverse, drag, law, section.formulation);
+        const double value    = compute_frequency_bound(g, g.det, inverse, drag, law, section.formulation);
         batch.inverse_mass[k] = inverse;
         batch.frequency[k]    = value;
         Chunk &chunk          = chunks[e / n_lanes / batches_per_chunk];

@@ -6,18 +6,6 @@ namespace birdstrike
 {
   namespace
   {
-    SolidModes<Lanes> load_modes(const double *records, const std::uint32_t (&begin)[8][n_lanes])
-    {
-      Vector3<Lanes> corner[8];
-      for (int i = 0; i < 8; ++i)
-        {
-          Lanes a[8];
-          load_rows(records, begin[i], a);
-          corner[i] << a[0], a[1], a[2];
-        }
-      return SolidModes<Lanes>(corner);
-    }
-
     /// Of the residual stresses of the points, which have neither mean nor moment: what the section stores besides
     /// those (J/m^3).
     Lanes compute_residual_density(const Elasticity &elasticity, const ThicknessPoints &rule,
@@ -38,21 +26,17 @@ namespace birdstrike
 
   StoredEnergy::State SolidElements::Implementation::stored(const std::size_t k) const
   {
-    const std::size_t       b = k / n_points(), point = k % n_points();
-    const SolidModes<Lanes> x = load_modes(records[0].value, batches[b].record);
-    StoredEnergy::State     state{{compute_elastic_energy(law.elasticity, points[k].stress), Lanes(0.)}, Lanes(0.)};
+    const std::size_t   b = k / n_points();
+    StoredEnergy::State state{{compute_elastic_energy(law.elasticity, points[k].stress), Lanes(0.)}, Lanes(0.)};
     if (section.formulation == SolidFormulation::b_bar)
-      state.volume = (1. / 512.) * b_bar_solid::Jacobian<Lanes>(b_bar_solid::Derivatives<Lanes>(x, int(point))).det;
+      state.volume = (1. / 512.) * rest_det[k];
     else
       {
-        state.volume = SolidGeometry<Lanes>(x).volume();
-        state.density[1] =
-          one_point_solid::compute_energy(law.elasticity, one_point_solid::Axes<Lanes>(x), stabilisation[b]);
+        state.volume     = (1. / 64.) * batches[b].rest_det;
+        state.density[1] = one_point_solid::compute_energy(law.elasticity, stabilisation[b]);
         if (!layers.empty() && !layers[b].empty())
           state.density[0] += compute_residual_density(law.elasticity, rule, layers[b]);
       }
-    // the energy taken in on a straight path to a volume strain e: integral of V du = V u (1 - e/3 + ...)
-    state.volume *= 1. - compute_mean_stress(points[k].stress) / (3. * law.elasticity.bulk_modulus());
     const std::size_t n = n_elements_of(b);
     for (std::size_t l = 0; l < n_lanes; ++l)
       if (l >= n || (erosion && erosion->batches[b].alive[l] == 0.))

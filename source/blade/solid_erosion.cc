@@ -99,15 +99,14 @@ namespace birdstrike
                                                        adiabatic_temperature(h, point.plastic_work), dt});
   }
 
-  [[gnu::noinline]] void SolidElements::Implementation::add_damage(const std::size_t                   b,
-                                                                   const one_point_solid::Axes<Lanes> &axes,
-                                                                   const Lanes &plastic_strain, const double dt)
+  [[gnu::noinline]] void SolidElements::Implementation::add_damage(const std::size_t b, const Lanes &plastic_strain,
+                                                                   const double dt)
   {
     const SolidPoint<Lanes> &point  = points[b];
     const Lanes              strain = point.plastic_strain - plastic_strain;
     if (!any(strain > Lanes(0.)))
       return;
-    const one_point_solid::FlowSquares<Lanes> rest(axes, stabilisation[b]);
+    const one_point_solid::FlowSquares<Lanes> rest(stabilisation[b]);
     const Lanes q2 = von_mises_squared(point.stress) + rest.trace + rest.shear + rest.last;
     erosion->damage[b][0] += compute_damage(point, strain, Lanes(sqrt(q2)), dt);
   }
@@ -154,8 +153,8 @@ namespace birdstrike
     LanesMask                 collapses(false);
     if (section.material.failure.smallest_step > 0.)
       collapses = own.inverted > Lanes(0.) ||
-                  (alive && compute_frequency_bound(end, batch.inverse_mass, step.drag, law, section.formulation) >
-                              of_batch.allowed);
+                  (alive && compute_frequency_bound(end, step.stiff_det, batch.inverse_mass, step.drag, law,
+                                                    section.formulation) > of_batch.allowed);
     const LanesMask fails =
       alive && (collapses || count_failed(damage.data(), damage.size()) >= Lanes(double(erosion->n_needed)));
     own.hourglass += step.work.hourglass;

@@ -57,21 +57,21 @@ namespace birdstrike
       law.compute_viscous_pressure(Lanes(step.dilatation * (1. / dt)), midpoint.compute_height(), step.drag);
   }
 
-  /// Of a solid-shell; axes at the midpoint, `end` the geometry of the end of the step.
+  /// Of a solid-shell; `end` is the geometry of the end of the step.
   [[gnu::always_inline]] inline SolidWork<Lanes>
   SolidElements::Implementation::update_section(const std::size_t b, const Matrix3<Lanes> &gradient,
-                                                const one_point_solid::Axes<Lanes> &axes, const Stabilisation &strain,
-                                                const double dt, const SolidModes<Lanes> &end)
+                                                const Stabilisation &strain, const double dt,
+                                                const SolidModes<Lanes> &end)
   {
     using namespace solid_shell;
     SolidPoint<Lanes> &mean = points[b];
     Stabilisation     &s    = stabilisation[b];
     mean.rotate_and_strain(law.elasticity, gradient);
     const Lanes before = compute_varying_work(s, strain);
-    add_stress(law.elasticity, axes, strain, s);
+    add_stress(law.elasticity, strain, s);
     const Lanes      trial = compute_varying_work(s, strain);
     SolidWork<Lanes> work{Lanes(0.), Lanes(0.)};
-    const Lanes      bound = Squares<Lanes>(axes, s).compute_bound(von_mises_squared(mean.stress));
+    const Lanes      bound = Squares<Lanes>(s).compute_bound(von_mises_squared(mean.stress));
     if (!layers[b].empty() || any(bound > mean.yield * mean.yield))
       {
         work = update_layers(b, dt, end);
@@ -105,19 +105,22 @@ namespace birdstrike
     if constexpr (can_fail)
       plastic_strain = points[b].plastic_strain;
     if constexpr (has_layers)
-      step.work = update_section(b, gradient, axes, strain, dt, x);
+      step.work = update_section(b, gradient, strain, dt, x);
     else
-      step.work = law.update_one_point(gradient, axes, strain, dt, points[b], stabilisation[b]);
+      step.work = law.update_one_point(gradient, strain, dt, points[b], stabilisation[b]);
     if constexpr (can_fail)
-      add_damage(b, axes, plastic_strain, dt);
-    step.work.plastic *= step.midpoint_volume;
-    step.work.hourglass *= step.midpoint_volume;
+      add_damage(b, plastic_strain, dt);
+    step.stiff_det = batches[b].rest_det;
+    step.work.plastic *= (1. / 64.) * step.stiff_det;
+    step.work.hourglass *= (1. / 64.) * step.stiff_det;
 
     const SolidGeometry<Lanes> end(x);
-    Lanes                      stress[6];
-    std::copy(points[b].stress, points[b].stress + 6, stress);
+    const Lanes                inverse_ratio = step.stiff_det * end.inverse_det;
+    Lanes                      stress[6]; // Cauchy's
+    for (int c = 0; c < 6; ++c)
+      stress[c] = inverse_ratio * points[b].stress[c];
     add_pressure(step.pressure, stress);
-    SolidModes<Lanes> force = compute_mode_forces(end, stress, stabilisation[b]);
+    SolidModes<Lanes> force = compute_mode_forces(end, step.stiff_det, stress, stabilisation[b]);
     if constexpr (can_fail)
       release(b, end, u, force, step);
     finish(b, end, force, step, chunk);
@@ -142,21 +145,26 @@ namespace birdstrike
     for (int k = 0; k < 3; ++k)
       force.linear[k] = force.twist[k] = zero;
     force.last     = zero;
-    Lanes pressure = 0., smallest = end.det;
+    Lanes pressure = 0., smallest = end.det, stiffest = 0.;
     for (int p = 0; p < b_bar_solid::n_points; ++p)
       {
-        SolidPoint<Lanes>    &point = points[b * b_bar_solid::n_points + p];
+        const std::size_t     k      = b * b_bar_solid::n_points + std::size_t(p);
+        SolidPoint<Lanes>    &point  = points[k];
+        const Lanes           volume = (1. / 512.) * rest_det[k];
         const Jacobian<Lanes> at_midpoint(Derivatives<Lanes>(middle, p)), at_end(Derivatives<Lanes>(x, p));
         const Matrix3<Lanes>  gradient = at_midpoint.compute_gradient(Derivatives<Lanes>(u, p), step.dilatation);
         Lanes                 work;
         if constexpr (can_fail)
-          work = update_failing_point(b, p, gradient, Lanes((1. / 512.) * at_midpoint.det), dt);
+          work = update_failing_point(b, p, gradient, volume, dt);
         else
           work = law.update_point(gradient, dt, point);
-        step.work.plastic += (1. / 512.) * at_midpoint.det * work;
-        add_point_forces(at_end, point.stress, p, force, pressure);
+        step.work.plastic += volume * work;
+        const Lanes stretch = rest_det[k] / at_end.det;
+        add_point_forces(at_end, rest_det[k], stretch, point.stress, p, force, pressure);
+        stiffest = max(stiffest, stretch);
         smallest = min(smallest, at_end.det);
       }
+    step.stiff_det = stiffest * end.det;
     // the determinants add up to 8 D
     const Lanes          mean = pressure * end.inverse_det * 0.125 - step.pressure, scaled = (1. / 64.) * mean;
     const Lanes          none = select(smallest > Lanes(0.), Lanes(0.), Lanes(std::nan(""))); // reported in `finish`
@@ -174,11 +182,13 @@ namespace birdstrike
   {
     Batch &batch = batches[b];
     if (mass_factors.empty())
-      batch.frequency = compute_frequency_bound(end, batch.inverse_mass, step.drag, law, section.formulation);
+      batch.frequency =
+        compute_frequency_bound(end, step.stiff_det, batch.inverse_mass, step.drag, law, section.formulation);
     else
       {
         const SolidModes<Lanes> copy = end.x; // only this goes to memory
-        batch.frequency              = compute_scaled_frequency(copy, batch.inverse_mass, step.drag, mass_factors[b]);
+        batch.frequency =
+          compute_scaled_frequency(copy, step.stiff_det, batch.inverse_mass, step.drag, mass_factors[b]);
       }
     chunk.frequency = max(chunk.frequency, batch.frequency);
     Corners corner;

@@ -26,12 +26,12 @@ namespace birdstrike
     return thickness_axis.empty() ? axis : (axis + 5u - thickness_axis[element]) % 3u; // see with_third
   }
 
-  Lanes SolidElements::Implementation::compute_scaled_frequency(const SolidModes<Lanes> &modes,
+  Lanes SolidElements::Implementation::compute_scaled_frequency(const SolidModes<Lanes> &modes, const Lanes &rest_det,
                                                                 const Lanes &inverse_mass, const Lanes &drag,
                                                                 const MassFactors<Lanes> &factors) const
   {
     const SolidGeometry<Lanes> geometry(modes);
-    return compute_frequency_bound(geometry, inverse_mass, drag, law, section.formulation, factors);
+    return compute_frequency_bound(geometry, rest_det, inverse_mass, drag, law, section.formulation, factors);
   }
 
   Lanes SolidElements::Implementation::compute_frequency_at_rest(const std::size_t         b,
@@ -45,7 +45,7 @@ namespace birdstrike
     const SolidModes<Lanes> modes(x);
     Lanes                   drag;
     law.compute_viscous_pressure(Lanes(0.), SolidGeometry<Lanes>(modes).compute_height(), drag);
-    return compute_scaled_frequency(modes, batches[b].inverse_mass, drag, factors);
+    return compute_scaled_frequency(modes, batches[b].rest_det, batches[b].inverse_mass, drag, factors);
   }
 
   void SolidElements::Implementation::update_scaled_frequencies()

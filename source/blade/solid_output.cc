@@ -16,6 +16,17 @@ namespace birdstrike
     return result;
   }
 
+  double SolidElements::Implementation::compute_volume_ratio(const std::size_t element, const std::size_t point) const
+  {
+    const SolidModes<double> x = modes(element);
+    const std::size_t        b = element / n_lanes, k = element % n_lanes;
+    const double             ratio = section.formulation == SolidFormulation::b_bar
+                                       ? b_bar_solid::Jacobian<double>(b_bar_solid::Derivatives<double>(x, int(point))).det /
+                               lane(rest_det[b * n_points() + point], k)
+                                       : SolidGeometry<double>(x).det / lane(batches[b].rest_det, k);
+    return ratio > 0. ? ratio : 1.; // of what has failed and is turned inside out: no stress
+  }
+
   std::array<double, 6> SolidElements::Implementation::stabilised_stress(const std::size_t            element,
                                                                          const std::array<double, 3> &xi) const
   {
@@ -48,8 +59,9 @@ namespace birdstrike
     std::array<double, 6> result      = point_stress(element, 0);
     const Matrix3<double> rest        = one_point_solid::compute_stress_at(x, s, at);
     constexpr int         pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
+    const double          ratio       = compute_volume_ratio(element, 0);
     for (int c = 0; c < 6; ++c)
-      result[c] += rest(pairs[c][0], pairs[c][1]) + stress[c];
+      result[c] = (result[c] + rest(pairs[c][0], pairs[c][1]) + stress[c]) / ratio;
     return result;
   }
 
@@ -66,8 +78,9 @@ namespace birdstrike
           share = b_bar_solid::Jacobian<double>(b_bar_solid::Derivatives<double>(x, int(p))).det / (8. * g.det);
         const double strain = lane(my.points[element / n_lanes * my.n_points() + p].plastic_strain, element % n_lanes);
         const auto   stress = my.point_stress(element, p);
+        const double ratio  = my.compute_volume_ratio(element, p);
         for (int c = 0; c < 6; ++c)
-          state.stress[c] += share * stress[c];
+          state.stress[c] += share / ratio * stress[c];
         state.plastic_strain += share * strain;
         state.max_plastic_strain = std::max(state.max_plastic_strain, strain);
       }
@@ -92,7 +105,7 @@ namespace birdstrike
           shape *= 0.5 * (1. + 3. * xi[k] * b_bar_solid::coordinate(p, k));
         const auto stress = my.point_stress(element, std::size_t(p));
         for (int c = 0; c < 6; ++c)
-          result[c] += shape * stress[c];
+          result[c] += shape / my.compute_volume_ratio(element, std::size_t(p)) * stress[c];
       }
     return result;
   }

@@ -162,8 +162,8 @@ namespace birdstrike
           error, scale, when, limit, describe_parts(), from.blade, from.bird, from.contact, from.steps,
           advise(last) +
             (from.blade > 0.5 * std::abs(error) * scale
-               ? "\nThe elements make it: bricks without Blade/Element/Linear viscosity do so at strains of "
-                 "some per cent, crushed elements at any."
+               ? "\nThe elements make it: crushed ones do so, and at strains of some per cent one-point bricks without "
+                 "Blade/Element/Linear viscosity at steps near the largest stable one."
                : "")));
       }
     for (const Kind &kind : kinds_of(last))

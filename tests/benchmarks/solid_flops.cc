@@ -62,7 +62,8 @@ namespace birdstrike::benchmarks
                 const Jacobian<Counted> at_midpoint(Derivatives<Counted>(middle, p)),
                   at_end(Derivatives<Counted>(x, p));
                 law.update_point(at_midpoint.compute_gradient(Derivatives<Counted>(u, p), trace), 0.3e-6, points[p]);
-                add_point_forces(at_end, points[p].stress, p, force, pressure);
+                const Counted stretch = Counted(3.) / at_end.det;
+                add_point_forces(at_end, at_end.det, stretch, points[p].stress, p, force, pressure);
               }
             end.add_mean_forces(Vector3<Counted>::Constant(pressure).asDiagonal(), force);
           }
@@ -71,26 +72,28 @@ namespace birdstrike::benchmarks
             const one_point_solid::Axes<Counted> axes(middle);
             const auto                           strain = one_point_solid::compute_strains(middle, axes, gradient, u);
             if (formulation == SolidFormulation::one_point)
-              law.update_one_point(gradient, axes, strain, 0.3e-6, points[0], stabilisation);
+              law.update_one_point(gradient, strain, 0.3e-6, points[0], stabilisation);
             else
-              update_section(law, gradient, axes, strain, x, is_plastic);
-            force = one_point_solid::compute_mode_forces(end, points[0].stress, stabilisation);
+              update_section(law, gradient, strain, x, is_plastic);
+            const Counted inverse_ratio = end.det * end.inverse_det;
+            for (auto &s : points[0].stress)
+              s = inverse_ratio * s;
+            force = one_point_solid::compute_mode_forces(end, end.det, points[0].stress, stabilisation);
           }
         Corners corner;
         force.sum_at_corners(corner);
-        compute_frequency_bound(end, Counted(1. / 3.5e-8), drag, law, formulation);
+        compute_frequency_bound(end, end.det, Counted(1. / 3.5e-8), drag, law, formulation);
       }
 
       void update_section(const SolidLaw &law, const Matrix3<Counted> &gradient,
-                          const one_point_solid::Axes<Counted>          &axes,
                           const one_point_solid::Stabilisation<Counted> &strain, const SolidModes<Counted> &end,
                           const bool is_plastic)
       {
         using namespace solid_shell;
         points[0].rotate_and_strain(law.elasticity, gradient);
         compute_varying_work(stabilisation, strain);
-        add_stress(law.elasticity, axes, strain, stabilisation);
-        Squares<Counted>(axes, stabilisation).compute_bound(von_mises_squared(points[0].stress));
+        add_stress(law.elasticity, strain, stabilisation);
+        Squares<Counted>(stabilisation).compute_bound(von_mises_squared(points[0].stress));
         if (is_plastic)
           Layers<Counted>{law, rule}.update(end, one_point_solid::Axes<Counted>(end), 0.3e-6, points[0], stabilisation,
                                             layers);

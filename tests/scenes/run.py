@@ -233,12 +233,10 @@ def courant_too_large(check):
 
 
 def long_vibration(check):
-    result = check.run("long-vibration", codes=(0, 3))
+    result = check.run("long-vibration")
     if result:
-        limit = 1.01 if result.code == 0 else 1.2
-        check.between("kinetic energy over that brought", result.most("blade_kinetic") / result.initial_energy(), 0., limit)
-        check.require(result.least("blade_elastic") >= -0.05 * result.initial_energy(),
-                      f"blade_elastic is {result.least('blade_elastic'):.4g} J")
+        check.sound(result, 2e-3)
+        check.between("kinetic energy over that brought", result.most("blade_kinetic") / result.initial_energy(), 0., 1.001)
 
 
 SCENES = {"thin-skin": thin_skin, "fast-on-rigid-plate": fast_on_rigid_plate, "contact-without-damper": contact_without_damper,

@@ -75,14 +75,16 @@ namespace birdstrike
       }
     };
 
-    /// Adds the forces on modes of the stress deviator at a point to `force`, and its part p V_p of the mean pressure's
-    /// work to `pressure` (times 512).
+    /// Adds the forces on modes of the deviator of Kirchhoff's stress at a point to `force`, and its part p V_0p of the
+    /// mean pressure's work to `pressure` (times 512). `rest_det` is the determinant of the undeformed brick there,
+    /// `stretch` the latter over the present one.
     template <class Number>
-    [[gnu::always_inline]] inline void add_point_forces(const Jacobian<Number> &jacobian, const Number (&s)[6],
-                                                        const int p, SolidModes<Number> &force, Number &pressure)
+    [[gnu::always_inline]] inline void add_point_forces(const Jacobian<Number> &jacobian, const Number &rest_det,
+                                                        const Number &stretch, const Number (&s)[6], const int p,
+                                                        SolidModes<Number> &force, Number &pressure)
     {
-      const Number mean = (1. / 3.) * (s[0] + s[1] + s[2]), scale = 1. / 512.;
-      pressure += mean * jacobian.det;
+      const Number mean = (1. / 3.) * (s[0] + s[1] + s[2]), scale = (1. / 512.) * stretch;
+      pressure += mean * rest_det;
       const Number a = scale * (s[0] - mean), b = scale * (s[1] - mean), c = scale * (s[2] - mean);
       const Number ab = scale * s[3], bc = scale * s[4], ca = scale * s[5];
 #pragma GCC unroll 3

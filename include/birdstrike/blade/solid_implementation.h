@@ -31,6 +31,7 @@ namespace birdstrike
 
     struct Batch
     {
+      Lanes         rest_det;           ///< m^3, 64 times the undeformed volume
       Lanes         inverse_mass;       ///< 1/kg, of the least mass that the nodes carry for the element
       Lanes         frequency;          ///< bound of 2/dt, 1/s
       Lanes         viscous_pressure;   ///< Pa
@@ -57,8 +58,8 @@ namespace birdstrike
     void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: eighths
     void update_scaled_frequencies();                              ///< of all, at rest
     /// The bound with scaled masses: a function of its own, for what does not happen shall cost no register.
-    Lanes compute_scaled_frequency(const SolidModes<Lanes> &modes, const Lanes &inverse_mass, const Lanes &drag,
-                                   const MassFactors<Lanes> &factors) const;
+    Lanes compute_scaled_frequency(const SolidModes<Lanes> &modes, const Lanes &rest_det, const Lanes &inverse_mass,
+                                   const Lanes &drag, const MassFactors<Lanes> &factors) const;
     Lanes compute_frequency_at_rest(std::size_t batch, const MassFactors<Lanes> &factors) const;
     class Trial; ///< of factors
 
@@ -69,7 +70,8 @@ namespace birdstrike
     double              sum(Lanes Chunk::*energy) const;
     StoredEnergy::State stored(std::size_t point) const;  ///< of one of `points`, or an element of one point
     EntityPlace         place(std::size_t element) const; ///< its middle
-    std::array<double, 6> point_stress(std::size_t element, std::size_t point) const;
+    std::array<double, 6> point_stress(std::size_t element, std::size_t point) const;         ///< Kirchhoff's
+    double                compute_volume_ratio(std::size_t element, std::size_t point) const; ///< J there
     /// At natural coordinates of the mesh's cell, of one point and of solid-shells.
     std::array<double, 6> stabilised_stress(std::size_t element, const std::array<double, 3> &xi) const;
 
@@ -90,6 +92,7 @@ namespace birdstrike
     AlignedVector<MassFactors<Lanes>>         mass_factors; ///< [n_batches] with scaled masses, else none
     AlignedVector<Chunk>                      chunks;
     AlignedVector<SolidPoint<Lanes>>          points;        ///< [n_batches][n_points]
+    AlignedVector<Lanes>                      rest_det;      ///< of B-bar: the same, times 512, m^3
     AlignedVector<Stabilisation>              stabilisation; ///< [n_batches], not of B-bar
     ThicknessPoints                           rule;          ///< of solid-shells, as:
     std::vector<AlignedVector<LayerPoint>>    layers;        ///< [n_batches], empty while elastic
@@ -101,6 +104,7 @@ namespace birdstrike
     struct Step
     {
       Lanes            midpoint_volume; ///< m^3
+      Lanes            stiff_det;       ///< m^3, 64 times the volume that the moduli belong to
       Lanes            dilatation;      ///< trace of the mean strain increment
       Lanes            drag, pressure;  ///< of the bulk viscosity, m^2/s and Pa
       SolidWork<Lanes> work;            ///< J
@@ -111,9 +115,8 @@ namespace birdstrike
     void update_viscosity(const SolidGeometry<Lanes> &midpoint, const Matrix3<Lanes> &gradient, double dt, Step &step);
     template <bool has_layers, bool can_fail>
     void             update_one_point(std::size_t batch, double dt, Chunk &chunk);
-    SolidWork<Lanes> update_section(std::size_t batch, const Matrix3<Lanes> &gradient,
-                                    const one_point_solid::Axes<Lanes> &axes, const Stabilisation &strain, double dt,
-                                    const SolidModes<Lanes> &end);
+    SolidWork<Lanes> update_section(std::size_t batch, const Matrix3<Lanes> &gradient, const Stabilisation &strain,
+                                    double dt, const SolidModes<Lanes> &end);
     SolidWork<Lanes> update_layers(std::size_t batch, double dt, const SolidModes<Lanes> &end);
     template <bool can_fail>
     void update_b_bar(std::size_t batch, double dt, Chunk &chunk);
@@ -122,8 +125,7 @@ namespace birdstrike
     void build_erosion();
     /// Position at the end and increment of the corners (m): what is turned inside out becomes a cube at rest.
     void  begin_failing(std::size_t batch, Corners (&corner)[2]);
-    void  add_damage(std::size_t batch, const one_point_solid::Axes<Lanes> &axes, const Lanes &plastic_strain,
-                     double dt);
+    void  add_damage(std::size_t batch, const Lanes &plastic_strain, double dt);
     Lanes compute_damage(const SolidPoint<Lanes> &point, const Lanes &strain, const Lanes &von_mises, double dt) const;
     Lanes update_failing_point(std::size_t batch, int point, const Matrix3<Lanes> &gradient, const Lanes &volume,
                                double dt);

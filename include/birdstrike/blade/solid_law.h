@@ -52,18 +52,17 @@ namespace birdstrike
     /// A step of a one-point element.
     template <class Number>
     [[gnu::always_inline]] SolidWork<Number>
-    update_one_point(const Matrix3<Number> &gradient, const one_point_solid::Axes<Number> &axes,
-                     const one_point_solid::Stabilisation<Number> &strain, const double dt, SolidPoint<Number> &point,
-                     one_point_solid::Stabilisation<Number> &s) const
+    update_one_point(const Matrix3<Number> &gradient, const one_point_solid::Stabilisation<Number> &strain,
+                     const double dt, SolidPoint<Number> &point, one_point_solid::Stabilisation<Number> &s) const
     {
       point.rotate_and_strain(elasticity, gradient);
       const Number half = 0.5, before = compute_work(s, strain);
-      add_stress(elasticity, axes, strain, s);
-      const one_point_solid::FlowSquares<Number> squares(axes, s);
+      add_stress(elasticity, strain, s);
+      const one_point_solid::FlowSquares<Number> squares(s);
       const Number mean = von_mises_squared(point.stress), q2 = mean + squares.trace + squares.shear + squares.last;
       SolidWork<Number> work{Number(0.), Number(0.)};
       if (any(q2 > point.yield * point.yield))
-        work = flow_together(axes, {mean, squares.trace, squares.shear, squares.last}, dt, point, s);
+        work = flow_together({mean, squares.trace, squares.shear, squares.last}, dt, point, s);
       work.hourglass += half * (before + compute_work(s, strain));
       return work;
     }
@@ -115,16 +114,16 @@ namespace birdstrike
 
     /// Of a one-point element. What the stabilisation does of the plastic work is none of its own energy.
     template <class Number>
-    [[gnu::noinline]] SolidWork<Number>
-    flow_together(const one_point_solid::Axes<Number> &axes, const Number (&squares)[4], const double dt,
-                  SolidPoint<Number> &point, one_point_solid::Stabilisation<Number> &s) const
+    [[gnu::noinline]] SolidWork<Number> flow_together(const Number (&squares)[4], const double dt,
+                                                      SolidPoint<Number>                     &point,
+                                                      one_point_solid::Stabilisation<Number> &s) const
     {
       const SolidFlow<Number> step(elasticity, hardening, point.plastic_strain, point.yield,
                                    compute_softening(point.plastic_work), dt, squares);
       const Number            work = step.stress * step.strain;
       add_flow(step.strain, work, dt, point);
       scale_deviator(step.mean_factor, point.stress);
-      scale_back(axes, step.trace_factor, step.shear_factor, step.last_factor, s);
+      scale_back(step.trace_factor, step.shear_factor, step.last_factor, s);
       return {work, -work * step.rest};
     }
   };

@@ -2,6 +2,8 @@
 
 #include <birdstrike/blade/solid_shell.h>
 
+#include <algorithm>
+
 namespace birdstrike
 {
   namespace solid_shell
@@ -33,17 +35,16 @@ namespace birdstrike
                                LayerPoint<Number> *points) const
       {
         const Frame<Number>      frame(x, axes);
-        const Squares<Number>    squares(axes, s);
-        Number                   of_mean[5], bending[3], stress[7][5];
+        const Squares<Number>    squares(s);
+        Number                   of_mean[5], stress[7][5];
         SolidShellReturn<Number> section(law.elasticity, law.hardening, rule);
         frame.turn_in(mean.stress, of_mean);
-        frame.turn_in(s.linear[2], bending);
         bool yields = false;
         for (unsigned int k = 0; k < rule.n; ++k)
           {
             const double z = rule.position[k];
             for (int c = 0; c < 5; ++c)
-              stress[k][c] = of_mean[c] + points[k].residual[c] + (c < 3 ? Number(z * bending[c]) : Number(0.));
+              stress[k][c] = of_mean[c] + points[k].residual[c] + (c < 3 ? Number(z * s.linear[2][c]) : Number(0.));
             const auto &t       = stress[k];
             auto       &p       = section.point[k];
             p.trace             = t[0];
@@ -61,16 +62,15 @@ namespace birdstrike
             section.point[k].softening      = law.compute_softening(points[k].plastic_work);
           }
         section.solve(dt);
-        const SolidWork<Number> work = flow(section, axes, dt, stress, s, points);
+        const SolidWork<Number> work = flow(section, dt, stress, s, points);
         store(frame, section.shift, of_mean, stress, mean, s, points);
         return work;
       }
 
     private:
       /// Stresses, strains and work of the points after the return.
-      SolidWork<Number> flow(const SolidShellReturn<Number> &section, const one_point_solid::Axes<Number> &axes,
-                             const double dt, Number (&stress)[7][5], one_point_solid::Stabilisation<Number> &s,
-                             LayerPoint<Number> *points) const
+      SolidWork<Number> flow(const SolidShellReturn<Number> &section, const double dt, Number (&stress)[7][5],
+                             one_point_solid::Stabilisation<Number> &s, LayerPoint<Number> *points) const
       {
         Number plastic = 0., mean_factor = 0., moment_factor = 0.;
         for (unsigned int k = 0; k < rule.n; ++k)
@@ -86,7 +86,7 @@ namespace birdstrike
             mean_factor += w * p.varying_factor;
             moment_factor += (3. * w * z * z) * p.varying_factor;
           }
-        const Number before = compute_varying_energy(law.elasticity, axes, s);
+        const Number before = compute_varying_energy(law.elasticity, s);
         for (int k = 0; k < 2; ++k)
           {
             for (Number &component : s.linear[k])
@@ -94,7 +94,7 @@ namespace birdstrike
             s.last[k] *= moment_factor;
           }
         s.last[2] *= mean_factor;
-        return {plastic, compute_varying_energy(law.elasticity, axes, s) - before};
+        return {plastic, compute_varying_energy(law.elasticity, s) - before};
       }
 
       /// Mean, moment and residual stress of the points.
@@ -122,7 +122,7 @@ namespace birdstrike
         for (int c = 0; c < 5; ++c)
           old_mean[c] = sum[c] - old_mean[c];
         frame.add_to(old_mean, shift, mean.stress);
-        frame.turn_out(moment, s.linear[2]);
+        std::copy(moment, moment + 3, s.linear[2]);
       }
     };
   } // namespace solid_shell

@@ -8,7 +8,7 @@ namespace birdstrike
   template <class Number>
   struct SolidPoint
   {
-    Number stress[6];      ///< xx, yy, zz, xy, yz, zx, Pa, global axes
+    Number stress[6];      ///< Kirchhoff's, J sigma: xx, yy, zz, xy, yz, zx, Pa, global axes
     Number plastic_strain; ///< equivalent, -
     Number yield;          ///< Pa, static flow stress there
     Number plastic_work;   ///< J/m^3, what heats

@@ -37,33 +37,15 @@ namespace birdstrike
     struct Frame
     {
       Vector3<Number> axis[3];
-      Number          cosine, inverse_sine2, inverse_sine; ///< of the angle between t_1 and t_2
 
       [[gnu::always_inline]] Frame(const SolidModes<Number> &x, const one_point_solid::Axes<Number> &axes)
-        : cosine(axes.cosine[2]), inverse_sine2(axes.inverse_sine2[2])
       {
         const Vector3<Number> t1 = axes.inverse_length[0] * x.linear[0], t2 = axes.inverse_length[1] * x.linear[1];
-        const Number          a = inverse_root(Number(2. + 2. * cosine)), b = inverse_root(Number(2. - 2. * cosine));
-        axis[0]      = a * (t1 + t2);
-        axis[1]      = b * (t2 - t1);
-        axis[2]      = axis[0].cross(axis[1]);
-        inverse_sine = 2. * a * b;
-      }
-
-      /// A stress in the plane, components 11, 22, 12 along t_1, t_2, as 11 + 22, 11 - 22, 12 along the axes; and back.
-      [[gnu::always_inline]] void turn_in(const Number (&skew)[3], Number (&s)[3]) const
-      {
-        const Number sum = skew[0] + skew[1], twice = 2. * skew[2];
-        s[0] = sum + cosine * twice;
-        s[1] = cosine * sum + twice;
-        s[2] = 0.5 * (skew[1] - skew[0]) * (Number(1.) - cosine * cosine) * inverse_sine;
-      }
-      [[gnu::always_inline]] void turn_out(const Number (&s)[3], Number (&skew)[3]) const
-      {
-        const Number sum = (s[0] - cosine * s[1]) * inverse_sine2, difference = 2. * s[2] * inverse_sine;
-        skew[0] = 0.5 * (sum - difference);
-        skew[1] = 0.5 * (sum + difference);
-        skew[2] = 0.5 * (s[1] - cosine * s[0]) * inverse_sine2;
+        const Number          cosine = axes.cosine[2], a = inverse_root(Number(2. + 2. * cosine)),
+                     b = inverse_root(Number(2. - 2. * cosine));
+        axis[0]        = a * (t1 + t2);
+        axis[1]        = b * (t2 - t1);
+        axis[2]        = axis[0].cross(axis[1]);
       }
 
       /// Of a stress in global axes relative to the one across the section, which is returned: 11 + 22, 11 - 22, 12,
@@ -110,11 +92,10 @@ namespace birdstrike
     {
       Number bending, varying, bent;
 
-      [[gnu::always_inline]] Squares(const one_point_solid::Axes<Number>          &axes,
-                                     const one_point_solid::Stabilisation<Number> &s)
+      [[gnu::always_inline]] explicit Squares(const one_point_solid::Stabilisation<Number> &s)
       {
         const auto of_plane = [&](const int k) [[gnu::always_inline]] {
-          const one_point_solid::PlaneSquares<Number> plane(axes.cosine[k], s.linear[k]);
+          const one_point_solid::PlaneSquares<Number> plane(s.linear[k]);
           return Number(1.5 * plane.all - 0.5 * plane.trace);
         };
         bending = of_plane(2);
@@ -143,14 +124,13 @@ namespace birdstrike
 
     /// Elastic energy per volume of the same.
     template <class Number>
-    [[gnu::always_inline]] inline Number compute_varying_energy(const Elasticity                    &elasticity,
-                                                                const one_point_solid::Axes<Number> &axes,
+    [[gnu::always_inline]] inline Number compute_varying_energy(const Elasticity &elasticity,
                                                                 const one_point_solid::Stabilisation<Number> &s)
     {
       Number linear = 0.;
       for (int k = 0; k < 2; ++k)
         {
-          const one_point_solid::PlaneSquares<Number> plane(axes.cosine[k], s.linear[k]);
+          const one_point_solid::PlaneSquares<Number> plane(s.linear[k]);
           linear += (1. + elasticity.poisson) * plane.all - elasticity.poisson * plane.trace;
         }
       const Number last = s.last[0] * s.last[0] + s.last[1] * s.last[1] + s.last[2] * s.last[2];

@@ -39,11 +39,13 @@ namespace birdstrike
   /// takes each mode w_m times (measured: none of 800 bricks, random as before, with factors up to 400, was below).
   ///
   /// With a drag on the dilatation (see SolidLaw::compute_viscous_pressure), which acts half a step late, dt solves
-  /// omega^2 dt^2 + 2 beta dt = 4. `inverse_mass`: 1/(least mass that the nodes carry for the element, kg).
+  /// omega^2 dt^2 + 2 beta dt = 4. `inverse_mass`: 1/(least mass that the nodes carry for the element, kg). `rest_det`
+  /// (m^3) is 64 times the volume that the moduli belong to: the undeformed one.
   template <class Number, class Scaling = Unscaled>
-  [[gnu::always_inline]] inline Number
-  compute_frequency_bound(const SolidGeometry<Number> &g, const Number &inverse_mass, const Number &drag,
-                          const SolidLaw &law, const SolidFormulation formulation, const Scaling &scaling = {})
+  [[gnu::always_inline]] inline Number compute_frequency_bound(const SolidGeometry<Number> &g, const Number &rest_det,
+                                                               const Number &inverse_mass, const Number &drag,
+                                                               const SolidLaw &law, const SolidFormulation formulation,
+                                                               const Scaling &scaling = {})
   {
     const double shear = law.elasticity.shear_modulus(), young = law.elasticity.young;
     const double lambda = std::max(0., law.elasticity.bulk_modulus() - 2. / 3. * shear);
@@ -91,7 +93,7 @@ namespace birdstrike
           distortion += scaling.axis[following(k).i] * scaling.axis[following(k).j] * norm(g.x.twist[k]);
       }
 
-    const Number scale = g.det * inverse_mass; // 64/density
+    const Number scale = rest_det * inverse_mass; // 64/density
     const Number a     = (lambda + 2. * shear) * first;
     const Number b     = (4. * shear * (shear + lambda)) * second;
     const Number mean  = (1. / 3.) * (a + 2. * root(max(Number(a * a - 3. * b), zero)));
@@ -100,7 +102,7 @@ namespace birdstrike
     const Number cos2 = min(distortion, one), difference = mean - other;
     const Number omega2 =
       scale * (half * (mean + other + root(Number(difference * difference + 4. * mean * other * cos2))));
-    const Number beta = law.density * drag * scale * first;
+    const Number beta = law.density * drag * (g.det * inverse_mass) * first;
     return half * (beta + root(Number(beta * beta + 4. * omega2)));
   }
 } // namespace birdstrike
