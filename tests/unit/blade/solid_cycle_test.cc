@@ -78,8 +78,8 @@ TEST(SolidCycle, AClosedCycleDoesNoNetWork)
           }
 }
 
-// Bending and torsion of a cantilever by twice its thickness, forty periods of its first mode: with half the step the
-// error falls to a quarter, for it is one of the first instants and of whole steps. Cauchy's stress fails.
+// Large bending and torsion of a cantilever, fifteen periods of its first mode. The error, 9e-4 and 4e-3, is that of
+// kinetic energy at whole steps, a quarter with half the step. With Cauchy's stress energy grows until steps collapse.
 TEST(SolidCycle, UndampedMotionKeepsItsEnergy)
 {
   for (const auto formulation : formulations)
