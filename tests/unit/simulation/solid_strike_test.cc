@@ -33,7 +33,9 @@ TEST(SolidStrike, KeepsEnergyAndMomentumAndAgreesWithTheShell)
   EXPECT_GT(run.summary.energy.parts.at("blade_viscous"), 0.);
   EXPECT_GT(run.summary.root.peak_normal_stress, 880e6); // the root yields
   EXPECT_NEAR(run.summary.contact.impulse[2] / shell.summary.contact.impulse[2], 1., 0.05);
-  EXPECT_NEAR(run.summary.tip.final / shell.summary.tip.final, 1., 0.1);
+  // the tip swings back through rest: what it has at the end is a small remainder of its swing
+  EXPECT_NEAR(run.summary.tip.peak / shell.summary.tip.peak, 1., 0.05);
+  EXPECT_NEAR((run.summary.tip.final - shell.summary.tip.final) / shell.summary.tip.peak, 0., 0.05);
 }
 
 // The blade's steps are a fifth of the bird's here. Impulses of the bird's step would ring the thickness of the bricks:
