@@ -40,24 +40,32 @@ namespace birdstrike
       return compute_thickness_slope(x, t, weights);
     }
 
-    bool have_common_node(const std::array<std::uint32_t, 4> &a, const std::array<std::uint32_t, 4> &b)
+    std::ptrdiff_t count_common_nodes(const std::array<std::uint32_t, 4> &a, const std::array<std::uint32_t, 4> &b)
     {
-      return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+      return std::count_if(a.begin(), a.end(),
+                           [&](const std::uint32_t node) { return std::find(b.begin(), b.end(), node) != b.end(); });
     }
 
-    /// What the point remembers of this facet: what it knows of the facet itself or of one next to it, else of the same
-    /// piece, the second touch of a piece only what the second was.
-    /// Nearest and second change places in a fold: its sheets must not change their memories.
-    PointRecord::Side remembered(const PointRecord &before, const std::array<std::uint32_t, 4> &nodes,
-                                 const std::int32_t piece, const bool is_other_sheet)
+    /// Which of the two sides the point remembers is that of this facet, or -1: the one with the most common nodes, of
+    /// the facet itself before one next to it, else one of the same piece; of the second touch of a piece none that the
+    /// first has `taken`. Nearest and second change places in a fold or a notch: its sheets must not change their
+    /// memories.
+    int find_remembered(const PointRecord &before, const std::array<std::uint32_t, 4> &nodes, const std::int32_t piece,
+                        const bool is_other_sheet, const int taken)
     {
-      for (const PointRecord::Side &side : before.sides)
-        if (side.piece == piece && have_common_node(side.nodes, nodes))
-          return side;
-      for (unsigned int k = is_other_sheet ? 1 : 0; k < 2; ++k)
-        if (before.sides[k].piece == piece)
-          return before.sides[k];
-      return {};
+      int            best = -1;
+      std::ptrdiff_t most = 0;
+      for (int k = 0; k < 2; ++k)
+        if (k != taken && before.sides[k].piece == piece)
+          if (const std::ptrdiff_t common = count_common_nodes(before.sides[k].nodes, nodes); common > most)
+            {
+              best = k;
+              most = common;
+            }
+      for (int k = is_other_sheet ? 1 : 0; k < 2 && best < 0; ++k)
+        if (k != taken && before.sides[k].piece == piece)
+          best = k;
+      return best;
     }
 
     /// Of the overlap, what carries no force.
@@ -184,7 +192,7 @@ namespace birdstrike
   }
 
   bool NarrowPhase::touch(const ContactScene &scene, const std::uint32_t place, const PointRecord &before,
-                          const bool is_other_sheet, TouchingPair &result, PointRecord::Side &side) const
+                          const bool is_other_sheet, int &taken, TouchingPair &result, PointRecord::Side &side) const
   {
     const std::uint32_t facet    = facet_of(place);
     const std::int32_t  piece    = scene.topology.piece(facet);
@@ -199,8 +207,9 @@ namespace birdstrike
     // a second facet of the same piece is met on the side on which it is seen, unless it was known before: where a
     // surface folds, the other side of the first one means nothing to it
     const auto &nodes = scene.facets.nodes[facet];
-    side = before.last_call + 1 == scene.call ? remembered(before, nodes, piece, is_other_sheet) : PointRecord::Side();
-    const bool is_elsewhere = side.piece == piece && !have_common_node(side.nodes, nodes);
+    taken = before.last_call + 1 == scene.call ? find_remembered(before, nodes, piece, is_other_sheet, taken) : -1;
+    side  = taken < 0 ? PointRecord::Side() : before.sides[taken];
+    const bool is_elsewhere = taken >= 0 && count_common_nodes(side.nodes, nodes) == 0;
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
@@ -241,7 +250,7 @@ namespace birdstrike
     if (const SharpEdges &edges = scene.topology.sharp_edges(); edges.are_near(facet))
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
-    const double approach   = std::max(0., -velocity.dot(edge.normal)) * scene.step;
+    const double approach   = std::max(0., -velocity.dot(edge.normal - edge.slope)) * scene.step;
     const bool   is_inside  = edge.overlap > 0. && edge.limit > 0.;
     const bool   is_new     = scene.is_changed || is_other_sheet;
     side.reference          = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, approach), 0.);
@@ -276,7 +285,8 @@ namespace birdstrike
     first.share = second.share = 0.;
     record.sides[1]            = {};
     record.last_call           = scene.call;
-    if (touch(scene, closest, before, false, first, record.sides[0]))
+    int taken                  = -1;
+    if (touch(scene, closest, before, false, taken, first, record.sides[0]))
       first.share = 1.;
     if (group.end - group.begin > 1)
       {
@@ -285,9 +295,9 @@ namespace birdstrike
         const bool is_other_sheet =
           other >= 0 && scene.topology.piece(facet_of(static_cast<std::uint32_t>(other))) == record.sides[0].piece;
         if (other >= 0 &&
-            touch(scene, static_cast<std::uint32_t>(other), before, is_other_sheet, second, record.sides[1]))
+            touch(scene, static_cast<std::uint32_t>(other), before, is_other_sheet, taken, second, record.sides[1]))
           {
-            const double cosine = first.share > 0. ? first.normal.dot(second.normal) : -1.;
+            const double cosine = first.share > 0. ? first.normal.normalized().dot(second.normal.normalized()) : -1.;
             const double ramp   = std::clamp((share_starts_at - cosine) / (share_starts_at - share_is_full_at), 0., 1.);
             second.share        = ramp * ramp * (3. - 2. * ramp);
           }

@@ -18,8 +18,8 @@ namespace birdstrike
   ///
   /// Behind that plane the other face holds in the same way; between the two nothing does. A shell's edge face, of its
   /// thickness at right angles to the middle surface, has no facets: a point beyond the rim and between the planes of
-  /// the two faces meets it at d = min(L/2 - s - r, ...), and does so behind it (s < 0) until it leaves between the
-  /// planes, so that shell and solid end alike.
+  /// the two faces meets it at d = min(L/2 - s - r, ...), and does so behind it, up to 0.75 L deep, until it leaves
+  /// between the planes, so that shell and solid end alike.
   ///
   /// *Reference r.* A point that comes in through that plane keeps the height it then has as its stand-off: r is what
   /// of the overlap it brings along, and only what it comes deeper carries a force. So who is held is decided by

@@ -37,9 +37,9 @@ namespace birdstrike
   ///
   /// *Side.* The sign is that of the closest facet's normal; where facets tie at a common edge, that of the facet seen
   /// least edge-on (the angle-weighted pseudo-normal of Baerentzen and Aanaes 2005 decides alike at an edge). It is
-  /// remembered per point and piece of surface while the point is near: a fast point that has come through the middle
-  /// surface is pushed back to where it came from. Beyond a free edge there is no side: from there a point may pass to
-  /// the other.
+  /// remembered per point and place of the surface (the facet's nodes; elsewhere on the same piece a side gives no
+  /// depth that was not flown) while the point is near: a fast point that has come through the middle surface is pushed
+  /// back to where it came from. Beyond a free edge there is no side: from there a point may pass to the other.
   ///
   /// *Edges.* Free edges of shells and ridges of skins bound the offset surface: the blade ends where it ends, not half
   /// a thickness or half a spacing beyond (edge_profile.h, SharpEdges). What comes in from the side keeps its height.
@@ -84,7 +84,7 @@ namespace birdstrike
     std::int64_t  opposed(const Group &group, const ContactScene &scene, std::uint32_t first, double reach) const;
     bool          is_local_minimum(const Group &group, const ContactScene &scene, std::uint32_t place) const;
     bool          touch(const ContactScene &scene, std::uint32_t place, const PointRecord &before, bool is_other_sheet,
-                        TouchingPair &result, PointRecord::Side &side) const;
+                        int &taken, TouchingPair &result, PointRecord::Side &side) const;
     void          keep_passed_awake(const ContactScene &scene, PointMemory &memory);
     void          keep_awake(std::uint32_t near);
     std::uint32_t facet_of(const std::uint32_t place) const // global
