@@ -1,6 +1,10 @@
 #include "bird_case.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -78,10 +78,12 @@ TEST(SolidCycle, AClosedCycleDoesNoNetWork)
           }
 }
 
-// Large bending and torsion of a cantilever, fifteen periods of its first mode. The error, 9e-4 and 4e-3, is that of
-// kinetic energy at whole steps, a quarter with half the step. With Cauchy's stress energy grows until steps collapse.
+// Large bending and torsion of a cantilever, fifteen periods of its first mode. The error, 9e-4 and 4e-3 at these
+// steps, is that of kinetic energy at whole steps, a quarter with half the step. With Cauchy's stress energy grows
+// until steps collapse.
 TEST(SolidCycle, UndampedMotionKeepsItsEnergy)
 {
+  constexpr int most_steps = 1000000; // where elements collapse, so does the step
   for (const auto formulation : formulations)
     for (const double scale : {0.3, 0.6})
       {
@@ -96,14 +98,15 @@ TEST(SolidCycle, UndampedMotionKeepsItsEnergy)
           }
         const double initial = motion.kinetic_energy();
         double       time = 0., error = 0.;
-        for (int i = 1; time < 6000. && error < 0.1; ++i)
+        for (int i = 1; time < 6000. && error < 0.1 && i < most_steps; ++i)
           {
             const double dt = scale * model.elements.largest_stable_step();
             motion.step(dt);
             time += dt;
-            if (i % 200 == 0)
-              error = std::max(error, std::abs(motion.total_energy() / initial - 1.));
+            if (const double now = std::abs(motion.total_energy() / initial - 1.); i % 200 == 0 && !(now <= error))
+              error = now; // no number is no bound either
           }
-        EXPECT_LT(error, 1e-2) << "scale " << scale << ", at " << time;
+        EXPECT_LT(error, 0.02 * scale * scale) << "scale " << scale << ", at " << time;
+        EXPECT_GE(time, 6000.) << "scale " << scale;
       }
 }
