@@ -50,11 +50,12 @@ namespace birdstrike
                         "Turn of the bird's axis away from its velocity, about the direction normal to velocity and "
                         "yaw axis. [degree]",
                         Patterns::Double(-90., 90.));
-      prm.add_parameter("Roll", bird.roll,
-                        "Turn of the bird about its own axis. The shapes are round, so it turns the lattice alone: "
-                        "where an edge cuts the bird, 22.5 keeps rows of particles from lying along the edge, "
-                        "which would catch or miss a whole row at once. [degree]",
-                        Patterns::Double(-180., 180.));
+      prm.add_parameter(
+        "Roll", bird.roll,
+        "Turn of the bird about its own axis. Of round shapes it turns the lattice alone (a slab is not turned): "
+        "where an edge cuts the bird, 22.5 keeps rows of particles from lying along the edge, "
+        "which would catch or miss a whole row at once. [degree]",
+        Patterns::Double(-180., 180.));
       prm.add_parameter("Aim point", bird.aim_point,
                         "Point that the bird's centre would fly through if nothing stood in its way. [m]",
                         three_numbers);

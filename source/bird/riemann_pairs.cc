@@ -152,7 +152,7 @@ namespace birdstrike
     const auto          sum    = [&](const int component) { return block.get<N>(component, i % n_lanes); };
     const N             volume = sum(SumBlock::volume) * (1. / scale.volume), pressure = sum(SumBlock::pressure);
     const N             by_volume = scale.force / volume;
-    const Prediction<N> prediction(particles, i, prediction_time); // with the old forces
+    const Prediction<N> prediction(particles, i, prediction_time); // as its neighbours see it
     N                   work = 0.;
     for (int d = 0; d < 3; ++d)
       {

@@ -1,4 +1,3 @@
-#include <birdstrike/blade/solid_b_bar.h>
 #include <birdstrike/blade/solid_implementation.h>
 
 // What bricks store, from their stresses (StoredEnergy), and what their forces have done.

@@ -36,7 +36,7 @@ namespace birdstrike
         throw InputError(
           fmt::format("Bird/Courant number {:g} with Time/Bird step scale {:g} makes steps of {:g} h/c: too "
                       "long for Bird/Formulation = {}.\nAbove {:g} the rates, taken at velocities foretold "
-                      "by the last ones, must mostly be taken twice, and forces ring.\nGive a Courant "
+                      "by the last ones, must often be taken twice, and forces ring.\nGive a Courant "
                       "number of at most {:g} (default {:g}).",
                       bird.courant_number, scale, bird.courant_number * scale, bird.formulation, limit, limit / scale,
                       BirdParameters().courant_number));

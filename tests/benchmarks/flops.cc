@@ -29,12 +29,14 @@ namespace birdstrike::benchmarks
     constexpr double renewal    = 13. / 4.;
     constexpr double per_pair   = separation + kernel + solver + stress + sums + renewal;
     // store_rates: gradient 9, divergence 11, rates 13, power 8, force 3, prediction 2 x 20; a fourth of B from moments
-    // 55; update_records: pressure and sound speed 2 x 20 + 7, rho, V, solid, p B, Z, 1/Z 13, bounds 15
-    constexpr double per_particle = 9. + 11. + 13. + 8. + 3. + 40. + 14. + 47. + 13. + 15.;
+    // 55; the error of the prediction 16; update_records: pressure and sound speed 2 x 20 + 7, rho, V, solid, p B, Z,
+    // 1/Z 13, bounds 15
+    constexpr double per_particle = 9. + 11. + 13. + 8. + 3. + 40. + 14. + 16. + 47. + 13. + 15.;
     // update_records reads x, v, force, contact force (12), mu, rate (2), B (3), writes density, volume, sound speed
     // (3) and a record (8); store_rates reads the record, v, both forces, mu, rate, B, sound speed (8 + 9 + 2 + 3 + 1)
-    // and writes force, two rates, signal speed (6), every fourth time B and the largest mu (1); the list at 4 bytes
-    constexpr double doubles = 12. + 2. + 3. + 3. + 8. + 23. + 6. + 1.;
+    // and the predicting forces and rate (4), and writes force, two rates, signal speed, error (7), every fourth time B
+    // and the largest mu (1); the list at 4 bytes
+    constexpr double doubles = 12. + 2. + 3. + 3. + 8. + 23. + 4. + 7. + 1.;
     return {per_pair * n_true_neighbors + per_particle, 8. * doubles + 4. * n_true_neighbors};
   }
 
