@@ -1,4 +1,5 @@
 #include <birdstrike/contact/block_forces.h>
+#include <birdstrike/contact/dissipation.h>
 #include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/contact/gather.h>
 
@@ -109,8 +110,7 @@ namespace birdstrike
           for (unsigned int d = 0; d < 4; ++d)
             target.node_sums[touch.nodes[k]][d] -= touch.weights[k] * force[d];
         report.stored_energy += stored[t];
-        touch.dissipative = Point3(dissipative[0][t], dissipative[1][t], dissipative[2][t]);
-        report.dissipation_power -= touch.dissipative.dot(touch.velocity);
+        touch.dissipative  = Point3(dissipative[0][t], dissipative[1][t], dissipative[2][t]);
         report.penetration = std::max(report.penetration, touch.penetration);
 
         stiffness = tangent[t] + (t > 0 && target.touches[t - 1].point == i ? stiffness : 0.);
@@ -118,12 +118,14 @@ namespace birdstrike
           report.largest_point = {squared, i};
         if (has_friction || touch.is_oblique)
           add_couple(target, touch, Point3(force[0], force[1], force[2]));
+        report.dissipation_power += compute_taken_power(target.facets, target.facets.nodes[touch.facet], touch.velocity,
+                                                        touch.dissipative, touch.turn);
         if (!target.patches.empty())
           add_to_patches(target, touch, Point3(force[0], force[1], force[2]));
       }
   }
 
-  void BlockForces::add_couple(const Target &target, const TouchRecord &touch, const Point3 &force)
+  void BlockForces::add_couple(const Target &target, TouchRecord &touch, const Point3 &force)
   {
     // (p - q) x F is left over; forces f_k = w x y_k about the nodes' mean have no sum, and the moment
     // (sum |y|^2 1 - y y^T) w
@@ -136,8 +138,9 @@ namespace birdstrike
         arm -= mean;
         moment += arm.squaredNorm() * Matrix3<double>::Identity() - arm * arm.transpose();
       }
-    const Point3 turn    = moment.inverse() * couple;
-    double       largest = 0.;
+    const Matrix3<double> inverse = moment.inverse();
+    const Point3          turn    = inverse * couple;
+    double                largest = 0.;
     for (const Point3 &arm : arms)
       largest = std::max(largest, turn.cross(arm).norm());
     // on facets much smaller than the offset the pair of forces would be many times the touch's own, and unstable:
@@ -145,6 +148,7 @@ namespace birdstrike
     const double share = largest > force.norm() ? force.norm() / largest : 1.;
     if (!(largest < std::numeric_limits<double>::infinity()))
       return; // a facet without area
+    touch.turn = share * (inverse * touch.offset.cross(touch.dissipative));
     for (unsigned int k = 0; k < 4; ++k)
       for (unsigned int d = 0; d < 3; ++d)
         target.node_sums[touch.nodes[k]][d] -= share * turn.cross(arms[k])[d];

@@ -4,6 +4,19 @@
 
 namespace birdstrike
 {
+  double compute_taken_power(const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
+                             const Point3 &velocity, const Point3 &force, const Point3 &turn)
+  {
+    double power = -force.dot(velocity);
+    if (turn == Point3::Zero())
+      return power;
+    const auto   position = [&](const std::uint32_t node) { return Point3(facets.position + 3 * node); };
+    const Point3 mean     = 0.25 * (position(nodes[0]) + position(nodes[1]) + position(nodes[2]) + position(nodes[3]));
+    for (const std::uint32_t node : nodes)
+      power += turn.cross(position(node) - mean).dot(Point3(facets.velocity + node * facets.velocity_stride));
+    return power;
+  }
+
   void Dissipation::book_past(const PointsView &points, const FacetsView &facets, const PointMemory &memory,
                               const double step)
   {
@@ -16,7 +29,7 @@ namespace birdstrike
             Point3 velocity(points.velocity[0][i], points.velocity[1][i], points.velocity[2][i]);
             for (unsigned int k = 0; k < 4; ++k)
               velocity -= touch.weights[k] * Point3(facets.velocity + touch.nodes[k] * facets.velocity_stride);
-            to_come = -0.5 * step * touch.force.dot(velocity);
+            to_come = 0.5 * step * compute_taken_power(facets, touch.nodes, velocity, touch.force, touch.turn);
           }
         booked += touch.taken + to_come;
       }
@@ -33,10 +46,12 @@ namespace birdstrike
     for (const TouchRecord &touch : touches)
       if (touch.dissipative != Point3::Zero())
         {
-          const double taken = -0.5 * step * touch.dissipative.dot(touch.velocity);
+          const auto  &nodes = facets.nodes[touch.facet];
+          const double taken =
+            0.5 * step * compute_taken_power(facets, nodes, touch.velocity, touch.dissipative, touch.turn);
           under_way += taken;
           reported = std::max(reported, booked + under_way);
-          past.push_back({points.id[touch.point], facets.nodes[touch.facet], touch.weights, touch.dissipative, taken});
+          past.push_back({points.id[touch.point], nodes, touch.weights, touch.dissipative, touch.turn, taken});
         }
   }
 } // namespace birdstrike

@@ -9,6 +9,11 @@
 
 namespace birdstrike
 {
+  /// What a force on a point and its couple on the nodes of a facet take, W: of the relative velocity of the point and
+  /// its closest point, and of the spin that the couple gives the facet.
+  double compute_taken_power(const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
+                             const Point3 &velocity, const Point3 &force, const Point3 &turn);
+
   /// The energy that damper and friction take: their own forces on the relative velocity at each touch, in the two half
   /// kicks in which these forces act, each with the velocity of the adjoining drift. Independent of the works that the
   /// parts book for the whole contact force, and of the spring. Where
@@ -42,6 +47,7 @@ namespace birdstrike
       std::array<std::uint32_t, 4> nodes;
       std::array<double, 4>        weights;
       Point3                       force; // N
+      Point3                       turn;  // N/m
       double                       taken; // J, first half
     };
     std::vector<Past> past;

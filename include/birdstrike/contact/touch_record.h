@@ -16,8 +16,9 @@ namespace birdstrike
     Point3                offset;                       ///< from there to the point, m
     std::array<double, 4> weights;                      ///< of the facet's nodes in its closest point
     Point3                dissipative = Point3::Zero(); ///< force of damper and friction on the point, N
-    double                penetration;                  ///< m
-    double                share;                        ///< -, in (0, 1], of force and potential
+    Point3                turn = Point3::Zero(); ///< their couple on the nodes, -turn x (x_k - mean of the nodes), N/m
+    double                penetration;           ///< m
+    double                share;                 ///< -, in (0, 1], of force and potential
 
     bool is_oblique; ///< not along the offset: the force leaves a couple
 
