@@ -2,7 +2,8 @@
 
 add_library(birdstrike_options INTERFACE)
 target_compile_options(birdstrike_options INTERFACE -Wall -Wextra -Wpedantic)
-target_include_directories(birdstrike_options INTERFACE ${CMAKE_SOURCE_DIR}/include)
+# include/ holds what other rooms may see; a room names its own headers from source/.
+target_include_directories(birdstrike_options INTERFACE ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/source)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(birdstrike_options INTERFACE -Wno-restrict) # false alarms in std::string (GCC bug 105329)
 endif()
@@ -23,7 +24,7 @@ target_link_options(birdstrike_options INTERFACE -Wl,--as-needed -Wl,--build-id=
 
 function(birdstrike_room name)
   cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/source/${name}/*.cc)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/source/${name}/*.cc)
   list(TRANSFORM ROOM_DEPENDS PREPEND birdstrike_)
   add_library(birdstrike_${name} STATIC ${sources})
   target_link_libraries(birdstrike_${name} PUBLIC birdstrike_options Eigen3::Eigen ${ROOM_DEPENDS} ${ROOM_LIBRARIES})

@@ -1,6 +1,6 @@
+#include "bird/riemann_rates.h"
+#include "bird/standard_rates.h"
 #include <birdstrike/bird/rates.h>
-#include <birdstrike/bird/riemann_rates.h>
-#include <birdstrike/bird/standard_rates.h>
 #include <birdstrike/core/errors.h>
 
 #include <algorithm>

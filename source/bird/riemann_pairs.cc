@@ -1,6 +1,6 @@
-#include <birdstrike/bird/correction.h>
-#include <birdstrike/bird/riemann_rates.h>
-#include <birdstrike/bird/symmetric_tensor.h>
+#include "bird/correction.h"
+#include "bird/riemann_rates.h"
+#include "bird/symmetric_tensor.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-#include <birdstrike/bird/kernel.h>
-#include <birdstrike/bird/riemann_rates.h>
+#include "bird/riemann_rates.h"
+#include "bird/kernel.h"
 
 #include <algorithm>
 #include <cmath>

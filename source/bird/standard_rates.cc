@@ -1,5 +1,5 @@
-#include <birdstrike/bird/kernel.h>
-#include <birdstrike/bird/standard_rates.h>
+#include "bird/standard_rates.h"
+#include "bird/kernel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <birdstrike/contact/areal_mass.h>
+#include "contact/areal_mass.h"
 #include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/core/closest_point.h>
 

@@ -1,7 +1,7 @@
-#include <birdstrike/contact/block_forces.h>
+#include "contact/block_forces.h"
+#include "contact/gather.h"
 #include <birdstrike/contact/dissipation.h>
 #include <birdstrike/contact/facet_grid.h>
-#include <birdstrike/contact/gather.h>
 
 #include <Eigen/LU>
 

@@ -1,5 +1,5 @@
-#include <birdstrike/contact/areal_mass.h>
-#include <birdstrike/contact/block_forces.h>
+#include "contact/areal_mass.h"
+#include "contact/block_forces.h"
 #include <birdstrike/contact/contact.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
+#include "contact/thickness_slope.h"
 #include <birdstrike/contact/narrow_phase.h>
-#include <birdstrike/contact/thickness_slope.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <birdstrike/contact/append.h>
-#include <birdstrike/contact/pair_collector.h>
+#include "contact/pair_collector.h"
+#include "contact/append.h"
 #include <birdstrike/core/number.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include <birdstrike/contact/append.h>
-#include <birdstrike/contact/gather.h>
+#include "contact/append.h"
+#include "contact/gather.h"
 #include <birdstrike/contact/pair_geometry.h>
 #include <birdstrike/core/closest_point.h>
 

@@ -1,4 +1,4 @@
-#include <birdstrike/contact/pair_collector.h>
+#include "contact/pair_collector.h"
 #include <birdstrike/contact/search.h>
 
 #include <algorithm>

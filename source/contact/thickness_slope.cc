@@ -1,4 +1,4 @@
-#include <birdstrike/contact/thickness_slope.h>
+#include "contact/thickness_slope.h"
 
 #include <algorithm>
 

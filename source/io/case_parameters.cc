@@ -1,6 +1,6 @@
+#include "io/symmetry_check.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/io/symmetry_check.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -1,5 +1,5 @@
+#include "io/curve_features.h"
 #include <birdstrike/io/comparison_table.h>
-#include <birdstrike/io/curve_features.h>
 #include <birdstrike/io/text.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <birdstrike/io/curve_features.h>
+#include "io/curve_features.h"
 
 #include <algorithm>
 

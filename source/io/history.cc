@@ -7,7 +7,7 @@
 #include <spdlog/spdlog.h>
 #include <stdexcept>
 
-#include "history_hdf5.h"
+#include "io/history_hdf5.h"
 
 namespace birdstrike
 {

@@ -1,7 +1,7 @@
+#include "io/parameter_scan.h"
+#include "io/parameter_tree.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/parameter_file.h>
-#include <birdstrike/io/parameter_scan.h>
-#include <birdstrike/io/parameter_tree.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -1,4 +1,4 @@
-#include "parameter_messages.h"
+#include "io/parameter_messages.h"
 
 #include <algorithm>
 

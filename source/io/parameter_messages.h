@@ -1,6 +1,6 @@
 #pragma once
 
-#include <birdstrike/io/parameter_scan.h>
+#include "io/parameter_scan.h"
 
 #include <filesystem>
 #include <initializer_list>

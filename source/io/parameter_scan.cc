@@ -1,5 +1,5 @@
+#include "io/parameter_scan.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/io/parameter_scan.h>
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "parameter_messages.h"
+#include "io/parameter_messages.h"
 
 namespace birdstrike
 {

@@ -1,4 +1,4 @@
-#include <birdstrike/io/parameter_tree.h>
+#include "io/parameter_tree.h"
 
 #include <deal.II/base/parameter_handler.h>
 

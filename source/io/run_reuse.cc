@@ -1,8 +1,8 @@
+#include "io/parameter_tree.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/input_files.h>
-#include <birdstrike/io/parameter_tree.h>
 #include <birdstrike/io/run_record.h>
 #include <birdstrike/io/run_reuse.h>
 #include <birdstrike/io/summary.h>

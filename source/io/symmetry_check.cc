@@ -1,11 +1,11 @@
-#include <birdstrike/blade/expression.h>
-#include <birdstrike/blade/shell_mesh.h>
-#include <birdstrike/blade/solid_mesh.h>
-#include <birdstrike/blade/text_lists.h>
-#include <birdstrike/blade/thickness_law.h>
+#include "io/symmetry_check.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/expression.h>
+#include <birdstrike/core/text_lists.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/io/symmetry_check.h>
+#include <birdstrike/mesh/shell_mesh.h>
+#include <birdstrike/mesh/solid_mesh.h>
+#include <birdstrike/mesh/thickness_law.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "table_entry.h"
+#include "material/table_entry.h"
 
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/named_choices.h>

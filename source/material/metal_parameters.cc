@@ -1,8 +1,8 @@
-#include "table_entry.h"
+#include "material/table_entry.h"
 
+#include "material/metal_table.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/material/metal_parameters.h>
-#include <birdstrike/material/metal_table.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>

@@ -1,4 +1,4 @@
-#include <birdstrike/material/metal_table.h>
+#include "material/metal_table.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include <birdstrike/simulation/bird_phase.h>
+#include "simulation/bird_phase.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
+#include "simulation/bird_strike.h"
+#include "simulation/explain.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/run_folder.h>
 #include <birdstrike/io/summary.h>
 #include <birdstrike/io/text.h>
-#include <birdstrike/simulation/bird_strike.h>
 #include <birdstrike/simulation/commands.h>
-#include <birdstrike/simulation/explain.h>
 
 #include <spdlog/logger.h>
 

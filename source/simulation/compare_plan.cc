@@ -1,4 +1,4 @@
-#include "compare_plan.h"
+#include "simulation/compare_plan.h"
 
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/comparison_folder.h>

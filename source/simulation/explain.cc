@@ -1,12 +1,12 @@
+#include "simulation/explain.h"
+#include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
-#include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/mass_in_the_way.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/fields.h>
 #include <birdstrike/io/text.h>
-#include <birdstrike/simulation/explain.h>
-#include <birdstrike/simulation/scene.h>
+#include <birdstrike/structure/blade.h>
 
 #include <fmt/format.h>
 

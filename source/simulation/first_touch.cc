@@ -1,8 +1,8 @@
+#include "simulation/first_touch.h"
 #include <birdstrike/bird/bird.h>
-#include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/flight.h>
 #include <birdstrike/core/errors.h>
-#include <birdstrike/simulation/first_touch.h>
+#include <birdstrike/structure/blade.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include <birdstrike/blade/blade.h>
-#include <birdstrike/simulation/balance.h>
-#include <birdstrike/simulation/observed.h>
-#include <birdstrike/simulation/scene.h>
+#include "simulation/observed.h"
+#include "simulation/balance.h"
+#include "simulation/scene.h"
+#include <birdstrike/structure/blade.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
+#include "simulation/recorder.h"
+#include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
-#include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/simulation/recorder.h>
-#include <birdstrike/simulation/scene.h>
+#include <birdstrike/structure/blade.h>
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
+#include "simulation/scene.h"
+#include "simulation/bird_phase.h"
+#include "simulation/first_touch.h"
 #include <birdstrike/bird/bird.h>
-#include <birdstrike/blade/make_blade.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/self_contact.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/simulation/bird_phase.h>
-#include <birdstrike/simulation/first_touch.h>
-#include <birdstrike/simulation/scene.h>
+#include <birdstrike/structure/make_blade.h>
 
 #include <fmt/format.h>
 #include <spdlog/logger.h>

@@ -1,10 +1,10 @@
+#include "simulation/bird_strike.h"
 #include <birdstrike/bird/bird.h>
-#include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/summary.h>
 #include <birdstrike/io/text.h>
-#include <birdstrike/simulation/bird_strike.h>
+#include <birdstrike/structure/blade.h>
 
 #include <cmath>
 

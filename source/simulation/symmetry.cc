@@ -1,4 +1,4 @@
-#include <birdstrike/simulation/symmetry.h>
+#include "simulation/symmetry.h"
 
 namespace birdstrike
 {

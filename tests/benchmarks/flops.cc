@@ -2,12 +2,12 @@
 
 #include "counted_number.h"
 
+#include "contact/law.h"
+#include "structure/elements/shell/full_integration.h"
+#include "structure/elements/shell/kernel.h"
+#include "structure/elements/shell/section.h"
+#include "structure/elements/shell/step_bound.h"
 #include <birdstrike/bird/particles.h>
-#include <birdstrike/blade/shell_full_integration.h>
-#include <birdstrike/blade/shell_kernel.h>
-#include <birdstrike/blade/shell_section.h>
-#include <birdstrike/blade/shell_step_bound.h>
-#include <birdstrike/contact/law.h>
 #include <birdstrike/core/closest_point.h>
 
 /// Where a formula is a template on the number type it is run with a number that counts; where a loop is written in
@@ -75,7 +75,7 @@ namespace birdstrike::benchmarks
     }
 
     /// One element-step of the default formulation, in the order of the loop over batches
-    /// (source/blade/shell_loops.cc).
+    /// (source/structure/elements/shell/loops.cc).
     void step_element(const ShellSectionLaw &law, ShellStress<Counted> &stress, ShellPoint<Counted> *points,
                       const double strain)
     {
@@ -104,7 +104,8 @@ namespace birdstrike::benchmarks
       compute_eigenvalue_bound<false>(end, stress.thickness, Counted(1. / 4.7e-4), law);
     }
 
-    /// The same fully integrated (source/blade/shell_full_integration.cc); points of one section after the other.
+    /// The same fully integrated (source/structure/elements/shell/full_integration.cc); points of one section after the
+    /// other.
     void step_fully_integrated(const ShellSectionLaw &law, SectionStress<Counted> (&stress)[4],
                                ShellPoint<Counted> *points, const double strain)
     {

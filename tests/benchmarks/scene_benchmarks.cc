@@ -1,11 +1,11 @@
 #include "measure.h"
 
+#include "simulation/scene.h"
+#include "simulation/stepper.h"
 #include <birdstrike/bird/bird.h>
-#include <birdstrike/blade/blade.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/simulation/scene.h>
-#include <birdstrike/simulation/stepper.h>
+#include <birdstrike/structure/blade.h>
 
 namespace birdstrike::benchmarks
 {

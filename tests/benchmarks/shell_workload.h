@@ -1,6 +1,6 @@
 #pragma once
 
-#include <birdstrike/blade/shell_elements.h>
+#include "structure/elements/shell/elements.h"
 
 #include <array>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "counted_number.h"
 #include "flops.h"
 
-#include <birdstrike/blade/solid_b_bar.h>
-#include <birdstrike/blade/solid_layers.h>
-#include <birdstrike/blade/solid_step_bound.h>
+#include "structure/elements/solid/b_bar.h"
+#include "structure/elements/solid/layers.h"
+#include "structure/elements/solid/step_bound.h"
 
 /// The templates of the solid elements, run with a number that counts; rules: flops.h.
 namespace birdstrike::benchmarks
@@ -41,7 +41,7 @@ namespace birdstrike::benchmarks
           }
       }
 
-      /// In the order of the loops (source/blade/solid_loops.cc).
+      /// In the order of the loops (source/structure/elements/solid/loops.cc).
       void step(const SolidLaw &law, const SolidFormulation formulation, const bool is_plastic)
       {
         const SolidModes<Counted>    x(position), u(increment), middle = compute_midpoint_modes(x, u);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <birdstrike/blade/solid_elements.h>
+#include "structure/elements/solid/elements.h"
 
 #include <array>
 #include <cmath>

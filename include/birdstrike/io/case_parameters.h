@@ -1,11 +1,11 @@
 #pragma once
 
 #include <birdstrike/bird/parameters.h>
-#include <birdstrike/blade/parameters.h>
 #include <birdstrike/contact/parameters.h>
 #include <birdstrike/io/output_parameters.h>
 #include <birdstrike/io/parameter_file.h>
 #include <birdstrike/material/equation_of_state.h>
+#include <birdstrike/structure/parameters.h>
 #include <birdstrike/time_control/parameters.h>
 
 #include <string>

@@ -2,7 +2,7 @@
 #include "quadratic_brick.h"
 #include "study.h"
 
-#include <birdstrike/blade/solid_law.h>
+#include "structure/elements/solid/law.h"
 #include <birdstrike/core/errors.h>
 
 namespace birdstrike::studies

@@ -1,7 +1,7 @@
 #include "part.h"
 
-#include <birdstrike/blade/shell_elements.h>
-#include <birdstrike/blade/solid_elements.h>
+#include "structure/elements/shell/elements.h"
+#include "structure/elements/solid/elements.h"
 #include <birdstrike/core/errors.h>
 
 #include <cmath>

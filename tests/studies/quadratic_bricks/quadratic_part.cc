@@ -1,7 +1,7 @@
 #include "part.h"
 #include "quadratic_brick.h"
 
-#include <birdstrike/blade/solid_law.h>
+#include "structure/elements/solid/law.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/lane_rows.h>
 

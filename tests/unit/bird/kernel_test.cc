@@ -1,4 +1,4 @@
-#include <birdstrike/bird/kernel.h>
+#include "bird/kernel.h"
 
 #include <cmath>
 

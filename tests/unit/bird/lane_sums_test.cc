@@ -1,5 +1,5 @@
-#include <birdstrike/bird/lane_sums.h>
-#include <birdstrike/bird/riemann_sums.h>
+#include "bird/lane_sums.h"
+#include "bird/riemann_sums.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <birdstrike/contact/law.h>
+#include "contact/law.h"
 
 #include <gtest/gtest.h>
 

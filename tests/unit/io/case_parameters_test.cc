@@ -1,6 +1,6 @@
+#include "io/parameter_tree.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/io/parameter_tree.h>
 
 #include <gtest/gtest.h>
 

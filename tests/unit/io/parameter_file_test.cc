@@ -1,5 +1,5 @@
+#include "io/parameter_tree.h"
 #include <birdstrike/io/parameter_file.h>
-#include <birdstrike/io/parameter_tree.h>
 
 #include <gtest/gtest.h>
 

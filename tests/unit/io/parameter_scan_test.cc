@@ -1,4 +1,4 @@
-#include <birdstrike/io/parameter_scan.h>
+#include "io/parameter_scan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <birdstrike/io/parameter_tree.h>
+#include "io/parameter_tree.h"
 
 #include <gtest/gtest.h>
 

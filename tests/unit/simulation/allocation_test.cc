@@ -1,6 +1,6 @@
+#include "simulation/stepper.h"
 #include <birdstrike/core/aligned_vector.h>
 #include <birdstrike/core/allocation_guard.h>
-#include <birdstrike/simulation/stepper.h>
 
 #include "strike_harness.h"
 

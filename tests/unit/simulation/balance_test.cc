@@ -1,5 +1,5 @@
+#include "simulation/balance.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/simulation/balance.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "crossings.h"
 #include "strike_harness.h"
 
-#include <birdstrike/blade/blade.h>
+#include "simulation/stepper.h"
 #include <birdstrike/contact/self_contact.h>
-#include <birdstrike/simulation/stepper.h>
+#include <birdstrike/structure/blade.h>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <birdstrike/blade/blade.h>
+#include "simulation/bird_strike.h"
+#include "simulation/scene.h"
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/summary.h>
-#include <birdstrike/simulation/bird_strike.h>
-#include <birdstrike/simulation/scene.h>
+#include <birdstrike/structure/blade.h>
 
 #include <unistd.h>
 

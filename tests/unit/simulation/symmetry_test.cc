@@ -1,7 +1,7 @@
 #include "strike_harness.h"
 
+#include "simulation/symmetry.h"
 #include <birdstrike/core/number.h>
-#include <birdstrike/simulation/symmetry.h>
 
 #include <gtest/gtest.h>
 

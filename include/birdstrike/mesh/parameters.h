@@ -1,0 +1,74 @@
+#pragma once
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace birdstrike
+{
+  /// Subsection "Mesh" of section "Blade" of the parameter file.
+  ///
+  /// Coordinates of the built-in flat plate: x = span from the root (x = 0), y = chord, centred, z = normal. Its
+  /// boundary ids: 0 root, 1 tip, 2 leading edge (y = -chord/2), 3 trailing edge; as a solid also 5 and 6, the faces on
+  /// the side of minus and plus the normal. The built-in blade has the same ids; see BladeShape. Formulas are kept as
+  /// text; their syntax is checked where they are used, always before the first step.
+  struct MeshParameters
+  {
+    /// Laws of the built-in blade, formulas of the normalised span s: 0 at the root, 1 at the tip.
+    struct Profile
+    {
+      double      root_radius    = 0.;             ///< m
+      std::string chord          = "1";            ///< of the section over Mesh::chord
+      std::string stagger        = "0";            ///< degrees
+      std::string camber         = "0";            ///< largest height of the camber line over the chord
+      std::string camber_line    = "circular arc"; ///< circular arc | parabola
+      double      stacking_point = 0.5;            ///< share of the chord
+      std::string sweep          = "0";            ///< m
+      std::string lean           = "0";            ///< m
+    };
+
+    std::string  generator     = "flat plate"; ///< flat plate | blade | file
+    double       length        = 0.3112;       ///< m
+    double       chord         = 0.0889;       ///< m
+    unsigned int n_span        = 28;
+    unsigned int n_chord       = 8;
+    double       span_grading  = 1.; ///< longest over shortest element along the span, shortest at the root
+    double       chord_grading = 1.; ///< longest over shortest element along the chord, shortest at the leading edge
+    unsigned int n_layers      = 1;  ///< of bricks through the thickness
+    double       layer_grading = 1.; ///< middle over outermost layer
+    Profile      profile;
+    std::string  file;
+    double       file_scale = 1.; ///< m per unit of the file
+
+    void declare(dealii::ParameterHandler &prm); ///< in the handler's present section, "Blade"
+  };
+
+  /// Subsection "Thickness" of section "Blade".
+  struct ThicknessParameters
+  {
+    std::string value = "0.00427"; ///< m, number or expression in x, y, z
+    std::string by_material;       ///< "1: 0.004; 2: 0.003"
+
+    /// Profile along the chord of a built-in part, formulas of s; empty: `value` holds.
+    std::string maximum;                  ///< m
+    std::string leading_edge    = "0.25"; ///< over the maximum
+    std::string trailing_edge   = "0.25"; ///< over the maximum
+    double      maximum_station = 0.5;    ///< share of the chord
+
+    void declare(dealii::ParameterHandler &prm); ///< in the handler's present section, "Blade"
+  };
+
+  /// What gives a blade of finite elements its geometry.
+  struct GeometryParameters
+  {
+    MeshParameters      mesh;
+    ThicknessParameters thickness;
+    bool                is_halved = false; ///< only y >= 0 is computed; set by the case
+
+    /// Rules between their entries. Throws InputError.
+    void check_geometry() const;
+  };
+} // namespace birdstrike

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <birdstrike/core/contact_views.h>
+#include <birdstrike/core/energy_report.h>
+#include <birdstrike/core/fields.h>
+#include <birdstrike/core/half_kick.h>
+#include <birdstrike/core/step_limit.h>
+#include <birdstrike/structure/reports.h>
+
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// The struck part, in the verbs of velocity-Verlet. State is synchronous between steps: x^n, v^n, f^n.
+  ///
+  /// One step dt:  kick(dt/2, first), drift(dt), compute_internal_forces(), kick(dt/2, second), where a kick is
+  /// `kick_internal` (elements, loads, damping) and `kick_contact` (what contact added to `facets().force`); the two
+  /// may be called at different rates (r-RESPA, Tuckerman et al. 1992). `drift` may be called several times before
+  /// `compute_internal_forces`, which takes the whole increment since its last call.
+  ///
+  /// Units are SI. Verbs throw NumericalFailure when the state is lost.
+  class Blade
+  {
+  public:
+    virtual ~Blade() = default;
+
+    virtual std::string kind() const          = 0; ///< "shell", "solid", "rigid"
+    virtual bool        is_deformable() const = 0; ///< false: no internal force, no vote on the step
+    virtual StepLimit   step_limit() const    = 0;
+    /// Its value alone (s), for every step: nothing is searched, no text is written.
+    virtual double largest_stable_step() const
+    {
+      return step_limit().value;
+    }
+
+    virtual void kick_internal(double half_step, HalfKick half) = 0;
+    virtual void kick_contact(double half_step, HalfKick half)  = 0;
+    virtual void drift(double step)                             = 0;
+    virtual void compute_internal_forces()                      = 0;
+    virtual void clear_contact_forces()                         = 0;
+
+    /// How long (s) the present contact forces have still to act: the bird has taken that impulse, this blade will in
+    /// later kicks. momenta() counts it as arrived.
+    virtual void set_contact_in_transit(double duration)
+    {
+      if (duration > 0.)
+        throw std::logic_error("A blade of kind '" + kind() + "' takes contact impulses at once.");
+    }
+
+    /// The surface offered to contact; valid for the life of the blade.
+    virtual FacetsView facets() = 0;
+
+    /// The same surface to be looked at only (`force` is null); forces between its own nodes come back through
+    /// add_internal_forces.
+    virtual FacetsView internal_facets()
+    {
+      throw std::logic_error("A blade of kind '" + kind() + "' has no internal forces.");
+    }
+    /// Adds to the forces of the present compute_internal_forces, which kick_internal kicks with. Once a step at most.
+    virtual void add_internal_forces(std::span<const NodalForce> forces)
+    {
+      if (!forces.empty())
+        throw std::logic_error("A blade of kind '" + kind() + "' has no internal forces.");
+    }
+
+    /// The frame of contact force history: sum of the present contact forces, N.
+    virtual std::array<double, 3> contact_force() const = 0;
+
+    virtual EnergyReport   energies() const = 0;
+    virtual MomentumReport momenta() const  = 0;
+
+    virtual std::size_t n_elements() const = 0;
+    virtual std::size_t n_nodes() const    = 0;
+    virtual double      mass() const       = 0; ///< kg; infinite for a fixed rigid body
+    virtual BladeCensus census() const     = 0;
+
+    virtual FieldSnapshot            snapshot() const = 0;
+    virtual std::vector<ProbeValues> probes() const   = 0;
+
+    /// Section forces at the support; empty lists where nothing is clamped.
+    virtual RootSectionReport root_section() const        = 0;
+    virtual TipDeflection     tip_deflection() const      = 0;
+    virtual PeakPlasticStrain peak_plastic_strain() const = 0; ///< of failed elements too
+
+    virtual FailureReport failure() const
+    {
+      return {};
+    }
+
+    /// Nothing for a blade without a clamped root or without a tip row.
+    virtual std::optional<SpanLine> span_line() const
+    {
+      return {};
+    }
+  };
+} // namespace birdstrike

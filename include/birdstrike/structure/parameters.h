@@ -1,0 +1,107 @@
+#pragma once
+
+#include <birdstrike/material/metal_parameters.h>
+#include <birdstrike/mesh/parameters.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace birdstrike
+{
+  /// Section "Blade" of the parameter file: what the blade is, how it is held and loaded, and what is watched on it.
+  ///
+  /// Coordinates of the built-in flat plate: x = span from the root (x = 0), y = chord, centred, z = normal. Its
+  /// boundary ids: 0 root, 1 tip, 2 leading edge (y = -chord/2), 3 trailing edge; as a solid also 5 and 6, the faces on
+  /// the side of minus and plus the normal. The built-in blade has the same ids; see BladeShape. Lists and expressions
+  /// are kept as text here; their syntax is checked where they are used, always before the first step.
+  struct BladeParameters : GeometryParameters
+  {
+    using Mesh      = MeshParameters;
+    using Thickness = ThicknessParameters;
+
+    struct Element
+    {
+      std::string  formulation      = "automatic"; ///< see shell_formulation, solid_formulation; or named
+      std::string  rule             = "Gauss";
+      unsigned int n_points         = 5;
+      double       hourglass        = 0.05; ///< perturbation control only
+      double       shear_factor     = 5. / 6.;
+      bool         has_thinning     = true;
+      double       linear_viscosity = 0.06, quadratic_viscosity = 1.2; ///< bulk viscosity of solids
+
+      std::string shell_formulation() const; ///< "automatic" is physical
+    };
+
+    struct MassScaling
+    {
+      std::string method        = "off"; ///< off | selective (solids)
+      double      largest_added = 0.01;  ///< of the blade's smallest moment of inertia
+      double      target_step   = 0.;    ///< s; 0: automatic
+    };
+
+    struct Supports
+    {
+      std::string clamped = "0"; ///< boundary ids
+      std::string hub;           ///< boundary ids: clamped, and the section where root forces are reported
+      std::string free;          ///< boundary ids that must exist and hold nothing
+      std::string tip = "1";     ///< boundary ids of the tip row
+      std::string held;          ///< "3: ux uy; 2: uz"
+      std::string held_boxes;    ///< "xmin ymin zmin xmax ymax zmax: ux uy"
+    };
+
+    struct Loads
+    {
+      std::string pressure;                  ///< Pa, expression in x, y, z, t
+      std::string pressure_boundaries = "5"; ///< boundary ids of a solid that it acts on
+      std::string point_loads;               ///< "x y z: fx; fy; fz | ..." , N, expressions in t
+      double      damping = 0.;              ///< 1/s
+      std::string initial_velocity;          ///< m/s, "vx; vy; vz" in x, y, z
+      std::string initial_spin;              ///< rad/s, "wx; wy; wz": rigid rotation about the origin
+    };
+
+    struct Rigid
+    {
+      std::string           surface = "rectangle"; ///< rectangle | mesh
+      std::array<double, 3> centre{{0., 0., 0.}};
+      std::array<double, 3> normal{{0., 0., 1.}};
+      double                length         = 0.4;     ///< m, along the first in-plane direction
+      double                width          = 0.4;     ///< m
+      double                half_thickness = 0.;      ///< m
+      std::string           motion         = "fixed"; ///< fixed | free along normal
+      double                mass           = 1.;      ///< kg
+    };
+
+    std::string     kind = "shell"; ///< shell | solid | rigid | none
+    Element         element;
+    MetalParameters material;
+    MassScaling     mass_scaling;
+    Supports        supports;
+    Loads           loads;
+    Rigid           rigid;
+    std::string     probes; ///< "name: x y z; ..."
+    /// m/s, of the bird that strikes: it gives reports their signs (orientation.h). Set by the case; none without a
+    /// bird.
+    std::optional<std::array<double, 3>> bird_velocity;
+
+    /// "automatic" is a solid-shell where one layer of bricks makes up the thickness of a built-in part (in a file that
+    /// is not known) and the metal does not fail, else one point. Throws InputError for an impossible metal.
+    std::string solid_formulation() const;
+
+    /// Declares every entry in the handler's present section; the members' values are the defaults.
+    void declare(dealii::ParameterHandler &prm);
+
+    /// Rules between entries. Throws InputError.
+    void check() const;
+
+    /// Entries that were changed from their defaults and mean nothing for this kind of blade ("Element/Thinning"): one
+    /// file may hold those of shell and solid.
+    std::vector<std::string> unused_entries() const;
+  };
+} // namespace birdstrike

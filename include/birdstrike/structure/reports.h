@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// What a blade tells the rest of the program about itself.
+namespace birdstrike
+{
+  /// What selective mass scaling does (source/structure/nodes/mass_scaling.h); without it all is zero. Translation has
+  /// its mass.
+  struct MassScalingReport
+  {
+    double      step_before          = 0.; ///< s, stable step without it
+    double      step                 = 0.; ///< s, with it
+    double      added_rotary_inertia = 0.; ///< share of the blade's own, largest over all axes
+    double      largest_factor       = 1.; ///< on an element's inertia against differences through the thickness
+    std::size_t n_scaled             = 0;  ///< elements
+  };
+
+  /// What will be computed, known before the first step (all but the elements with points, which grow in number).
+  struct BladeCensus
+  {
+    std::size_t           n_elements    = 0;
+    std::size_t           n_nodes       = 0;
+    double                mass          = 0.;          ///< kg
+    double                area          = 0.;          ///< m^2, of the mid-surface, or of the skin of a solid
+    double                smallest_edge = 0.;          ///< m
+    std::array<double, 3> smallest_at{};               ///< m, centroid of the element with that edge
+    double                largest_edge_ratio     = 1.; ///< longest over shortest `smallest_edge` of all elements
+    std::size_t           n_held_dofs            = 0;
+    std::size_t           n_elements_with_points = 0;  ///< that hold points through the thickness at present
+    double                bytes                  = 0.; ///< estimated memory of state, elements and surface
+    double                bytes_per_snapshot     = 0.;
+    MassScalingReport     mass_scaling;
+  };
+
+  /// What has failed of a blade so far. Failed elements carry nothing; their mass stays on their nodes, and nodes
+  /// without any element left fly on freely. The root section loses the forces and stresses (zero from then on) of
+  /// those of its elements that fail; the tip is followed as long as its nodes exist, also when they fly freely.
+  struct FailureReport
+  {
+    bool        can_fail     = false; ///< whether the metal has a failure law
+    std::size_t n_elements   = 0;     ///< failed
+    std::size_t n_collapsed  = 0;     ///< of these, not by damage but by the smallest step
+    std::size_t n_at_root    = 0;     ///< of these, at the root section
+    std::size_t n_free_nodes = 0;
+    double      mass         = 0.;    ///< kg, of failed elements
+    double      free_mass    = 0.;    ///< kg, on free nodes
+    bool        has_lost_tip = false; ///< a watched node of the tip row is free
+  };
+
+  /// Force and moment that the blade exerts on its clamped edge, and the stress that carries them.
+  ///
+  /// Frame: `span` points from the edge into the blade, `normal` is the mean surface normal there, away from the struck
+  /// side, `chord` runs from the leading to the trailing edge (signs: orientation.h; flat plate struck from below: x,
+  /// z, y). N > 0 is tension. The moment about normal x span is taken at the middle of the edge; M > 0 stretches the
+  /// struck face, the one on the side of -normal. The transverse force is along `normal`.
+  struct RootSectionReport
+  {
+    double              normal_force     = 0.; ///< N
+    double              bending_moment   = 0.; ///< N m
+    double              transverse_force = 0.; ///< N
+    std::vector<double> chord_position;        ///< m from the middle of the edge, per root element, ascending
+    std::vector<double> stress_struck;       ///< Pa, normal stress along span, face at -normal (outermost point there)
+    std::vector<double> stress_rear;         ///< Pa, face at +normal
+    double              peak_stress() const; ///< Pa, largest absolute value of both faces
+  };
+
+  /// Displacement (m) of the tip row along its mean surface normal, positive away from the struck side (orientation.h).
+  struct TipDeflection
+  {
+    double mid_chord = 0.;
+    double leading   = 0.; ///< corner at the smaller chord coordinate, whichever side is struck
+    double trailing  = 0.;
+  };
+
+  /// Where the mid-chord line of a cantilevered blade begins and ends, undeformed.
+  struct SpanLine
+  {
+    std::array<double, 3> root{};   ///< m, middle of the clamped edge
+    std::array<double, 3> tip{};    ///< m, middle of the tip row
+    std::array<double, 3> normal{}; ///< unit, of the tip, away from the struck side: along it deflections are taken
+  };
+
+  struct PeakPlasticStrain
+  {
+    double                value   = 0.;
+    std::size_t           element = 0;
+    std::array<double, 3> position{}; ///< m, reference centroid
+  };
+
+  /// A watched node.
+  struct ProbeValues
+  {
+    std::string           name;
+    std::array<double, 3> position{};     ///< m, reference position of the node
+    std::array<double, 3> displacement{}; ///< m
+    std::array<double, 3> velocity{};     ///< m/s
+  };
+} // namespace birdstrike

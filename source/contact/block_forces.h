@@ -1,0 +1,41 @@
+#pragma once
+
+#include "contact/law.h"
+#include <birdstrike/contact/node_sums.h>
+#include <birdstrike/contact/parameters.h>
+#include <birdstrike/contact/point_memory.h>
+#include <birdstrike/contact/report.h>
+#include <birdstrike/contact/touch_record.h>
+
+#include <array>
+#include <vector>
+
+namespace birdstrike
+{
+  /// The forces of one block's touches: computed, and shared out to points and to the block's node sums.
+  class BlockForces
+  {
+  public:
+    struct Target
+    {
+      const PointsView                 &points;
+      const FacetsView                 &facets;
+      std::vector<TouchRecord>         &touches; ///< get their dissipative forces
+      const std::vector<PressurePatch> &patches;
+      NodeSums::Sum                    *node_sums; ///< of the block, by its numbers
+      const double                     *mobility;  ///< S_k/m_k of the same nodes, 1/kg
+      BlockReport                      &report;
+    };
+
+    void add(const ContactLaw &law, const PointMemory &memory, const Target &target);
+
+  private:
+    void compute_batch(const ContactLaw &law, const PointMemory &memory, const Target &target, std::size_t begin);
+    void share_out(const Target &target, bool has_friction);
+    static void add_couple(const Target &target, TouchRecord &touch, const Point3 &force);
+    static void add_to_patches(const Target &target, const TouchRecord &touch, const Point3 &force);
+
+    std::array<AlignedVector<double>, 3> forces, dissipative; // [touch], N, on the point
+    AlignedVector<double>                stored, tangent;     // J, N/m
+  };
+} // namespace birdstrike

@@ -1,0 +1,84 @@
+#include "core/parsed_formula.h"
+
+#include <birdstrike/core/expression.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  struct Expression::Parser
+  {
+    Parser(const std::string &text, const unsigned int n_components, const std::string &entry)
+      : function(n_components), text(text), entry(entry)
+    {
+    }
+
+    dealii::FunctionParser<3> function;
+    std::string               text, entry;
+  };
+
+  Expression::Expression(const std::string &text, const unsigned int n_components, const std::string &entry)
+    : parser(std::make_unique<Parser>(text, n_components, entry))
+  {
+    const std::string allowed = ".\nAllowed: " + std::to_string(n_components) +
+                                " formula(s) in x, y, z, t separated by ';', e.g. '1e6*exp(-t/1e-4)'.";
+    if (std::count(text.begin(), text.end(), ';') + 1 != n_components)
+      throw InputError("Blade/" + entry + ": '" + text + "' has the wrong number of formulas" + allowed);
+    compile(parser->function, "x,y,z,t", text, true, "Blade/" + entry + ": '" + text + "' is not a formula" + allowed);
+  }
+
+  Expression::~Expression()                      = default;
+  Expression::Expression(Expression &&) noexcept = default;
+
+  double Expression::value(const double *position, const double time, const unsigned int component) const
+  {
+    parser->function.set_time(time);
+    const double value = parser->function.value(dealii::Point<3>(position[0], position[1], position[2]), component);
+    if (!std::isfinite(value))
+      throw InputError("Blade/" + parser->entry + ": '" + parser->text + "' is not finite at (" +
+                       std::to_string(position[0]) + ", " + std::to_string(position[1]) + ", " +
+                       std::to_string(position[2]) + "), t = " + std::to_string(time) + " s.");
+    return value;
+  }
+
+  struct SpanLaw::Parser
+  {
+    dealii::FunctionParser<1> function;
+    std::string               text, entry;
+    double                    smallest, largest;
+  };
+
+  SpanLaw::SpanLaw(const std::string &text, const std::string &entry, const double smallest, const double largest)
+    : parser(new Parser{dealii::FunctionParser<1>(1), text, entry, smallest, largest})
+  {
+    compile(parser->function, "s", text, false,
+            "Blade/" + entry + ": '" + text +
+              "' is not a formula in s.\nAllowed: one formula in the normalised span s (0 root, 1 tip), e.g. "
+              "'35+22*s'.");
+    constexpr unsigned int n_samples = 200;
+    for (unsigned int k = 0; k <= n_samples; ++k)
+      (*this)(double(k) / n_samples);
+  }
+
+  SpanLaw::~SpanLaw()                   = default;
+  SpanLaw::SpanLaw(SpanLaw &&) noexcept = default;
+
+  double SpanLaw::operator()(const double s) const
+  {
+    const auto   number = [](const double x) { return dealii::Utilities::to_string(x); };
+    const double value  = parser->function.value(dealii::Point<1>(s));
+    if (!(value >= parser->smallest && value <= parser->largest))
+      throw InputError("Blade/" + parser->entry + ": '" + parser->text + "' is " + number(value) +
+                       " at s = " + number(s) + ".\nAllowed: " + number(parser->smallest) + " to " +
+                       number(parser->largest) + " for 0 <= s <= 1.");
+    return value;
+  }
+
+  bool is_present(const std::string &expression)
+  {
+    return expression.find_first_not_of(" 0.;,") != std::string::npos;
+  }
+} // namespace birdstrike

@@ -1,0 +1,130 @@
+#include <birdstrike/mesh/parameters.h>
+
+#include <birdstrike/core/errors.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace birdstrike
+{
+  namespace
+  {
+    using namespace dealii::Patterns;
+
+    const double tiny = 1e-12; ///< smallest length that is told from zero, m
+
+    void declare_grid(dealii::ParameterHandler &prm, MeshParameters &p)
+    {
+      prm.add_parameter("Length", p.length, "Span of the built-in plate or blade, from its root. [m]", Double(tiny));
+      prm.add_parameter("Chord", p.chord,
+                        "Chord of the built-in plate, centred on y = 0; of the blade where its chord law is 1. [m]",
+                        Double(tiny));
+      prm.add_parameter("Elements along span", p.n_span, "Number of elements of the built-in part along x. [-]",
+                        Integer(1, 100000));
+      prm.add_parameter("Elements along chord", p.n_chord, "Number of elements of the built-in part along y. [-]",
+                        Integer(1, 100000));
+      prm.add_parameter("Span grading", p.span_grading,
+                        "Length of the last element at the tip over the first at the root, geometric between them. [-]",
+                        Double(1e-3, 1e3));
+      prm.add_parameter("Chord grading", p.chord_grading,
+                        "Width of the last element at the trailing edge over the first at the leading edge. [-]",
+                        Double(1e-3, 1e3));
+      prm.add_parameter("Layers", p.n_layers, "Number of solid elements through the thickness of a built-in part. [-]",
+                        Integer(1, 1000));
+      prm.add_parameter("Layer grading", p.layer_grading,
+                        "Thickness of the middle layers of solid elements over the outermost ones, geometric between "
+                        "them; symmetric about the mid-surface. [-]",
+                        Double(1e-3, 1e3));
+    }
+
+    void declare_profile(dealii::ParameterHandler &prm, MeshParameters::Profile &p)
+    {
+      prm.enter_subsection("Profile");
+      prm.add_parameter("Root radius", p.root_radius,
+                        "Distance of the blade's root from the axis of the engine, which is y; the root lies at this "
+                        "x. [m]",
+                        Double(0.));
+      prm.add_parameter("Chord law", p.chord,
+                        "Chord of the section over Mesh/Chord, a formula in the normalised span s (0 root, 1 tip). [-]",
+                        Anything());
+      prm.add_parameter("Stagger", p.stagger,
+                        "Angle of the chord to the axis y, turned towards z, a formula in s. [degree]", Anything());
+      prm.add_parameter("Camber", p.camber,
+                        "Largest height of the camber line over the chord, towards the normal, a formula in s between "
+                        "-0.3 and 0.3; the camber angle of an arc is 4 atan(2 camber). [-]",
+                        Anything());
+      prm.add_parameter("Camber line", p.camber_line, "Shape of the camber line. [-]",
+                        Selection("circular arc|parabola"));
+      prm.add_parameter("Stacking point", p.stacking_point,
+                        "Share of the chord, from the leading edge, at which sections are threaded on the radial "
+                        "line. [-]",
+                        Double(0., 1.));
+      prm.add_parameter("Sweep", p.sweep, "Shift of the sections along the axis y, a formula in s. [m]", Anything());
+      prm.add_parameter("Lean", p.lean, "Shift of the sections along z, a formula in s. [m]", Anything());
+      prm.leave_subsection();
+    }
+
+    void require(const bool condition, const std::string &message)
+    {
+      if (!condition)
+        throw InputError("Blade/" + message);
+    }
+  } // namespace
+
+  void MeshParameters::declare(dealii::ParameterHandler &prm)
+  {
+    MeshParameters &p = *this;
+    prm.enter_subsection("Mesh");
+    prm.add_parameter(
+      "Generator", p.generator,
+      "Where the blade comes from: the built-in plate (x span, y chord, z normal), the built-in blade (the same, "
+      "twisted, tapered and cambered by the laws of Profile), both with boundary ids 0 root, 1 tip, 2 leading edge, 3 "
+      "trailing edge, or a file. [-]",
+      Selection("flat plate|blade|file"));
+    declare_grid(prm, p);
+    prm.add_parameter("File", p.file,
+                      "Quadrilateral surface mesh of a shell, hexahedral volume mesh of a solid: .msh (Gmsh 2 or 4), "
+                      ".inp (UCD or Abaqus) or .vtk; physical lines (solid: surfaces) become boundary ids (unlabelled: "
+                      "0), physical surfaces (solid: volumes) material ids. [-]",
+                      Anything());
+    prm.add_parameter("File scale", p.file_scale, "Metres per length unit of the file, e.g. 0.001. [m]", Double(tiny));
+    declare_profile(prm, p.profile);
+    prm.leave_subsection();
+  }
+
+  void ThicknessParameters::declare(dealii::ParameterHandler &prm)
+  {
+    ThicknessParameters &p = *this;
+    prm.enter_subsection("Thickness");
+    prm.add_parameter("Value", p.value, "Thickness, a number or a formula in x, y, z on the mid-surface. [m]",
+                      Anything());
+    prm.add_parameter(
+      "By material", p.by_material,
+      "Thickness of the cells with a material id, which replaces the value: '1: 0.004; 2: 0.003'; built-in parts have "
+      "the id 0. [m]",
+      Anything());
+    prm.add_parameter("Maximum", p.maximum,
+                      "Largest thickness of the section of a built-in part, a formula in the normalised span s (0 "
+                      "root, 1 tip); replaces the value by a profile along the chord, a parabola to either side of the "
+                      "largest thickness; empty: the value. [m]",
+                      Anything());
+    prm.add_parameter("Leading edge", p.leading_edge,
+                      "Thickness at the leading edge over Maximum, a formula in s between 0 and 1. [-]", Anything());
+    prm.add_parameter("Trailing edge", p.trailing_edge,
+                      "Thickness at the trailing edge over Maximum, a formula in s between 0 and 1. [-]", Anything());
+    prm.add_parameter("Maximum station", p.maximum_station,
+                      "Share of the chord, from the leading edge, at which the section is thickest. [-]",
+                      Double(0.01, 0.99));
+    prm.leave_subsection();
+  }
+
+  void GeometryParameters::check_geometry() const
+  {
+    if (thickness.maximum.empty())
+      return;
+    require(mesh.generator != "file", "Thickness/Maximum: a profile along the chord needs a built-in part, but the "
+                                      "generator is 'file'.\nGive Thickness/Value in x, y, z, or By material.");
+    require(thickness.value == ThicknessParameters().value,
+            "Thickness: Value and Maximum are both given.\nKeep one: Value for a formula in x, y, z, Maximum for a "
+            "profile along the chord.");
+  }
+} // namespace birdstrike

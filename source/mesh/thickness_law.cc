@@ -1,0 +1,84 @@
+#include "mesh/blade_shape.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/expression.h>
+#include <birdstrike/core/text_lists.h>
+#include <birdstrike/mesh/thickness_law.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// The profile along the chord: a parabola to either side of the largest thickness, where both are level,
+    ///   t(s, c) = t_max(s) (1 - (1 - t_edge(s)) ((c - c_max)/(c_edge - c_max))^2).
+    class Profile
+    {
+    public:
+      explicit Profile(const GeometryParameters &p)
+        : shape(shape_of(p.mesh))
+        , maximum(p.thickness.maximum, "Thickness/Maximum", 1e-9, 1e3)
+        , leading(p.thickness.leading_edge, "Thickness/Leading edge", 1e-3, 1.)
+        , trailing(p.thickness.trailing_edge, "Thickness/Trailing edge", 1e-3, 1.)
+        , station(p.thickness.maximum_station)
+      {
+      }
+
+      double operator()(const double *position) const
+      {
+        const auto [s, c]     = shape.coordinates(position);
+        const bool   is_front = c < station;
+        const double edge     = is_front ? leading(s) : trailing(s);
+        const double ratio    = (c - station) / ((is_front ? 0. : 1.) - station);
+        return maximum(s) * (1. - (1. - edge) * ratio * ratio);
+      }
+
+    private:
+      /// The flat plate is a blade whose laws are at their defaults.
+      static BladeShape shape_of(MeshParameters mesh)
+      {
+        if (mesh.generator == "flat plate")
+          mesh.profile = {};
+        return BladeShape(mesh);
+      }
+
+      BladeShape shape;
+      SpanLaw    maximum, leading, trailing;
+      double     station;
+    };
+
+    ThicknessLaw make_base_law(const GeometryParameters &parameters)
+    {
+      if (!parameters.thickness.maximum.empty())
+        return [profile = std::make_shared<Profile>(parameters)](const double *position, unsigned int) {
+          return (*profile)(position);
+        };
+      const auto expression = std::make_shared<Expression>(parameters.thickness.value, 1, "Thickness/Value");
+      return [expression](const double *position, unsigned int) { return expression->value(position, 0.); };
+    }
+  } // namespace
+
+  ThicknessLaw make_thickness_law(const GeometryParameters &parameters)
+  {
+    std::map<unsigned int, double> by_material;
+    for (const auto &[key, value] : parse_pairs(parameters.thickness.by_material, "Thickness/By material"))
+      for (const unsigned int id : parse_ids(key, "Thickness/By material"))
+        by_material[id] = parse_numbers(value, 1, "Thickness/By material")[0];
+    return [by_material, law = make_base_law(parameters)](const double *position, const unsigned int material_id) {
+      const auto found = by_material.find(material_id);
+      return found != by_material.end() ? found->second : law(position, material_id);
+    };
+  }
+
+  double thickness_at(const ThicknessLaw &law, const double *position, const unsigned int material_id)
+  {
+    const double t = law(position, material_id);
+    if (!(t > 0.))
+      throw InputError("Blade/Thickness: the thickness at (" + std::to_string(position[0]) + ", " +
+                       std::to_string(position[1]) + ", " + std::to_string(position[2]) + ") is " + std::to_string(t) +
+                       " m.\nAllowed: positive everywhere on the blade.");
+    return t;
+  }
+} // namespace birdstrike

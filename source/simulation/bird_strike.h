@@ -1,0 +1,98 @@
+#pragma once
+
+#include "simulation/balance.h"
+#include "simulation/observed.h"
+#include "simulation/recorder.h"
+#include "simulation/scene.h"
+#include "simulation/stepper.h"
+#include <birdstrike/core/timing.h>
+#include <birdstrike/io/progress.h>
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+namespace birdstrike
+{
+  struct CaseParameters;
+  struct SkippedWork;
+  struct Summary;
+
+  /// One strike from first touch to its end, on a scene that it is given. The members are the architecture: the scene
+  /// (parts), the stepper (order of the step), the balance (ledger), what is observed, the recorder (files), the clock.
+  ///
+  /// Raises NumericalFailure when a part loses its state or the ledger its energy; InputError from the scene.
+  class BirdStrike
+  {
+  public:
+    /// Without a folder nothing is written: for tests and for callers that look at the parts themselves.
+    BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder = {});
+
+    /// Steps until a stop criterion is met.
+    void run();
+
+    /// Asks the loop, running or still to come, to end after its present step, e.g. from a signal handler.
+    static void request_stop();
+    static void forget_stop_requests();
+
+    double             time() const;
+    const std::string &end_reason() const;
+    const Balance     &get_balance() const;
+    const Observed    &get_observed() const;
+    Summary            compute_summary() const;
+    std::string        closing_report() const;
+
+  private:
+    void        start();
+    void        plan();
+    void        advance();
+    void        step();    ///< one macro step of the parts; a debug build asserts that it allocates nothing
+    void        observe(); ///< peaks after each step; balance and rows when they are due
+    void        record(const SystemState &state);
+    void        retire_particles();
+    bool        is_bird_phase_over(double horizon);
+    void        finish();
+    std::string reason_to_stop() const;
+
+    static constexpr const char *tip_peak_passed = "tip peak passed";
+
+    /// Measured in this run, s.
+    struct UnitCosts
+    {
+      double particle_step = 0., element_step = 0., contact_step = 0.;
+    };
+    UnitCosts                compute_unit_costs() const;
+    double                   estimate_seconds_per_time() const; ///< run time per simulated second, as things stand
+    std::vector<SkippedWork> compute_skipped() const;
+    void                     add_parts_never_built(std::vector<SkippedWork> &skipped) const;
+
+    const CaseParameters &parameters;
+    Timings               timings;
+    Scene                &scene;
+    Stepper               stepper;
+    struct Sections
+    {
+      std::size_t retirement, votes, output;
+    } sections;
+    Balance                 balance;     ///< judges the run, at a fixed stride of steps
+    Balance                 row_balance; ///< what rows show: wherever one is due, so that none moves a maximum
+    Observed                observed;
+    std::optional<Recorder> recorder;
+    Progress                progress;
+
+    double        now     = 0.; ///< s since first touch
+    unsigned long n_steps = 0;
+    Schedule      schedule;
+    std::string   why_ended;
+
+    // What the bird was, kept when it has gone.
+    std::size_t           n_particles_at_start = 0, n_retired = 0, n_dropped = 0;
+    double                bird_mass = 0., bird_kinetic = 0.;
+    std::array<double, 3> bird_momentum{};
+    double                time_bird_gone    = -1.; ///< s
+    bool                  has_contact       = false;
+    unsigned long         n_steps_with_bird = 0;
+    double                last_touch        = 0.; ///< s
+    double                reachable_impulse = 0.; ///< N s, of the particles left when the bird's phase ended
+  };
+} // namespace birdstrike

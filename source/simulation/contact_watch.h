@@ -1,0 +1,60 @@
+#pragma once
+
+#include "simulation/symmetry.h"
+#include <birdstrike/contact/report.h>
+#include <birdstrike/time_control/peak.h>
+
+#include <cmath>
+
+namespace birdstrike
+{
+  /// The contact force of a run: norm (N) of the sum of all contact forces on the blade, of the whole scene. Peaks are
+  /// over every evaluation of contact, the bird's sub-steps included, so that no output interval can miss one.
+  class ContactWatch
+  {
+  public:
+    explicit ContactWatch(const Symmetry &symmetry) : symmetry(symmetry)
+    {
+    }
+
+    /// After each evaluation; `step` (s) leads to it from the one before, of which there is none at first.
+    void update(const ContactReport &report, const double step)
+    {
+      clock += is_first ? 0. : step;
+      is_first         = false;
+      const auto force = symmetry.whole(report.force);
+      present          = std::hypot(force[0], force[1], force[2]);
+      penetration      = report.max_penetration;
+      whole_run.update(clock, present);
+      this_row.update(clock, present);
+    }
+
+    double force() const ///< N, of the last evaluation
+    {
+      return present;
+    }
+    const Peak &peak() const ///< N; s since first touch
+    {
+      return whole_run;
+    }
+    double max_penetration() const ///< m
+    {
+      return penetration;
+    }
+
+    double peak_since_row() const ///< N
+    {
+      return this_row.value();
+    }
+    void start_row()
+    {
+      this_row = {};
+    }
+
+  private:
+    Symmetry symmetry;
+    Peak     whole_run, this_row;
+    double   present = 0., penetration = 0., clock = 0.;
+    bool     is_first = true;
+  };
+} // namespace birdstrike

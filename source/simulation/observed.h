@@ -1,0 +1,57 @@
+#pragma once
+
+#include "simulation/contact_watch.h"
+#include <birdstrike/structure/probes/mid_chord.h>
+#include <birdstrike/structure/reports.h>
+#include <birdstrike/time_control/peak.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace birdstrike
+{
+  class Balance;
+  struct Scene;
+
+  /// What is watched of a run between its steps: present values, for rows of the history, and peaks, for the summary.
+  /// Peaks of the contact force are over every evaluation of contact, those of tip and root over every macro step,
+  /// those of energies over a fixed stride of steps: none depends on when output is due.
+  struct Observed
+  {
+    explicit Observed(const Symmetry &symmetry) : contact(symmetry)
+    {
+    }
+
+    RootSectionReport        root;
+    TipDeflection            tip;
+    PeakPlasticStrain        plastic;
+    FailureReport            failure;
+    std::vector<ProbeValues> probes;
+    std::array<double, 3>    force{}; ///< N, of contact on the blade
+
+    SignedPeak   tip_peak; ///< m, mid-chord
+    FirstMaximum first_tip_peak;
+    Peak         root_stress, root_moment; ///< Pa, N m, absolute values
+    Peak         root_force;               ///< N, norm of normal and transverse force
+    Peak         hourglass_share;          ///< hourglass over internal energy of the blade
+    ContactWatch contact;
+
+    RootSectionReport root_at_peak_stress; ///< the distribution along the chord when the stress peaks
+
+    std::optional<MidChord> mid_chord;         ///< of a blade that has such a line
+    std::vector<double>     mid_chord_at_peak; ///< m, per station, when the tip peaks
+
+    /// Before the first step, while the blade is undeformed.
+    void start(const Scene &scene);
+
+    /// After each macro step: what is cheap, a few nodes and elements.
+    void update_peaks(const Scene &scene, double time);
+
+    /// After each update of the balance that judges the run.
+    void update_shares(const Balance &balance, double time);
+
+    /// Before a row, and at the end: what asks all elements.
+    void update_present(const Scene &scene);
+  };
+} // namespace birdstrike

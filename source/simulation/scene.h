@@ -1,0 +1,90 @@
+#pragma once
+
+#include "simulation/balance.h"
+#include "simulation/symmetry.h"
+#include <birdstrike/contact/report.h>
+#include <birdstrike/core/thread_pool.h>
+#include <birdstrike/time_control/schedule.h>
+#include <birdstrike/time_control/smallest_step.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace birdstrike
+{
+  struct CaseParameters;
+  class Bird;
+  class Blade;
+  class Contact;
+  class SelfContact;
+
+  /// Which parts exist, and where they are when the clock starts. A part that the case lacks is never built: a rigid
+  /// target has no finite elements, a blade alone no particles, a bird alone no contact.
+  ///
+  /// The flight before first touch is not computed but skipped in closed form: the bird is moved along its velocity,
+  /// relative to the blade where it aims,
+  /// until its first particle touches, and the clock starts there.
+  struct Scene
+  {
+    ThreadPool                   pool;
+    std::unique_ptr<Blade>       blade;
+    std::unique_ptr<Bird>        bird;
+    std::unique_ptr<Contact>     contact;
+    std::unique_ptr<SelfContact> self_contact; ///< of a deformable blade
+    Symmetry                     symmetry;
+    double                       flight_time = 0.; ///< s, skipped before first touch
+    ContactReport                gone_contact;     ///< the last report of a contact that has been dropped
+
+    /// @throws InputError for a case without parts, a bird that misses the blade or starts inside it.
+    explicit Scene(const CaseParameters &parameters);
+    ~Scene();
+
+    /// The next macro step: the parts' votes with the scale factors of the case; none for an absent part.
+    ///
+    /// While there is contact, the blade's step is no longer than the touches of a full layer of particles allow its
+    /// nodes (Contact::node_step_limit): several bird steps within one of a light blade would move it by strains that
+    /// its elements do not see until the step ends.
+    ///
+    /// The bird's step grows by at most 2 % from step to step, and starts as if the whole bird were in the shocked
+    /// state of first touch: Verlet's energy holds for a constant step, and a step that shrinks by a third while the
+    /// shock builds up loses sum F^2 (dt_old^2 - dt_new^2)/(8 m), measured as 0.8 % of the bird's energy.
+    ///
+    /// @throws NumericalFailure for a step that collapses (Time/Smallest step).
+    Schedule plan(double remaining);
+
+    /// The latest plan; zero before the first.
+    const Schedule &last_plan() const;
+
+    /// Energies and momenta of the whole scene; a bird that has gone keeps its books in `gone`.
+    SystemState state() const;
+
+    /// Retires particles that can no longer meet the blade wherever it moves within `horizon` (s) at its present nodal
+    /// velocities; returns their number.
+    std::size_t retire_particles(double horizon);
+
+    /// Largest impulse (N s) that the bird could still give within `horizon` (s); for a bird that touches nothing.
+    double compute_reachable_impulse(double horizon);
+
+    /// Bird and contact are released. What particles are left count as retired; the last reports stay in the balance.
+    void drop_bird();
+
+    /// Lists made so far: of neighbours, of contact pairs, of points through the thickness, of facets left. Only a step
+    /// that makes one may ask for memory, if it is longer than any before.
+    std::uint64_t n_list_changes() const;
+
+  private:
+    const CaseParameters &parameters;
+    Schedule              latest;
+    double                largest_bird_step;                                                 // s, for the next plan
+    double                largest_step_in_contact = std::numeric_limits<double>::infinity(); // s, of the blade
+    bool                  has_multirate;
+    SmallestStep          smallest_bird_step, smallest_blade_step;
+    EnergyReport          gone_energy;
+    MomentumReport        gone_momentum;
+
+    void limit_multirate();
+  };
+} // namespace birdstrike

@@ -1,0 +1,78 @@
+#include "structure/elements/shell/batch.h"
+
+#include "structure/elements/shell/full_integration.h"
+#include "structure/elements/shell/implementation.h"
+
+// What shells store, from their stresses (StoredEnergy), and what their forces have done.
+namespace birdstrike
+{
+  namespace
+  {
+    /// Volume strain per mean normal stress sxx + syy (1/Pa): elastic, or of a thickness that stays. (1 - nu)/E is what
+    /// the plane strains add up to.
+    double volume_compliance(const SectionLaw &law)
+    {
+      const double nu = law.elasticity.poisson;
+      return (1. - (law.has_thinning ? 2. : 1.) * nu) / law.elasticity.young;
+    }
+
+    /// Mean energy per volume of plane stress and transverse shear (J/m^3). What is linear through the thickness has a
+    /// third of the density at the faces.
+    Lanes compute_density(const SectionLaw &law, const SectionStress<Lanes> &s,
+                          const AlignedVector<ShellPoint<Lanes>> &points)
+    {
+      Lanes density = (0.5 / law.shear_modulus) * (s.shear[0] * s.shear[0] + s.shear[1] * s.shear[1]);
+      if (points.empty())
+        return density + plane_stress_energy(law.elasticity, s.mean) +
+               (1. / 3.) * plane_stress_energy(law.elasticity, s.outer);
+      for (unsigned int k = 0; k < law.rule.n; ++k)
+        density += (0.5 * law.rule.weight[k]) * plane_stress_energy(law.elasticity, points[k].stress);
+      return density;
+    }
+  } // namespace
+
+  StoredEnergy::State ShellElements::Implementation::stored(const std::size_t k) const
+  {
+    const std::size_t           b = k / n_in_plane, point = k % n_in_plane;
+    const BatchNodes            nodes(records[0].position, batches[b].record);
+    const auto                  geometry = ShellGeometry<Lanes>::of_corners(nodes.position, nodes.normal);
+    const SectionStress<Lanes> &s        = section_of(b, point);
+    Lanes                       area     = geometry.area;
+    if (n_in_plane > 1)
+      area = full_integration::PlaneGeometry<Lanes>(geometry, law.elasticity.poisson).point[point].area;
+    if (b + 1 == batches.size())
+      area = first_lanes(area, n_elements_of(b));
+    if (erosion)
+      area = select(erosion->batches[b].alive > Lanes(0.), area, Lanes(0.));
+    // the energy taken in on a straight path to a volume strain e: integral of V du = V u (1 - e/3 + ...)
+    const Lanes volume_strain = volume_compliance(law) * (s.mean[0] + s.mean[1]);
+    const Lanes volume        = s.thickness * area * (1. - (1. / 3.) * volume_strain);
+    return {{compute_density(law, s, points_of(b, point)), Lanes(0.)}, volume};
+  }
+
+  double ShellElements::elastic_energy() const
+  {
+    const Implementation &my = *implementation;
+    return StoredEnergy::compute(my.pool, my.points.size(),
+                                 [&my](const std::size_t section) { return my.stored(section); })[0];
+  }
+
+  double ShellElements::work() const
+  {
+    double work = 0.;
+    for (const Row &sum : implementation->work)
+      for (const double part : sum.value)
+        work += part;
+    return work;
+  }
+
+  double ShellElements::plastic_work() const
+  {
+    return implementation->sum(&Implementation::Chunk::plastic);
+  }
+
+  double ShellElements::hourglass_energy() const
+  {
+    return implementation->sum(&Implementation::Chunk::hourglass);
+  }
+} // namespace birdstrike

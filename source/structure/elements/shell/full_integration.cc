@@ -1,0 +1,85 @@
+#include "structure/elements/shell/batch.h"
+
+#include "structure/elements/shell/full_integration.h"
+#include "structure/elements/shell/step_bound.h"
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  using full_integration::PlaneGeometry;
+  constexpr int n_points = full_integration::n_points;
+
+  // Apart, so that the elastic path has the registers for itself.
+  [[gnu::noinline, gnu::flatten]] Lanes
+  ShellElements::Implementation::update_section(const std::size_t k, const SectionVector<Lanes> &strain,
+                                                const double dt)
+  {
+    if (points[k].empty())
+      promote(k);
+    if (erosion)
+      return update_failing_section(k, strain, dt);
+    return law.update_plastic(strain, dt, sections[k], points[k].data());
+  }
+
+  // One body and `flatten`, as in the loop of the one-point elements (shell_loops.cc). Strains and resultants of the
+  // points lie in memory between the three passes, which costs less than the geometry of the end held beside that of
+  // the midpoint.
+  [[gnu::flatten]] void ShellElements::Implementation::update_fully_integrated(const std::size_t b, const double dt,
+                                                                               Chunk &chunk)
+  {
+    Batch           &batch = batches[b];
+    const BatchNodes nodes(records[0].position, batch.record);
+    const double     poisson = law.elasticity.poisson;
+
+    const auto           x        = ShellModes<Lanes>::of_corners(nodes.position);
+    const auto           u        = ShellModes<Lanes>::of_corners(nodes.increment);
+    const auto           midpoint = compute_midpoint(x, u, nodes.midpoint_normal);
+    PlaneGeometry<Lanes> plane(midpoint, poisson);
+    Corners              director;
+    for (int i = 0; i < 4; ++i)
+      director[i] = nodes.rotation[i].cross(midpoint.director[i]);
+    SectionVector<Lanes> section_of_point[n_points];
+    compute_point_strains(
+      plane, full_integration::compute_strains(midpoint, u, ShellModes<Lanes>::of_corners(director)), section_of_point);
+
+    SectionVector<Lanes> strain[n_points]; // kept where something may fail
+    if (erosion)
+      std::copy(section_of_point, section_of_point + n_points, strain);
+    Lanes thickness = 0., plastic = 0.;
+    for (int k = 0; k < n_points; ++k)
+      {
+        const std::size_t     s     = n_points * b + k;
+        SectionStress<Lanes> &state = sections[s];
+        if (!points[s].empty() || !law.update_elastic(section_of_point[k], initial_yield, state))
+          plastic += plane.point[k].area * update_section(s, section_of_point[k], dt);
+        thickness           = max(thickness, state.thickness);
+        section_of_point[k] = compute_resultants(state);
+      }
+    if (erosion && erosion->has_new[b] != 0)
+      {
+        const Lanes area[n_points] = {plane.point[0].area, plane.point[1].area, plane.point[2].area,
+                                      plane.point[3].area};
+        release_sections(b, strain, area);
+        for (int k = 0; k < n_points; ++k)
+          section_of_point[k] = compute_resultants(sections[n_points * b + k]);
+      }
+    chunk.plastic += b + 1 == batches.size() ? first_lanes(plastic, n_elements_of(b)) : plastic;
+
+    const auto end   = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
+    plane            = PlaneGeometry<Lanes>(end, poisson);
+    batch.eigenvalue = compute_eigenvalue_bound<true>(end, thickness, batch.inverse_mass, law);
+    chunk.eigenvalue = max(chunk.eigenvalue, batch.eigenvalue);
+    ShellModes<Lanes> f, fd;
+    Corners           force[2];
+    full_integration::compute_mode_forces(end, integrate_resultants(plane, section_of_point), f, fd);
+    f.sum_at_corners(force[0]);
+    fd.sum_at_corners(director);
+    for (int i = 0; i < 4; ++i)
+      force[1][i] = end.director[i].cross(director[i]);
+    store_corner_forces(force, batch.corner, corner_force.data());
+
+    if (!all(is_finite(force, batch.eigenvalue) && (end.area > Lanes(0.)) && (plane.smallest_jacobian > Lanes(0.))))
+      report_failure(b);
+  }
+} // namespace birdstrike

@@ -1,0 +1,118 @@
+#include "structure/elements/shell/batch.h"
+
+#include "structure/elements/shell/belytschko_tsay.h"
+#include "structure/elements/shell/implementation.h"
+#include "structure/elements/shell/step_bound.h"
+
+namespace birdstrike
+{
+  namespace
+  {
+    template <bool physical>
+    [[gnu::always_inline]] inline ShellVector<Lanes>
+    compute_strain_increments(const ShellGeometry<Lanes> &midpoint, const Lanes &thickness,
+                              const double hourglass_coefficient, const ShellModes<Lanes> &u, const BatchNodes &nodes)
+    {
+      if constexpr (physical)
+        {
+          Corners director;
+          for (int i = 0; i < 4; ++i)
+            director[i] = nodes.rotation[i].cross(midpoint.director[i]);
+          return physical_shell::compute_strains(midpoint, u, ShellModes<Lanes>::of_corners(director));
+        }
+      else
+        return BelytschkoTsay<Lanes>(midpoint, thickness, hourglass_coefficient)
+          .compute_strains(nodes.increment, nodes.rotation, nodes.midpoint_normal);
+    }
+
+    template <bool physical>
+    [[gnu::always_inline]] inline void
+    compute_corner_forces(const ShellGeometry<Lanes> &end, const ShellStress<Lanes> &stress,
+                          const double hourglass_coefficient, const Corners &normal, Corners (&force)[2])
+    {
+      const ShellVector<Lanes> resultants = compute_resultants(stress);
+      if constexpr (physical)
+        {
+          ShellModes<Lanes> f, fd;
+          Corners           director_force;
+          physical_shell::compute_mode_forces(end, resultants, f, fd);
+          f.sum_at_corners(force[0]);
+          fd.sum_at_corners(director_force);
+          for (int i = 0; i < 4; ++i)
+            force[1][i] = end.director[i].cross(director_force[i]);
+        }
+      else
+        BelytschkoTsay<Lanes>(end, stress.thickness, hourglass_coefficient)
+          .compute_corner_forces(resultants, normal, force[0], force[1]);
+    }
+  } // namespace
+
+  // Apart, so that the elastic path has the registers for itself.
+  [[gnu::noinline, gnu::flatten]] ShellWork<Lanes>
+  ShellElements::Implementation::update_points(const std::size_t b, const ShellVector<Lanes> &strain, const Lanes &area,
+                                               const double dt)
+  {
+    if (points[b].empty())
+      promote(b);
+    if (erosion)
+      return update_failing_points(b, strain, area, dt);
+    return law.update_plastic(strain, dt, stress[b], points[b].data());
+  }
+
+  // One body, although long: all of it works on the same registers. Without `flatten` GCC leaves the vector operations
+  // of Eigen as calls with their operands in memory, at three times the cost.
+  template <bool physical>
+  [[gnu::flatten]] void ShellElements::Implementation::update_batch(const std::size_t b, const double dt, Chunk &chunk)
+  {
+    Batch              &batch = batches[b];
+    ShellStress<Lanes> &state = stress[b];
+    const BatchNodes    nodes(records[0].position, batch.record);
+
+    const auto x        = ShellModes<Lanes>::of_corners(nodes.position);
+    const auto u        = ShellModes<Lanes>::of_corners(nodes.increment);
+    const auto midpoint = compute_midpoint(x, u, nodes.midpoint_normal);
+    const auto strain =
+      compute_strain_increments<physical>(midpoint, state.thickness, section.hourglass_coefficient, u, nodes);
+    Lanes            area = midpoint.area; // by itself: `midpoint` stays in registers
+    ShellWork<Lanes> work;
+    if (!points[b].empty() || !law.update_elastic(strain, initial_yield, state, work))
+      work = update_points(b, strain, area, dt);
+
+    const auto end   = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
+    batch.eigenvalue = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, law);
+    chunk.eigenvalue = max(chunk.eigenvalue, batch.eigenvalue);
+    Corners force[2];
+    compute_corner_forces<physical>(end, state, section.hourglass_coefficient, nodes.normal, force);
+    store_corner_forces(force, batch.corner, corner_force.data());
+
+    if (b + 1 == batches.size())
+      area = first_lanes(area, n_elements_of(b));
+    chunk.plastic += area * work.plastic;
+    chunk.hourglass += area * work.hourglass;
+
+    if (!all(is_finite(force, batch.eigenvalue) && (end.area > Lanes(0.))))
+      report_failure(b);
+  }
+
+  void ShellElements::Implementation::update_chunk(const std::size_t c, const double dt)
+  {
+    const std::size_t end   = std::min(batches.size(), (c + 1) * batches_per_chunk);
+    Chunk            &chunk = chunks[c];
+    chunk.eigenvalue        = Lanes(0.);
+    const auto for_batches  = [&](const auto &update) {
+      for (std::size_t b = c * batches_per_chunk; b < end; ++b)
+        update(b);
+      if (can_collapse())
+        take_collapsed(c);
+    };
+    switch (section.formulation)
+      {
+      case ShellFormulation::one_point_physical:
+        return for_batches([&](const std::size_t b) { update_batch<true>(b, dt, chunk); });
+      case ShellFormulation::belytschko_tsay:
+        return for_batches([&](const std::size_t b) { update_batch<false>(b, dt, chunk); });
+      case ShellFormulation::fully_integrated:
+        return for_batches([&](const std::size_t b) { update_fully_integrated(b, dt, chunk); });
+      }
+  }
+} // namespace birdstrike

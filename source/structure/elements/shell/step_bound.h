@@ -1,0 +1,97 @@
+#pragma once
+
+#include "structure/elements/shell/section.h"
+
+namespace birdstrike
+{
+  /// Upper bound of the largest eigenvalue omega^2 (1/s^2) of one free element of the covariant formulations, with a
+  /// quarter of its mass on each node and inertia m max(t^2/12, A/8); the assembled omega_max is not larger (Irons &
+  /// Treharne 1971).
+  ///
+  /// In the mode coordinates of ShellModes the mass matrix is m on u and m r on the directors, r = max(t^2/12, A/8), so
+  /// with S = g^ab (contravariant metric) and D = E/(1 - nu^2):
+  ///   membrane:          D/(2 rho) (tr S + sqrt(tr^2 S - 4 (1 - nu^2) det S))
+  ///   bending:           t^2/(12 r) times that
+  ///   transverse shear:  kappa G/rho (S_max + (1 + |a3|^2 tr S)/r)
+  /// and the linear parts with a third of the corresponding values; rows that share a mode are combined by
+  /// lambda <= (a + b)/2 + sqrt((a - b)^2/4 + a b cos^2). Warp and initial curvature add a factor.
+  ///
+  /// Fully integrated, the same functions of (xi, eta) are split into mean and rest over the area. The membrane strain
+  /// is assumed and its linear parts have not more than a third: the same bound. What varies more is divided by the
+  /// smallest Jacobian j of the points (over that at the centre):
+  ///   hourglass curvature: D/(6 rho j) ((1 - nu) tr S + (1 + nu) S_max),
+  ///   linear shear:        kappa G/(3 rho j) (tr S + max_a (|c^a| + |beta c^1 - alpha c^2|/sqrt(3))^2
+  ///                                                       (|a_a|^2 + 3 |a3|^2)/r),
+  /// both exact for parallelograms.
+  ///
+  /// All terms grow with 1/rho: with 1/(least mass that the nodes carry for this element) as `inverse_mass` (1/kg) the
+  /// bound holds for other shares than a quarter. Six roots and one division.
+  template <bool is_fully_integrated, class Number>
+  [[gnu::always_inline]] inline Number compute_eigenvalue_bound(const ShellGeometry<Number> &g, const Number &thickness,
+                                                                const Number &inverse_mass, const ShellSectionLaw &law)
+  {
+    const double young = law.elasticity.young, nu = law.elasticity.poisson, plate = law.elasticity.plate_modulus();
+    const Number one = 1., half = 0.5, inverse_density = thickness * g.area * inverse_mass;
+
+    const auto root    = [](const Number &a) { return a * inverse_root(max(a, Number(1e-300))); };
+    const auto combine = [&](const Number &a, const Number &b, const Number &cos2) {
+      const Number d = a - b;
+      return half * (a + b + root(d * d + 4. * a * b * cos2));
+    };
+    // base vectors of [-1, 1]: a quarter as long, see ShellModes
+    const Number g11 = 16. * g.g11, g22 = 16. * g.g22, trace = g11 + g22;
+    const Number det    = (256. * g.inverse_det) * g.inverse_det;
+    const Number spread = max(Number(trace * trace - 4. * det), Number(0.));
+    const Number s_max  = half * (trace + root(spread));
+    const Number skew   = g.alpha * g.alpha + g.beta * g.beta;
+    const Number tilt   = (1. / 16.) * g.x.m3.dot(g.x.m3) * trace;
+    const Number t2     = thickness * thickness * (1. / 12.);
+    // theta x d of a director longer than one moves as with less inertia
+    const Number longest = max(max(Number(g.director[0].dot(g.director[0])), Number(g.director[1].dot(g.director[1]))),
+                               max(Number(g.director[2].dot(g.director[2])), Number(g.director[3].dot(g.director[3]))));
+    const Number radius2 = max(t2, Number(g.area * 0.125));
+    // three quotients with one division
+    const Number skew_1 = one + skew, tilt_1 = one + 2. * tilt, skew_tilt = skew_1 * tilt_1;
+    const Number quotient  = one / (skew_tilt * radius2);
+    const Number inverse_r = longest * skew_tilt * quotient, rest = radius2 * quotient;
+    const Number cos2 = skew * tilt_1 * rest, cos2_tilt = 2. * tilt * skew_1 * rest;
+
+    const Number membrane = (0.5 * plate * inverse_density) * (trace + root(spread + 4. * nu * nu * det));
+    // both directions; p and q share u_gamma by the cosine of a1 and a2
+    const Number linear_membrane =
+      (16. / 3. * young * inverse_density) * skew_1 * combine(g.l1, g.l2, Number(g.a12 * g.a12 * g.l1 * g.l2));
+    const Number flat_membrane = combine(membrane, linear_membrane, cos2);
+
+    const Number shear_scale = law.shear_modulus * inverse_density;
+    const Number shear       = shear_scale * (s_max + (one + tilt) * inverse_r);
+    Number       linear_shear, bending, shared = cos2_tilt;
+    if constexpr (is_fully_integrated)
+      {
+        const double root_third = 0.57735026918962576;
+        const Number j          = max(Number(one - root_third * (abs(g.alpha) + abs(g.beta))), Number(1e-6));
+        const Number variation  = root_third * root(g.beta * g.beta * g.g11 + g.alpha * g.alpha * g.g22 +
+                                                    2. * g.alpha * g.beta * g.inverse_det * g.inverse_det * g.a12);
+        const Number b1 = g.g1 + variation, b2 = g.g2 + variation, a33 = 3. * g.x.m3.dot(g.x.m3);
+        const Number third_over_j = (1. / 3.) / j;
+        const Number hourglass =
+          (0.5 * plate * inverse_density) * third_over_j * skew_1 * ((1. - nu) * trace + (1. + nu) * s_max);
+        linear_shear =
+          shear_scale * third_over_j *
+          (skew_1 * trace + max(Number(b1 * b1 * (g.a11 + a33)), Number(b2 * b2 * (g.a22 + a33))) * inverse_r);
+        bending = t2 * inverse_r * combine(membrane, hourglass, cos2);
+        shared  = min(Number(cos2 + cos2_tilt), one);
+      }
+    else
+      {
+        linear_shear =
+          (1. / 3.) * shear_scale * (trace + (max(Number(g.g11 * g.a11), Number(g.g22 * g.a22)) + tilt) * inverse_r);
+        bending = t2 * inverse_r * flat_membrane;
+      }
+    const Number bent = combine(shear, linear_shear + bending, shared);
+
+    const Number curvature =
+      (g.d.m1.dot(g.d.m1) + g.d.m2.dot(g.d.m2) + g.d.m3.dot(g.d.m3)) * ((1. / 16.) * radius2) * s_max;
+    const Number warp = (1. / 16.) * g.warp * g.warp * s_max;
+    return max(flat_membrane, bent) * (one + warp + 2. * curvature) + root(curvature * flat_membrane * bent);
+  }
+} // namespace birdstrike

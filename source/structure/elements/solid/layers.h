@@ -1,0 +1,129 @@
+#pragma once
+
+#include "structure/elements/solid/solid_shell.h"
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace solid_shell
+  {
+    /// One step of the points through the thickness of a solid-shell; theory: solid_shell.h.
+    template <class Number>
+    struct Layers
+    {
+      const SolidLaw        &law;
+      const ThicknessPoints &rule;
+
+      /// Points of a stress state that is elastic so far.
+      void promote(LayerPoint<Number> *points) const
+      {
+        for (unsigned int k = 0; k < rule.n; ++k)
+          {
+            for (Number &s : points[k].residual)
+              s = Number(0.);
+            points[k].plastic_strain = points[k].plastic_work = Number(0.);
+            points[k].yield                                   = Number(law.initial_yield());
+          }
+      }
+
+      /// `mean` and `s`: of the elastic trial in, admissible out; `axes` and `x` of the end of the step. Returns the
+      /// plastic work of the points without what varies in the plane, and minus what flow takes of the elastic energy
+      /// of the latter, both per volume.
+      SolidWork<Number> update(const SolidModes<Number> &x, const one_point_solid::Axes<Number> &axes, const double dt,
+                               SolidPoint<Number> &mean, one_point_solid::Stabilisation<Number> &s,
+                               LayerPoint<Number> *points) const
+      {
+        const Frame<Number>      frame(x, axes);
+        const Squares<Number>    squares(s);
+        Number                   of_mean[5], stress[7][5];
+        SolidShellReturn<Number> section(law.elasticity, law.hardening, rule);
+        frame.turn_in(mean.stress, of_mean);
+        bool yields = false;
+        for (unsigned int k = 0; k < rule.n; ++k)
+          {
+            const double z = rule.position[k];
+            for (int c = 0; c < 5; ++c)
+              stress[k][c] = of_mean[c] + points[k].residual[c] + (c < 3 ? Number(z * s.linear[2][c]) : Number(0.));
+            const auto &t       = stress[k];
+            auto       &p       = section.point[k];
+            p.trace             = t[0];
+            p.rest              = 0.75 * t[1] * t[1] + 3. * (t[2] * t[2] + t[3] * t[3] + t[4] * t[4]);
+            p.varying           = squares.varying + (z * z) * squares.bent;
+            p.yield             = points[k].yield;
+            const Number trial2 = 0.25 * t[0] * t[0] + p.rest + p.varying;
+            yields              = yields || any(trial2 > p.yield * p.yield);
+          }
+        if (!yields)
+          return {Number(0.), Number(0.)};
+        for (unsigned int k = 0; k < rule.n; ++k)
+          {
+            section.point[k].plastic_strain = points[k].plastic_strain;
+            section.point[k].softening      = law.compute_softening(points[k].plastic_work);
+          }
+        section.solve(dt);
+        const SolidWork<Number> work = flow(section, dt, stress, s, points);
+        store(frame, section.shift, of_mean, stress, mean, s, points);
+        return work;
+      }
+
+    private:
+      /// Stresses, strains and work of the points after the return.
+      SolidWork<Number> flow(const SolidShellReturn<Number> &section, const double dt, Number (&stress)[7][5],
+                             one_point_solid::Stabilisation<Number> &s, LayerPoint<Number> *points) const
+      {
+        Number plastic = 0., mean_factor = 0., moment_factor = 0.;
+        for (unsigned int k = 0; k < rule.n; ++k)
+          {
+            const auto  &p = section.point[k];
+            const double z = rule.position[k], w = 0.5 * rule.weight[k];
+            const Number q2 = section.square(p), strain = p.chi * sqrt(q2), work = p.chi * q2;
+            stress[k][0] = p.trace_factor * section.shifted_trace(p);
+            for (int c = 1; c < 5; ++c)
+              stress[k][c] *= p.rest_factor;
+            law.add_flow(strain, work, dt, points[k]);
+            plastic += w * (work - p.chi * (p.varying_factor * p.varying_factor * p.varying));
+            mean_factor += w * p.varying_factor;
+            moment_factor += (3. * w * z * z) * p.varying_factor;
+          }
+        const Number before = compute_varying_energy(law.elasticity, s);
+        for (int k = 0; k < 2; ++k)
+          {
+            for (Number &component : s.linear[k])
+              component *= mean_factor;
+            s.last[k] *= moment_factor;
+          }
+        s.last[2] *= mean_factor;
+        return {plastic, compute_varying_energy(law.elasticity, s) - before};
+      }
+
+      /// Mean, moment and residual stress of the points.
+      void store(const Frame<Number> &frame, const Number &shift, Number (&old_mean)[5], const Number (&stress)[7][5],
+                 SolidPoint<Number> &mean, one_point_solid::Stabilisation<Number> &s, LayerPoint<Number> *points) const
+      {
+        Number sum[5], moment[3];
+        for (int c = 0; c < 5; ++c)
+          sum[c] = Number(0.);
+        for (int c = 0; c < 3; ++c)
+          moment[c] = Number(0.);
+        mean.plastic_strain = Number(0.);
+        for (unsigned int k = 0; k < rule.n; ++k)
+          {
+            const double z = rule.position[k], w = 0.5 * rule.weight[k];
+            for (int c = 0; c < 5; ++c)
+              sum[c] += w * stress[k][c];
+            for (int c = 0; c < 3; ++c)
+              moment[c] += (3. * w * z) * stress[k][c];
+            mean.plastic_strain += w * points[k].plastic_strain;
+          }
+        for (unsigned int k = 0; k < rule.n; ++k)
+          for (int c = 0; c < 5; ++c)
+            points[k].residual[c] = stress[k][c] - sum[c] - (c < 3 ? Number(rule.position[k] * moment[c]) : Number(0.));
+        for (int c = 0; c < 5; ++c)
+          old_mean[c] = sum[c] - old_mean[c];
+        frame.add_to(old_mean, shift, mean.stress);
+        std::copy(moment, moment + 3, s.linear[2]);
+      }
+    };
+  } // namespace solid_shell
+} // namespace birdstrike

@@ -1,0 +1,85 @@
+#include "structure/nodes/loads.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/text_lists.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  Loads::Loads(const BladeParameters::Loads &parameters, const SurfaceMesh &mesh,
+               std::vector<Quadrilateral> quadrilaterals, const unsigned int n_unknowns)
+    : n_unknowns(n_unknowns), damping_rate(parameters.damping)
+  {
+    if (is_present(parameters.pressure))
+      {
+        pressure.emplace_back(parameters.pressure, 1, "Loads/Pressure");
+        pressed = std::move(quadrilaterals);
+        for (const auto &q : pressed)
+          {
+            const Point3 c = 0.25 * (mesh.node(q[0]) + mesh.node(q[1]) + mesh.node(q[2]) + mesh.node(q[3]));
+            centroids.push_back({{c[0], c[1], c[2]}});
+          }
+      }
+    add_point_loads(parameters, mesh);
+  }
+
+  void Loads::add_point_loads(const BladeParameters::Loads &parameters, const SurfaceMesh &mesh)
+  {
+    double reach = 0.;
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+      reach = std::max(reach, mesh.smallest_edge(cell));
+    for (const auto &[where, what] : parse_pairs(parameters.point_loads, "Loads/Point loads", '|'))
+      {
+        const auto          x    = parse_numbers(where, 3, "Loads/Point loads");
+        const Point3        p    = Point3(x[0], x[1], x[2]);
+        const std::uint32_t node = mesh.nearest_node(p);
+        if ((mesh.node(node) - p).norm() > reach)
+          throw InputError("Blade/Loads/Point loads: no node near (" + where +
+                           ") m.\nLoads act on the nearest node, at "
+                           "most one element away.");
+        const bool has_moments = std::count(what.begin(), what.end(), ';') == 5;
+        if (has_moments && n_unknowns < 6)
+          throw InputError("Blade/Loads/Point loads: '" + what +
+                           "' has moments, which the nodes of a solid cannot take.\n"
+                           "Allowed for a solid: three forces, 'fx; fy; fz'.");
+        point_loads.push_back({node, Expression(has_moments ? what : what + "; 0; 0; 0", 6, "Loads/Point loads")});
+      }
+  }
+
+  bool Loads::is_active() const
+  {
+    return !pressure.empty() || !point_loads.empty();
+  }
+
+  double Loads::damping() const
+  {
+    return damping_rate;
+  }
+
+  void Loads::stop_pressing(const std::size_t quadrilateral)
+  {
+    if (!pressed.empty())
+      pressed[quadrilateral].fill(pressed[quadrilateral][0]); // no area
+  }
+
+  void Loads::add_forces(const double time, const double *position, double *force) const
+  {
+    const auto node = [position](const std::uint32_t n) {
+      return Point3(position[3 * n], position[3 * n + 1], position[3 * n + 2]);
+    };
+    for (const auto &p : pressure)
+      for (std::size_t k = 0; k < pressed.size(); ++k)
+        {
+          const auto  &c     = pressed[k];
+          const Point3 area  = 0.5 * (node(c[2]) - node(c[0])).cross(node(c[3]) - node(c[1]));
+          const Point3 share = 0.25 * p.value(centroids[k].data(), time) * area;
+          for (const std::uint32_t n : c)
+            for (unsigned int d = 0; d < 3; ++d)
+              force[n_unknowns * n + d] += share[d];
+        }
+    const double origin[3] = {0., 0., 0.};
+    for (const auto &load : point_loads)
+      for (unsigned int c = 0; c < n_unknowns; ++c)
+        force[n_unknowns * load.node + c] += load.components.value(origin, time, c);
+  }
+} // namespace birdstrike

@@ -1,0 +1,228 @@
+#include "structure/nodes/nodal_mechanics.h"
+#include "structure/nodes/nodal_sums.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::kick_internal(const double half_step, const HalfKick half)
+  {
+    const bool first = half == HalfKick::first;
+    if (first)
+      follow_step(half_step);
+    double       *v = velocity.data();
+    const double *f = scaled ? scaled->forces() : force.data(), *inverse = inverse_mass.data();
+
+    if (loads.damping() == 0. && !loads.is_active())
+      for_nodes([=](const std::size_t begin, const std::size_t end) {
+        for (std::size_t i = n_unknowns * begin; i < n_unknowns * end; ++i)
+          v[i] += half_step * f[i] * inverse[i];
+      });
+    else
+      kick_loaded(half_step, first);
+    for (const std::uint32_t dof : held_dofs)
+      book_support(dof, half_step * (f[dof] + external[dof]));
+    internal_half = first ? 0. : half_step;
+    left_half     = 0.;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::book_support(const std::uint32_t dof, const double impulse)
+  {
+    const std::uint32_t n = dof / n_unknowns, c = dof % n_unknowns;
+    if (c >= 3)
+      {
+        impulses.support_moment[c - 3] += impulse;
+        return;
+      }
+    const unsigned int a = (c + 1) % 3, b = (c + 2) % 3;
+    impulses.support_impulse[c] += impulse;
+    impulses.support_moment[a] += position[3 * n + b] * impulse;
+    impulses.support_moment[b] -= position[3 * n + a] * impulse;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::follow_step(const double half_step)
+  {
+    if (std::abs(half_step - staggered_half) <= 1e-3 * staggered_half)
+      return;
+    const double of_contact = contact_half + left_half, before = staggered_half;
+    booked.staggering += kinetic(half_step, before > 0. ? of_contact * half_step / before : 0.)[1];
+    if (before > 0.)
+      booked.staggering -= kinetic(before, of_contact)[1];
+    staggered_half = half_step;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::kick_loaded(const double half_step, const bool first)
+  {
+    const double  decay = std::exp(-loads.damping() * half_step);
+    double       *v     = velocity.data();
+    const double *f = scaled ? scaled->forces() : force.data(), *f_external = external.data();
+    const double *inverse = inverse_mass.data(), *m = mass.data(), *x = position.data();
+    if (scaled && first)
+      book_damping_of_scaling(half_step, first);
+    const Sums sums = sum_nodes([=](const std::size_t n, Sums &sum) {
+      std::array<double, n_unknowns> impulse; // of loads and damping
+      for (unsigned int c = 0; c < n_unknowns; ++c)
+        {
+          const std::size_t i      = n_unknowns * n + c;
+          const double      kick   = half_step * (f[i] + f_external[i]) * inverse[i];
+          const double      before = v[i];
+          v[i]                     = first ? before * decay + kick : (before + kick) * decay;
+          const double drift = first ? v[i] : before, damped = first ? before : before + kick;
+          sum[0] += half_step * f_external[i] * drift;
+          sum[1] += m[i] * (1. - decay) * damped * drift;
+          impulse[c] = half_step * f_external[i] - m[i] * (1. - decay) * damped;
+        }
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          const unsigned int a = (d + 1) % 3, b = (d + 2) % 3;
+          sum[2 + d] += impulse[d];
+          sum[5 + d] += x[3 * n + a] * impulse[b] - x[3 * n + b] * impulse[a];
+          if constexpr (n_unknowns == 6)
+            sum[5 + d] += impulse[3 + d];
+        }
+    });
+    booked.external_work += sums[0];
+    booked.dissipated += sums[1];
+    if (scaled)
+      booked.dissipated += scaled->dissipated({v, f_external, inverse, half_step, decay}, first);
+    if (scaled && !first)
+      book_damping_of_scaling(half_step, first);
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        impulses.external_impulse[d] += sums[2 + d];
+        impulses.external_moment[d] += sums[5 + d];
+      }
+  }
+
+  /// Of the couplings, which have angular momentum of their own; before a first and after a second half kick.
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::book_damping_of_scaling(const double half_step, const bool is_first)
+  {
+    const double decay = std::exp(-loads.damping() * half_step), lost = is_first ? 1. - decay : 1. / decay - 1.;
+    if (lost == 0.)
+      return;
+    const auto carried = scaled->angular_momentum(position.data(), velocity.data());
+    for (unsigned int d = 0; d < 3; ++d)
+      impulses.external_moment[d] -= lost * carried[d];
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::kick_contact(const double half_step, const HalfKick half)
+  {
+    const bool    first = half == HalfKick::first;
+    double       *v     = velocity.data();
+    const double *f = contact.data(), *kicking = f, *inverse = inverse_mass.data();
+    if (scaled)
+      {
+        scaled->update_contact(f);
+        kicking = scaled->contact();
+      }
+
+    // contact leaves the moments at zero: what happens to rotations is nothing
+    const auto kick = [=, this](const auto is_scaled) {
+      return sum_components<2>([=](const std::size_t i, Eight *sum) {
+        Eight force_on, before, mobility;
+        read(f + i, force_on);
+        read(v + i, before);
+        read(inverse + i, mobility);
+        const Eight impulse = half_step * force_on;
+        Eight       change  = impulse * mobility;
+        if constexpr (is_scaled)
+          {
+            read(kicking + i, change);
+            change = half_step * change * mobility;
+          }
+        const Eight after = before + change;
+        write(after, v + i);
+        sum[0] += impulse;
+        sum[1] += impulse * (first ? after : before);
+      });
+    };
+    const auto sums = scaled ? kick(std::true_type{}) : kick(std::false_type{});
+    for (unsigned int d = 0; d < 3; ++d)
+      impulses.contact_impulse[d] += sums[0][d];
+    booked.contact_work += sums[1][0] + sums[1][1] + sums[1][2];
+    for (const std::uint32_t dof : held_dofs)
+      book_support(dof, half_step * kicking[dof]);
+    left_half    = first ? contact_half : 0.;
+    contact_half = first ? 0. : half_step;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::drift(const double step)
+  {
+    const double *v = velocity.data(), *x_0 = reference.data();
+    double       *u = displacement.data(), *du = increment.data(), *x = position.data();
+    const bool    is_first = increment_time == 0.; // since the last forces
+    for_nodes([=](const std::size_t begin, const std::size_t end) {
+      if (is_first)
+        for (std::size_t i = n_unknowns * begin; i < n_unknowns * end; ++i)
+          du[i] = step * v[i];
+      else
+        for (std::size_t i = n_unknowns * begin; i < n_unknowns * end; ++i)
+          du[i] += step * v[i];
+      for (std::size_t i = n_unknowns * begin; i < n_unknowns * end; ++i)
+        u[i] += step * v[i];
+      for (std::size_t n = begin; n < end; ++n)
+        for (unsigned int d = 0; d < 3; ++d)
+          x[3 * n + d] = x_0[3 * n + d] + u[n_unknowns * n + d];
+    });
+    time += step;
+    increment_time += step;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::clear_contact_forces()
+  {
+    std::fill(contact.begin(), contact.end(), 0.);
+    if (scaled)
+      scaled->clear_contact();
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::add_internal_forces(const std::span<const NodalForce> forces)
+  {
+    if (forces.empty())
+      return;
+    added.assign(forces.begin(), forces.end());
+    for (const NodalForce &one : added)
+      for (unsigned int d = 0; d < 3; ++d)
+        force[n_unknowns * one.node + d] += one.force[d];
+    if (scaled)
+      scaled->update_forces(force.data(), external.data());
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::set_contact_in_transit(const double duration)
+  {
+    in_transit = duration;
+    if (duration > 0.)
+      contact_half = 0.; // the last kick was by forces that have been replaced; (h F)^2/(2 m) is lost on the report
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::update_loads()
+  {
+    if (!loads.is_active())
+      return;
+    std::fill(external.begin(), external.end(), 0.);
+    loads.add_forces(time, position.data(), external.data());
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::scale(const NodeColumns  &columns,
+                                         std::vector<double> coupling) requires(n_unknowns == 3)
+  {
+    scaled =
+      std::make_unique<ScaledNodes>(ColumnMass(columns, std::move(coupling), inverse_mass.data(), pool), n_padded);
+    scaled->update_forces(force.data(), external.data());
+  }
+
+  template class NodalMechanics<3>;
+  template class NodalMechanics<6>;
+} // namespace birdstrike

@@ -1,0 +1,164 @@
+#pragma once
+
+#include "structure/nodes/registers.h"
+#include "structure/nodes/scaled_nodes.h"
+
+#include "structure/nodes/loads.h"
+#include "structure/nodes/node_arrays.h"
+#include "structure/nodes/supports.h"
+#include <birdstrike/core/contact_views.h>
+#include <birdstrike/core/energy_report.h>
+#include <birdstrike/core/fields.h>
+#include <birdstrike/core/half_kick.h>
+#include <birdstrike/core/thread_pool.h>
+#include <birdstrike/structure/reports.h>
+
+#include <span>
+
+namespace birdstrike
+{
+  /// The nodes of a blade of finite elements, and their equations of motion
+  ///
+  ///   m dv/dt = f_elements + f_loads + f_contact - alpha m v,   held unknowns: v = 0,
+  ///
+  /// in the verbs of velocity-Verlet (blade.h). Damping acts as the factor exp(-alpha dt/2) in every internal half kick
+  /// (unconditionally stable); its work is booked as dissipated, its impulse as external. Held unknowns book the
+  /// impulse and the moment about the origin that they take. Kinetic energy is that of v^n; the staggering of
+  /// energy_report.h is
+  ///   -|J|^2 / (2 m) at the half step of reference,  J the impulse of the last second half kicks,
+  /// where the reference follows the step when it has changed by more than a thousandth: what the change does to the
+  /// energy that the scheme conserves is booked then.
+  ///
+  /// A node has n_unknowns: 3 displacements (solid), or 3 displacements and 3 rotations (shell). Node-major arrays,
+  /// unknown c of node n at n_unknowns n + c, coordinate d at 3n + d; those of unknowns are padded with zeros to blocks
+  /// of 24 entries (4 shell nodes, 8 solid nodes), which loops take in three registers of eight.
+  template <unsigned int n_unknowns>
+  class NodalMechanics
+  {
+    static_assert(n_unknowns == 3 || n_unknowns == 6, "nodes of a solid or of a shell");
+
+  public:
+    using Node = std::array<double, 3>;
+
+    struct Masses
+    {
+      std::vector<double> translation; ///< kg, [n_nodes]
+      std::vector<double> rotation;    ///< kg m^2, [n_nodes]; empty for a solid
+    };
+
+    NodalMechanics(const std::vector<Node> &nodes, const Masses &masses, const Supports &supports, Loads loads,
+                   ThreadPool &pool);
+
+    /// Velocities of formulas and of a rigid spin about the origin, held unknowns excepted. Throws InputError.
+    void initialize_velocity(const BladeParameters::Loads &parameters);
+    /// Watches the nodes nearest to the points of a list "name: x y z; ...". Throws InputError.
+    void watch(const std::string &probes);
+    /// From now on the nodes of a solid have the mass matrix of column_mass.h; `coupling` (kg) as there.
+    void scale(const NodeColumns &columns, std::vector<double> coupling) requires(n_unknowns == 3);
+
+    void kick_internal(double half_step, HalfKick half);
+    void kick_contact(double half_step, HalfKick half);
+    void drift(double step);
+    void clear_contact_forces();
+    void set_contact_in_transit(double duration); ///< s, see Blade
+
+    /// Takes the pressure off a quadrilateral, by its number in the loads' list.
+    void stop_pressing(const std::size_t quadrilateral)
+    {
+      loads.stop_pressing(quadrilateral);
+    }
+
+    /// Forces of the elements for the increment since the last call, and of the loads at the present time.
+    template <class Elements>
+    void compute_internal_forces(Elements &elements)
+    {
+      if (increment_time > 0.)
+        elements.compute_internal_forces(position.data(), increment.data(), increment_time, force.data());
+      increment_time = 0.;
+      added.clear();
+      update_loads();
+      if (scaled)
+        scaled->update_forces(force.data(), external.data());
+    }
+
+    void add_internal_forces(std::span<const NodalForce> forces); ///< see Blade
+
+    EnergyReport             energies() const; ///< kinetic, staggering, dissipated, works: nothing of the elements
+    MomentumReport           momenta() const;
+    std::array<double, 3>    contact_force() const;
+    std::vector<ProbeValues> probes() const;
+    NodeArrays               arrays();
+    FacetsView               facets(); ///< nodes only: the facets are the owner's
+    FacetsView               internal_facets() const;
+    void                     add_fields(std::vector<Field> &fields) const;
+    std::size_t              bytes() const;
+
+    const double *positions() const
+    {
+      return position.data();
+    }
+    const double *reference_positions() const
+    {
+      return reference.data();
+    }
+    const double *displacements() const
+    {
+      return displacement.data();
+    }
+    const double *element_forces() const; ///< without what others have added
+
+  private:
+    using Sums = std::array<double, 12>;
+
+    void update_loads();
+    void kick_loaded(double half_step, bool is_first);
+    void book_damping_of_scaling(double half_step, bool is_first);
+    void book_support(std::uint32_t dof, double impulse);
+    /// Of half kicks of this length (s) by internal and contact forces: kinetic energy of v^n, and |J|^2 / (2 m) (J).
+    std::array<double, 2> kinetic(double half, double half_of_contact) const;
+    void                  follow_step(double half_step);
+
+    /// Calls body(begin, end) over ranges of nodes.
+    template <class Body>
+    void for_nodes(const Body &body);
+    /// Sums of term(node, sums) over all nodes in fixed chunks, bitwise the same for any number of threads.
+    template <class Term>
+    Sums sum_nodes(const Term &term) const;
+
+    /// Sums of n quantities over the components of all nodes: term(i, sums) adds what entries [i, i + 8) of the
+    /// node-major arrays contribute. Fixed chunks, bitwise the same for any number of threads.
+    template <std::size_t n, class Term>
+    std::array<std::array<double, n_unknowns>, n> sum_components(const Term &term) const;
+
+    static constexpr std::size_t block = 24;                ///< entries
+    static constexpr std::size_t chunk = 3072 / n_unknowns; ///< nodes, whole blocks
+    /// Chunks a thread takes at least: offering a range to one that is awake costs 1-2 us, a kick of some hundred
+    /// nodes.
+    static constexpr std::size_t grain = 2;
+
+    ThreadPool                &pool;
+    Loads                      loads;
+    std::vector<std::uint32_t> held_dofs;
+    std::size_t                n_nodes, n_padded; ///< n_padded: entries
+
+    AlignedVector<double>                              displacement, velocity, force, mass; ///< [n_padded]
+    AlignedVector<double>                              inverse_mass, increment, contact, external;
+    AlignedVector<double>                              reference, position; ///< [3 n_nodes]
+    std::vector<double>                                node_inverse_mass;   ///< [n_nodes], 0 where all three are held
+    std::vector<std::pair<std::string, std::uint32_t>> watched;             ///< probes: name, node
+    std::unique_ptr<ScaledNodes>                       scaled;              ///< none: masses are those of the nodes
+    std::vector<NodalForce>                            added;               ///< to `force`, since it was computed
+    mutable std::vector<double>                        of_elements;         ///< N, `force` without them
+
+    double time           = 0.;                   ///< s
+    double increment_time = 0.;                   ///< s since the last compute_internal_forces
+    double internal_half = 0., contact_half = 0.; ///< s, of the last second half kicks; 0 after a first one
+    double left_half      = 0.;                   ///< s, what contact_half was before the first half kick by contact
+    double staggered_half = 0.;                   ///< s, the half step that the staggering refers to
+    double in_transit     = 0.;                   ///< s, for which the contact forces have still to act
+
+    EnergyReport              booked; ///< staggering by changes of the step, dissipated, external_work, contact_work
+    MomentumReport            impulses;
+    mutable std::vector<Sums> partial;
+  };
+} // namespace birdstrike

@@ -1,0 +1,292 @@
+#include "structure/nodes/nodal_mechanics.h"
+#include "structure/nodes/nodal_sums.h"
+
+#include <birdstrike/core/expression.h>
+#include <birdstrike/core/text_lists.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+// What NodalMechanics starts from and what it tells about itself.
+namespace birdstrike
+{
+  template <unsigned int n_unknowns>
+  NodalMechanics<n_unknowns>::NodalMechanics(const std::vector<Node> &nodes, const Masses &masses,
+                                             const Supports &supports, Loads given_loads, ThreadPool &pool)
+    : pool(pool)
+    , loads(std::move(given_loads))
+    , held_dofs(supports.held_dofs)
+    , n_nodes(nodes.size())
+    , n_padded((n_unknowns * n_nodes + block - 1) / block * block)
+    , partial((n_nodes + chunk - 1) / chunk)
+  {
+    for (auto *vector : {&displacement, &velocity, &force, &mass, &inverse_mass, &increment, &contact, &external})
+      vector->assign(n_padded, 0.);
+    reference.resize(3 * n_nodes);
+    for (std::size_t n = 0; n < n_nodes; ++n)
+      {
+        for (unsigned int d = 0; d < 3; ++d)
+          reference[3 * n + d] = nodes[n][d];
+        for (unsigned int c = 0; c < n_unknowns; ++c)
+          {
+            mass[n_unknowns * n + c]         = c < 3 ? masses.translation[n] : masses.rotation[n];
+            inverse_mass[n_unknowns * n + c] = 1. / mass[n_unknowns * n + c];
+          }
+      }
+    position = reference;
+    added.reserve(n_nodes);
+    for (const std::uint32_t dof : held_dofs)
+      inverse_mass[dof] = 0.;
+    for (std::size_t n = 0; n < n_nodes; ++n)
+      {
+        bool is_held = true;
+        for (unsigned int d = 0; d < 3; ++d)
+          is_held = is_held && inverse_mass[n_unknowns * n + d] == 0.;
+        node_inverse_mass.push_back(is_held ? 0. : 1. / masses.translation[n]);
+      }
+    update_loads();
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::initialize_velocity(const BladeParameters::Loads &parameters)
+  {
+    const double origin[3] = {0., 0., 0.};
+    Point3       spin      = Point3::Zero();
+    if (is_present(parameters.initial_spin))
+      {
+        const Expression expression(parameters.initial_spin, 3, "Loads/Initial spin");
+        for (unsigned int d = 0; d < 3; ++d)
+          spin[d] = expression.value(origin, 0., d);
+      }
+    std::vector<Expression> field;
+    if (is_present(parameters.initial_velocity))
+      field.emplace_back(parameters.initial_velocity, 3, "Loads/Initial velocity");
+    for (std::size_t n = 0; n < n_nodes; ++n)
+      {
+        const Point3 turning = spin.cross(Point3(&reference[3 * n]));
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            velocity[n_unknowns * n + d] = turning[d];
+            if constexpr (n_unknowns == 6)
+              velocity[6 * n + 3 + d] = spin[d];
+            for (const auto &expression : field)
+              velocity[n_unknowns * n + d] += expression.value(&reference[3 * n], 0., d);
+          }
+      }
+    for (const std::uint32_t dof : held_dofs)
+      velocity[dof] = 0.;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::watch(const std::string &probes)
+  {
+    for (const auto &[name, where] : parse_pairs(probes, "Probes"))
+      {
+        const auto    x        = parse_numbers(where, 3, "Probes");
+        std::uint32_t nearest  = 0;
+        double        smallest = std::numeric_limits<double>::infinity();
+        for (std::uint32_t n = 0; n < n_nodes; ++n)
+          if (const double d = (Point3(&reference[3 * n]) - Point3(x[0], x[1], x[2])).squaredNorm(); d < smallest)
+            {
+              smallest = d;
+              nearest  = n;
+            }
+        watched.emplace_back(name, nearest);
+      }
+  }
+
+  template <unsigned int n_unknowns>
+  std::array<double, 2> NodalMechanics<n_unknowns>::kinetic(const double h, const double h_c) const
+  {
+    const double          decay = std::exp(-loads.damping() * h);
+    const double         *v = velocity.data(), *f = scaled ? scaled->forces() : force.data(), *m = mass.data();
+    const double         *f_contact  = scaled ? scaled->contact() : contact.data();
+    const double         *f_external = external.data(), *inverse = inverse_mass.data();
+    const double          back = 1. - 1. / decay;
+    const auto            sums = sum_components<2>([=](const std::size_t i, Eight *sum) {
+      Eight speed, inner, outer_contact, outer_load, inertia, mobility;
+      read(v + i, speed);
+      read(f + i, inner);
+      read(m + i, inertia);
+      read(f_contact + i, outer_contact);
+      read(f_external + i, outer_load);
+      read(inverse + i, mobility);
+      const Eight change = (h * (inner + outer_load) + h_c * outer_contact) * mobility + back * speed;
+      sum[0] += 0.5 * inertia * (speed * speed);
+      sum[1] += 0.5 * inertia * (change * change);
+    });
+    std::array<double, 2> result{std::accumulate(sums[0].begin(), sums[0].end(), 0.),
+                                 std::accumulate(sums[1].begin(), sums[1].end(), 0.)};
+    if (scaled)
+      {
+        const auto added = scaled->kinetic({v, f_external, inverse, h, decay}, h_c);
+        result[0] += added[0];
+        result[1] += added[1];
+      }
+    return result;
+  }
+
+  template <unsigned int n_unknowns>
+  EnergyReport NodalMechanics<n_unknowns>::energies() const
+  {
+    const double scale  = internal_half > 0. ? staggered_half / internal_half : 0.;
+    const auto   sums   = kinetic(scale * internal_half, scale * contact_half);
+    EnergyReport report = booked;
+    report.kinetic      = sums[0];
+    report.staggering -= sums[1];
+    return report;
+  }
+
+  template <unsigned int n_unknowns>
+  MomentumReport NodalMechanics<n_unknowns>::momenta() const
+  {
+    const double  *v = velocity.data(), *m = mass.data(), *x = position.data();
+    const auto     sums   = sum_nodes([=](const std::size_t n, Sums &sum) {
+      const double *p = x + 3 * n, *w = v + n_unknowns * n;
+      const double  inertia = m[n_unknowns * n];
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
+          sum[d] += inertia * w[d];
+          if constexpr (n_unknowns == 6)
+            sum[3 + d] += inertia * (p[e] * w[f] - p[f] * w[e]) + m[6 * n + 3] * w[3 + d];
+          else
+            sum[3 + d] += inertia * (p[e] * w[f] - p[f] * w[e]);
+        }
+      const double speed2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+      sum[6] += inertia * std::sqrt((p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * speed2);
+      sum[7] += inertia * std::sqrt(speed2);
+    });
+    MomentumReport report = impulses;
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        report.momentum[d]         = sums[d];
+        report.angular_momentum[d] = sums[3 + d];
+      }
+    report.moment_scale  = sums[6];
+    report.impulse_scale = sums[7];
+    if (scaled)
+      {
+        const auto added = scaled->angular_momentum(x, v);
+        for (unsigned int d = 0; d < 3; ++d)
+          report.angular_momentum[d] += added[d];
+      }
+    if (in_transit > 0.)
+      {
+        const double *f      = contact.data();
+        const auto    coming = sum_nodes([=](const std::size_t n, Sums &sum) {
+          const double *p = x + 3 * n, *g = f + n_unknowns * n;
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              const unsigned int a = (d + 1) % 3, b = (d + 2) % 3;
+              sum[d] += g[d];
+              sum[3 + d] += p[a] * g[b] - p[b] * g[a];
+            }
+        });
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            report.momentum[d] += in_transit * coming[d];
+            report.contact_impulse[d] += in_transit * coming[d];
+            report.angular_momentum[d] += in_transit * coming[3 + d];
+          }
+      }
+    return report;
+  }
+
+  template <unsigned int n_unknowns>
+  std::array<double, 3> NodalMechanics<n_unknowns>::contact_force() const
+  {
+    const double *f    = contact.data();
+    const auto    sums = sum_components<1>([=](const std::size_t i, Eight *sum) {
+      Eight entries;
+      read(f + i, entries);
+      sum[0] += entries;
+    });
+    return {{sums[0][0], sums[0][1], sums[0][2]}};
+  }
+
+  template <unsigned int n_unknowns>
+  std::vector<ProbeValues> NodalMechanics<n_unknowns>::probes() const
+  {
+    std::vector<ProbeValues> values;
+    for (const auto &[name, n] : watched)
+      {
+        ProbeValues value;
+        value.name = name;
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            value.position[d]     = reference[3 * n + d];
+            value.displacement[d] = displacement[n_unknowns * n + d];
+            value.velocity[d]     = velocity[n_unknowns * n + d];
+          }
+        values.push_back(value);
+      }
+    return values;
+  }
+
+  template <unsigned int n_unknowns>
+  NodeArrays NodalMechanics<n_unknowns>::arrays()
+  {
+    return {n_nodes,         n_unknowns,   reference.data(), position.data(),    displacement.data(),
+            velocity.data(), force.data(), mass.data(),      inverse_mass.data()};
+  }
+
+  template <unsigned int n_unknowns>
+  const double *NodalMechanics<n_unknowns>::element_forces() const
+  {
+    if (added.empty())
+      return force.data();
+    of_elements.assign(force.begin(), force.end());
+    for (const NodalForce &one : added)
+      for (unsigned int d = 0; d < 3; ++d)
+        of_elements[n_unknowns * one.node + d] -= one.force[d];
+    return of_elements.data();
+  }
+
+  template <unsigned int n_unknowns>
+  FacetsView NodalMechanics<n_unknowns>::facets()
+  {
+    if (scaled)
+      scaled->forget_contact(); // whoever asks may add forces
+    FacetsView view = internal_facets();
+    view.force      = contact.data();
+    return view;
+  }
+
+  template <unsigned int n_unknowns>
+  FacetsView NodalMechanics<n_unknowns>::internal_facets() const
+  {
+    FacetsView view;
+    view.n_nodes         = n_nodes;
+    view.position        = position.data();
+    view.velocity        = velocity.data();
+    view.inverse_mass    = node_inverse_mass.data();
+    view.velocity_stride = n_unknowns;
+    return view;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::add_fields(std::vector<Field> &fields) const
+  {
+    const auto add = [&](const char *name, const char *unit, const double *values) {
+      Field field{name, unit, false, 3, {}};
+      field.values.reserve(3 * n_nodes);
+      for (std::size_t n = 0; n < n_nodes; ++n)
+        field.values.insert(field.values.end(), values + n_unknowns * n, values + n_unknowns * n + 3);
+      fields.push_back(std::move(field));
+    };
+    add("displacement", "m", displacement.data());
+    add("velocity", "m/s", velocity.data());
+  }
+
+  template <unsigned int n_unknowns>
+  std::size_t NodalMechanics<n_unknowns>::bytes() const
+  {
+    // eight vectors of unknowns, two of coordinates, one scalar, one of forces with their nodes
+    return sizeof(double) * (8 * n_padded + 11 * n_nodes) + (scaled ? scaled->bytes() : 0);
+  }
+
+  template class NodalMechanics<3>;
+  template class NodalMechanics<6>;
+} // namespace birdstrike

@@ -1,0 +1,122 @@
+#include "structure/elements/solid/solid_shell_return.h"
+#include <birdstrike/material/radial_return.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace birdstrike;
+
+namespace
+{
+  const Elasticity elasticity{113.8e9, 0.342};
+
+  std::vector<Hardening> some_laws()
+  {
+    std::vector<Hardening> laws(6);
+    laws[1].law         = HardeningLaw::linear;
+    laws[1].modulus     = 1.25e9;
+    laws[2].law         = HardeningLaw::swift;
+    laws[2].exponent    = 0.2;
+    laws[3].law         = HardeningLaw::voce;
+    laws[3].modulus     = 300e6;
+    laws[3].exponent    = 20.;
+    laws[4].law         = HardeningLaw::johnson_cook;
+    laws[4].modulus     = 695e6;
+    laws[4].exponent    = 0.36;
+    laws[4].rate_factor = 0.011;
+    laws[5]             = laws[1];
+    laws[5].rate_factor = 0.05;
+    for (Hardening &law : laws)
+      law.reference_rate = 1e-3;
+    return laws;
+  }
+
+  struct Sample
+  {
+    std::mt19937                           random{5};
+    std::uniform_real_distribution<double> number{-1., 1.};
+    double                                 operator()()
+    {
+      return number(random);
+    }
+  };
+} // namespace
+
+TEST(SolidShellReturn, IsTheRadialReturnForPointsThatAreAlike)
+{
+  Sample     number;
+  const auto rule = make_thickness_points(ThicknessRule::gauss, 5);
+  for (const Hardening &hardening : some_laws())
+    for (int sample = 0; sample < 200; ++sample)
+      {
+        double       s[6], p = sample % 3 ? 0.02 * std::abs(number()) : 0.;
+        const double dt = 1e-6, yield = compute_flow_stress(hardening, p, 0., dt, 1.).value;
+        for (double &component : s)
+          component = 2e9 * std::abs(number()) * number();
+        SolidShellReturn<double> section(elasticity, hardening, rule);
+        for (auto &point : section.point)
+          {
+            point.trace   = s[0] + s[1] - 2. * s[2];
+            point.rest    = 0.75 * (s[0] - s[1]) * (s[0] - s[1]) + 3. * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
+            point.varying = 0.;
+            point.plastic_strain = p;
+            point.yield          = yield;
+            point.softening      = 1.;
+          }
+        section.solve(dt);
+        const double across   = s[2] + section.shift;
+        const auto   expected = radial_return(elasticity, hardening, p, yield, 1., dt, s);
+        EXPECT_NEAR(across, s[2], 1e-10 * 2e9);
+        for (unsigned int k = 0; k < rule.n; ++k)
+          {
+            const auto &point = section.point[k];
+            EXPECT_NEAR(point.chi * std::sqrt(section.square(point)), expected.strain, 1e-12);
+            EXPECT_NEAR(point.trace_factor * section.shifted_trace(point), s[0] + s[1] - 2. * s[2], 1e-10 * 2e9);
+          }
+      }
+}
+
+// Any mixture of points, trials up to a hundred times the yield stress (twice, with a rate, whose threshold is a kink):
+// on the yield surface where something flows, within it elsewhere; the pressure is that of the trial, to round-off.
+TEST(SolidShellReturn, EveryPointEndsWhereItBelongs)
+{
+  Sample     number;
+  const auto rule      = make_thickness_points(ThicknessRule::gauss, 7);
+  int        n_flowing = 0, n_resting = 0;
+  for (const double poisson : {-0.5, 0., 0.3, 0.499})
+    for (const Hardening &hardening : some_laws())
+      for (int sample = 0; sample < 200; ++sample)
+        {
+          const Elasticity metal{113.8e9, poisson};
+          const double     size = std::pow(10., 8. + (hardening.rate_factor > 0. ? 1.1 : 3.) * std::abs(number())),
+                       dt       = 1e-6;
+          SolidShellReturn<double> section(metal, hardening, rule);
+          for (auto &point : section.point)
+            {
+              point.trace          = size * number();
+              point.rest           = std::pow(size * number(), 2);
+              point.varying        = sample % 2 ? std::pow(size * number(), 2) : 0.;
+              point.plastic_strain = sample % 3 ? 0.02 * std::abs(number()) : 0.;
+              point.softening      = 1.;
+              point.yield          = compute_flow_stress(hardening, point.plastic_strain, 0., dt, 1.).value;
+            }
+          section.solve(dt);
+          double pressure = 3. * section.shift;
+          for (unsigned int k = 0; k < rule.n; ++k)
+            {
+              const auto  &point = section.point[k];
+              const double q = std::sqrt(section.square(point)), strain = point.chi * q;
+              const double flow = compute_flow_stress(hardening, point.plastic_strain, strain, dt, 1.).value;
+              if (point.chi > 0.)
+                EXPECT_NEAR(q / flow, 1., 1e-9) << size;
+              else
+                EXPECT_LT(q / flow, 1. + 1e-9);
+              ++(point.chi > 0. ? n_flowing : n_resting);
+              pressure += 0.5 * rule.weight[k] * (point.trace_factor * section.shifted_trace(point) - point.trace);
+            }
+          EXPECT_NEAR(pressure, 0., 1e-9 * size);
+        }
+  EXPECT_GT(n_flowing, 1000);
+  EXPECT_GT(n_resting, 1000);
+}
