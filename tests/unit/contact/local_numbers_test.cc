@@ -1,4 +1,4 @@
-#include "contact/append.h"
+#include "contact/search/append.h"
 #include <birdstrike/contact/local_numbers.h>
 #include <birdstrike/contact/node_records.h>
 

@@ -1,6 +1,6 @@
 #include "free_masses.h"
 
-#include "contact/thickness_slope.h"
+#include "contact/touch/thickness_slope.h"
 #include <birdstrike/core/closest_point.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "contact/edge_profile.h"
+#include "contact/touch/edge_profile.h"
 #include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/contact/sharp_edges.h>
 #include <birdstrike/contact/surface_topology.h>

@@ -1,4 +1,4 @@
-#include "contact/thickness_slope.h"
+#include "contact/touch/thickness_slope.h"
 
 #include <algorithm>
 

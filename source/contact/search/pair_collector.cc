@@ -1,5 +1,5 @@
-#include "contact/pair_collector.h"
-#include "contact/append.h"
+#include "contact/search/pair_collector.h"
+#include "contact/search/append.h"
 #include <birdstrike/core/number.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "contact/append.h"
 #include "contact/gather.h"
+#include "contact/search/append.h"
 #include <birdstrike/contact/pair_geometry.h>
 #include <birdstrike/core/closest_point.h>
 

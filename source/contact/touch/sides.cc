@@ -1,28 +1,21 @@
-#include "contact/thickness_slope.h"
+#include "contact/touch/thickness_slope.h"
+#include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/contact/narrow_phase.h>
+#include <birdstrike/core/closest_point.h>
 
 #include <algorithm>
 #include <cmath>
 
+// On which side a point is of a facet that it may touch, and how deep.
 namespace birdstrike
 {
   namespace
   {
-    constexpr double share_starts_at = 0.5, share_is_full_at = 0.2; // cosines between two touching directions
-    constexpr double tie           = 1e-9;                          // relative difference of equal distances
-    constexpr double looks_outward = 0.25; // cosine between a facet's normal and where a point came from
-
     // slopes below, of thickness that strains have changed, do no work worth their couples
     constexpr double no_slope = 1e-3;
 
     // below this share of the size the direction p - q is round-off, and the facet's normal takes its place
     constexpr double no_distance = 1e-6;
-
-    Point3 unit_normal(const FacetsView &facets, const std::uint32_t facet)
-    {
-      const auto x = facet_nodes(facets, facet);
-      return (x[2] - x[0]).cross(x[3] - x[1]).normalized();
-    }
 
     Point3 slope_at(const ContactScene &scene, const std::array<std::uint32_t, 4> &nodes,
                     const std::array<double, 4> &weights)
@@ -94,102 +87,7 @@ namespace birdstrike
         return edge.overlap - approach;
       return kept;
     }
-
-    bool has_passed(const PointRecord &record, const std::uint64_t call)
-    {
-      return record.last_call + 1 == call && (record.sides[0].is_through || record.sides[1].is_through);
-    }
   } // namespace
-
-  /// The awake pairs [begin, end) of one point.
-  struct NarrowPhase::Group
-  {
-    std::uint32_t begin, end, near;
-  };
-
-  void NarrowPhase::update(const ContactScene &scene, CandidateBlock &present, PointMemory &memory)
-  {
-    touching.clear();
-    n_active_points = 0;
-    block           = &present;
-    if (present.is_new)
-      keep_passed_awake(scene, memory);
-    const double reach = std::max(scene.range, 4. * std::max(present.step_motion, scene.step * present.speed));
-    pairs.find_awake(present, reach);
-    present.n_awake = pairs.n();
-    if (pairs.n() == 0)
-      return;
-    pairs.compute(scene.points, scene.facets, scene.topology, present);
-    const auto near_of = [&](const std::uint32_t place) { return present.pair_near[pairs.pair[place]]; };
-    for (std::uint32_t begin = 0, end = 0; begin < pairs.n(); begin = end)
-      {
-        const std::uint32_t near = near_of(begin);
-        while (end < pairs.n() && near_of(end) == near)
-          ++end;
-        ++n_active_points;
-        decide(scene, {begin, end, near}, reach, memory);
-      }
-  }
-
-  std::uint32_t NarrowPhase::nearest(const Group &group) const
-  {
-    double        smallest = pairs.distance[group.begin];
-    std::uint32_t best     = group.begin;
-    for (std::uint32_t k = group.begin + 1; k < group.end; ++k)
-      if (const double distance = pairs.distance[k]; distance < smallest * (1. - tie))
-        {
-          best     = k;
-          smallest = distance;
-        }
-      else if (distance <= smallest * (1. + tie) &&
-               std::abs(pairs.height[k]) > std::abs(pairs.height[best]) * (1. + tie))
-        best = k;
-    return best;
-  }
-
-  std::uint32_t NarrowPhase::way_in(const Group &group, const ContactScene &scene, const std::uint32_t closest,
-                                    const PointRecord &before) const
-  {
-    if (before.last_call + 1 != scene.call || before.sides[0].sign == 0)
-      return closest;
-    const auto   &from = before.sides[0].outward;
-    const Point3  outward(from[0], from[1], from[2]);
-    std::uint32_t best = group.end;
-    for (std::uint32_t k = group.begin; k < group.end; ++k)
-      if ((best == group.end || pairs.distance[k] < pairs.distance[best]) &&
-          unit_normal(scene.facets, facet_of(k)).dot(outward) > looks_outward)
-        best = k;
-    return best == group.end ? closest : best;
-  }
-
-  bool NarrowPhase::is_local_minimum(const Group &group, const ContactScene &scene, const std::uint32_t place) const
-  {
-    const auto &nodes  = scene.facets.nodes[facet_of(place)];
-    const auto  shares = [&](const std::array<std::uint32_t, 4> &others) {
-      for (unsigned int k = 0; k < 4; ++k)
-        if (pairs.weight[k][place] > 0. && std::find(others.begin(), others.end(), nodes[k]) == others.end())
-          return false;
-      return true;
-    };
-    for (std::uint32_t k = group.begin; k < group.end; ++k)
-      if (pairs.distance[k] < pairs.distance[place] * (1. - tie) && shares(scene.facets.nodes[facet_of(k)]))
-        return false;
-    return true;
-  }
-
-  std::int64_t NarrowPhase::opposed(const Group &group, const ContactScene &scene, const std::uint32_t first,
-                                    const double reach) const
-  {
-    std::int64_t best = -1;
-    const Point3 r1   = pairs.offset_of(first);
-    for (std::uint32_t k = group.begin; k < group.end; ++k)
-      if (k != first && pairs.distance[k] < reach && (scene.facets.two_sided || pairs.height[k] >= 0.) &&
-          (best < 0 || pairs.distance[k] < pairs.distance[best]) &&
-          pairs.offset_of(k).dot(r1) < share_starts_at * pairs.distance[k] * pairs.distance[first] &&
-          is_local_minimum(group, scene, k))
-        best = k;
-    return best;
-  }
 
   bool NarrowPhase::touch(const ContactScene &scene, const std::uint32_t place, const PointRecord &before,
                           const bool is_other_sheet, int &taken, TouchingPair &result, PointRecord::Side &side) const
@@ -200,7 +98,8 @@ namespace birdstrike
     const Point3        offset = pairs.offset_of(place), velocity = pairs.velocity_of(place);
     const bool          is_beyond     = scene.topology.is_on_rim(scene.facets, facet, pairs.weights_of(place));
     const bool          is_degenerate = distance < no_distance * before.size; // on the surface itself
-    const Point3        normal        = is_degenerate ? unit_normal(scene.facets, facet) : Point3(0., 0., 0.);
+    const Point3        normal =
+      is_degenerate ? Point3(compute_area_vector(facet_nodes(scene.facets, facet)).normalized()) : Point3(0., 0., 0.);
     // on the surface itself the point is where it came from
     const std::int8_t seen = (is_degenerate ? -velocity.dot(normal) : pairs.height[place]) < 0. ? -1 : 1;
 
@@ -268,65 +167,5 @@ namespace birdstrike
     result.normal     = is_limited ? edge.limit_normal : Point3(edge.normal - edge.slope);
     result.is_oblique = is_limited || edge.is_oblique || !edge.slope.isZero(0.);
     return result.penetration > 0.;
-  }
-
-  void NarrowPhase::decide(const ContactScene &scene, const Group &group, const double reach, PointMemory &memory)
-  {
-    std::uint32_t closest = nearest(group);
-    if (!scene.facets.two_sided && pairs.height[closest] < 0.)
-      closest = way_in(group, scene, closest, memory[scene.points.id[block->points[group.near]]]);
-    if (pairs.distance[closest] >= reach && !block->has_passed[group.near])
-      return;
-    PointRecord &record = memory[scene.points.id[block->points[group.near]]];
-
-    const PointRecord before = record;
-    TouchingPair      first, second;
-    first.near = second.near = group.near;
-    first.share = second.share = 0.;
-    record.sides[1]            = {};
-    record.last_call           = scene.call;
-    int taken                  = -1;
-    if (touch(scene, closest, before, false, taken, first, record.sides[0]))
-      first.share = 1.;
-    if (group.end - group.begin > 1)
-      {
-        const std::int64_t other =
-          opposed(group, scene, closest, scene.topology.max_half_thickness() + 0.5 * before.size);
-        const bool is_other_sheet =
-          other >= 0 && scene.topology.piece(facet_of(static_cast<std::uint32_t>(other))) == record.sides[0].piece;
-        if (other >= 0 &&
-            touch(scene, static_cast<std::uint32_t>(other), before, is_other_sheet, taken, second, record.sides[1]))
-          {
-            const double cosine = first.share > 0. ? first.normal.normalized().dot(second.normal.normalized()) : -1.;
-            const double ramp   = std::clamp((share_starts_at - cosine) / (share_starts_at - share_is_full_at), 0., 1.);
-            second.share        = ramp * ramp * (3. - 2. * ramp);
-          }
-      }
-    for (const TouchingPair &touched : {first, second})
-      if (touched.share > 0.)
-        touching.push_back(touched);
-    block->has_passed[group.near] = has_passed(record, scene.call + 1);
-    if (block->has_passed[group.near])
-      keep_awake(group.near);
-  }
-
-  void NarrowPhase::keep_passed_awake(const ContactScene &scene, PointMemory &memory)
-  {
-    block->has_passed.resize(block->points.size());
-    for (std::uint32_t near = 0; near < block->points.size(); ++near)
-      {
-        block->has_passed[near] = has_passed(memory[scene.points.id[block->points[near]]], scene.call);
-        if (block->has_passed[near])
-          keep_awake(near);
-      }
-    block->is_new = false;
-  }
-
-  void NarrowPhase::keep_awake(const std::uint32_t near)
-  {
-    const auto &points = block->pair_near;
-    const auto  range  = std::equal_range(points.begin(), points.end(), near);
-    for (auto k = range.first; k != range.second; ++k)
-      block->pair_bound[static_cast<std::size_t>(k - points.begin())] = -1e300;
   }
 } // namespace birdstrike

@@ -1,4 +1,4 @@
-#include "contact/pair_collector.h"
+#include "contact/search/pair_collector.h"
 #include <birdstrike/contact/search.h>
 
 #include <algorithm>
