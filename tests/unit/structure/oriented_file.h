@@ -1,0 +1,184 @@
+#pragma once
+
+#include "blade_case.h"
+
+#include <Eigen/Geometry>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <numeric>
+#include <random>
+
+namespace birdstrike::test
+{
+  /// How a file lists a plate: which corner each cell begins at and about which axes it runs, the order of its cells
+  /// and nodes, and where in space it stands.
+  struct Listing
+  {
+    /// The order of a cell's corners, from those of the plate (quadrilaterals counter-clockwise, hexahedra by bits of
+    /// span, chord and normal); called once a cell.
+    std::function<std::vector<unsigned int>()> corners;
+    unsigned int                               seed   = 0; ///< of the order of cells and nodes; 0: as they come
+    Matrix3<double>                            turned = Matrix3<double>::Identity();
+  };
+
+  /// The 24 rotations of a cube as orders of its corners.
+  inline std::vector<std::vector<unsigned int>> rotations_of_a_cube()
+  {
+    std::vector<std::vector<unsigned int>> all;
+    for (const std::array<unsigned int, 3> &axes :
+         {std::array{0u, 1u, 2u}, {1u, 2u, 0u}, {2u, 0u, 1u}, {0u, 2u, 1u}, {2u, 1u, 0u}, {1u, 0u, 2u}})
+      for (unsigned int flipped = 0; flipped < 8; ++flipped)
+        {
+          const bool is_even = axes[1] == (axes[0] + 1) % 3;
+          if (((flipped & 1) + (flipped >> 1 & 1) + (flipped >> 2)) % 2 != (is_even ? 0 : 1))
+            continue; // a reflection
+          std::vector<unsigned int> order(8, 0);
+          for (unsigned int v = 0; v < 8; ++v)
+            for (unsigned int k = 0; k < 3; ++k)
+              order[v] |= ((v >> k ^ flipped >> k) & 1) << axes[k];
+          all.push_back(order);
+        }
+    return all;
+  }
+
+  /// The plate of elastic_plate() as a Gmsh file that lives as long as this object: quadrilaterals, or hexahedra in
+  /// n_layers. Boundary ids 10 root, 11 tip, 12 and 13 the edges at -y and +y, 15 and 16 the faces at -z and +z.
+  class PlateFile
+  {
+  public:
+    PlateFile(const std::array<unsigned int, 3> &n, const Listing &listing)
+      : n(n), listing(listing), random(listing.seed)
+    {
+      std::string   pattern = (std::filesystem::temp_directory_path() / "birdstrike-XXXXXX.msh").string();
+      const int     file    = ::mkstemps(pattern.data(), 4);
+      std::ofstream out(path = pattern);
+      ::close(file);
+      out.precision(17);
+      write_nodes(out);
+      for (unsigned int d = 0; d < (n[2] > 0 ? 3u : 2u); ++d)
+        add_sides(d);
+      add_cells();
+      out << "$Elements\n" << elements.size() << '\n';
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        out << k + 1 << elements[k] << '\n';
+      out << "$EndElements\n";
+    }
+    PlateFile(const PlateFile &) = delete;
+    ~PlateFile()
+    {
+      std::filesystem::remove(path);
+    }
+
+    BladeParameters parameters() const
+    {
+      BladeParameters p  = elastic_plate(n[0], n[1]);
+      p.kind             = n[2] > 0 ? "solid" : "shell";
+      p.mesh.generator   = "file";
+      p.mesh.file        = path;
+      p.supports.clamped = "10";
+      p.supports.tip     = "11";
+      return p;
+    }
+
+  private:
+    std::array<unsigned int, 3> n;
+    Listing                     listing;
+    std::mt19937                random;
+    std::string                 path;
+    std::vector<unsigned int>   number; ///< from 1
+    std::vector<std::string>    elements;
+
+    unsigned int node(const std::array<unsigned int, 3> &i) const
+    {
+      return number[(i[0] * (n[1] + 1) + i[1]) * (n[2] + 1) + i[2]];
+    }
+
+    void shuffle(auto &list)
+    {
+      if (listing.seed > 0)
+        std::shuffle(list.begin(), list.end(), random);
+    }
+
+    void write_nodes(std::ofstream &out)
+    {
+      const BladeParameters p = elastic_plate(n[0], n[1]);
+      std::vector<Point3>   places;
+      for (unsigned int i = 0; i <= n[0]; ++i)
+        for (unsigned int j = 0; j <= n[1]; ++j)
+          for (unsigned int k = 0; k <= n[2]; ++k)
+            places.emplace_back(p.mesh.length * i / n[0], p.mesh.chord * (double(j) / n[1] - 0.5),
+                                n[2] > 0 ? 0.00427 * (double(k) / n[2] - 0.5) : 0.);
+      std::vector<std::size_t> order(places.size());
+      std::iota(order.begin(), order.end(), 0);
+      shuffle(order);
+      number.resize(order.size());
+      out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << order.size() << '\n';
+      for (std::size_t k = 0; k < order.size(); ++k)
+        {
+          number[order[k]] = static_cast<unsigned int>(k + 1);
+          const Point3 x   = listing.turned * places[order[k]];
+          out << k + 1 << ' ' << x[0] << ' ' << x[1] << ' ' << x[2] << '\n';
+        }
+      out << "$EndNodes\n";
+    }
+
+    void add(const char *type, const unsigned int id, const std::vector<unsigned int> &nodes)
+    {
+      std::string text = std::string(" ") + type + " 2 " + std::to_string(id) + ' ' + std::to_string(id);
+      for (const unsigned int v : nodes)
+        text += ' ' + std::to_string(v);
+      elements.push_back(text);
+    }
+
+    /// The boundary at both ends of a direction.
+    void add_sides(const unsigned int d)
+    {
+      static constexpr unsigned int ids[3][2] = {{10, 11}, {12, 13}, {15, 16}};
+      const unsigned int            e = (d + 1) % 3, f = (d + 2) % 3;
+      for (const unsigned int end : {0u, 1u})
+        for (unsigned int a = 0; a < std::max(n[e], 1u); ++a)
+          for (unsigned int b = 0; b < std::max(n[f], 1u); ++b)
+            {
+              const auto at = [&](const unsigned int i, const unsigned int j) {
+                std::array<unsigned int, 3> place;
+                place[d] = end * n[d];
+                place[e] = std::min(a + i, n[e]);
+                place[f] = std::min(b + j, n[f]);
+                return node(place);
+              };
+              if (n[2] > 0)
+                add("3", ids[d][end], {at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
+              else
+                add("1", ids[d][end], {at(0, 0), at(1, 1)});
+            }
+    }
+
+    void add_cells()
+    {
+      std::vector<std::array<unsigned int, 3>> cells;
+      for (unsigned int i = 0; i < n[0]; ++i)
+        for (unsigned int j = 0; j < n[1]; ++j)
+          for (unsigned int k = 0; k < std::max(n[2], 1u); ++k)
+            cells.push_back({i, j, k});
+      shuffle(cells);
+      for (const auto &[i, j, k] : cells)
+        {
+          std::vector<unsigned int> corners, listed;
+          const bool                is_solid = n[2] > 0;
+          for (unsigned int v = 0; v < (is_solid ? 8u : 4u); ++v)
+            corners.push_back(is_solid ? node({i + (v & 1), j + (v >> 1 & 1), k + (v >> 2)})
+                                       : node({i + (v == 1 || v == 2), j + (v > 1), 0}));
+          const auto order = listing.corners();
+          for (const unsigned int v :
+               is_solid ? std::vector{0u, 1u, 3u, 2u, 4u, 5u, 7u, 6u} : std::vector{0u, 1u, 2u, 3u})
+            listed.push_back(corners[order[v]]); // Gmsh goes round the faces
+          add(is_solid ? "5" : "3", 1, listed);
+        }
+    }
+  };
+} // namespace birdstrike::test
