@@ -1,8 +1,8 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/core/program.h>
+#include <birdstrike/report/compare.h>
 #include <birdstrike/simulation/commands.h>
-#include <birdstrike/simulation/compare.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>

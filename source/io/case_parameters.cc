@@ -1,3 +1,4 @@
+#include "io/parameter_tree.h"
 #include "io/symmetry_check.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
@@ -6,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 namespace birdstrike
@@ -41,6 +44,25 @@ namespace birdstrike
                       bird.courant_number, scale, bird.courant_number * scale, bird.formulation, limit, limit / scale,
                       BirdParameters().courant_number));
     }
+
+    std::string name_of(const KnownEntry &entry)
+    {
+      return (entry.section.empty() ? "" : to_string(entry.section) + "/") + entry.name;
+    }
+
+    /// False for what is no number as a whole.
+    bool parse(const std::string &text, double &value)
+    {
+      char *end = nullptr;
+      value     = std::strtod(text.c_str(), &end);
+      return !text.empty() && *end == '\0';
+    }
+
+    bool are_equal(const std::string &a, const std::string &b)
+    {
+      double of_a = 0., of_b = 0.;
+      return a == b || (parse(a, of_a) && parse(b, of_b) && of_a == of_b);
+    }
   } // namespace
 
   CaseParameters::CaseParameters()
@@ -71,5 +93,18 @@ namespace birdstrike
   std::string CaseParameters::run_directory() const
   {
     return output.directory.empty() ? "runs/" + name : output.directory;
+  }
+
+  std::string first_difference(const CaseParameters &a, const CaseParameters &b, const EntryNames &ignored)
+  {
+    const ParameterTree tree_a = a.file.tree(), tree_b = b.file.tree();
+    for (const KnownEntry &entry : tree_a.entries())
+      {
+        const std::string name = name_of(entry);
+        if (std::find(ignored.begin(), ignored.end(), name) == ignored.end() &&
+            !are_equal(entry.value, tree_b.find(entry.section, entry.name)->value))
+          return name;
+      }
+    return "";
   }
 } // namespace birdstrike

@@ -24,7 +24,7 @@ namespace birdstrike
            {"original.prm", "parameters.prm", "log.txt", "history.csv", "results.h5", "summary.json"})
         if (name == known || name == std::string(known) + ".part")
           return true;
-      return extension == ".pvd" || extension == ".vtu" || extension == ".checkpoint";
+      return extension == ".pvd" || extension == ".vtu";
     }
 
     /// Throws InputError where somebody else holds the folder.

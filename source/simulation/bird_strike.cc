@@ -4,8 +4,8 @@
 #include <birdstrike/core/allocation_guard.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/io/summary.h>
-#include <birdstrike/io/text.h>
+#include <birdstrike/report/summary.h>
+#include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
 #include <spdlog/logger.h>

@@ -6,7 +6,7 @@
 #include "simulation/scene.h"
 #include "simulation/stepper.h"
 #include <birdstrike/core/timing.h>
-#include <birdstrike/io/progress.h>
+#include <birdstrike/report/progress.h>
 
 #include <atomic>
 #include <optional>

@@ -3,8 +3,8 @@
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/io/summary.h>
-#include <birdstrike/io/text.h>
+#include <birdstrike/report/summary.h>
+#include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/run_folder.h>
-#include <birdstrike/io/summary.h>
-#include <birdstrike/io/text.h>
+#include <birdstrike/report/summary.h>
+#include <birdstrike/report/text.h>
 #include <birdstrike/simulation/commands.h>
 
 #include <spdlog/logger.h>

@@ -5,7 +5,7 @@
 #include <birdstrike/contact/mass_in_the_way.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/fields.h>
-#include <birdstrike/io/text.h>
+#include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
 #include <fmt/format.h>

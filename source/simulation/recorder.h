@@ -4,7 +4,7 @@
 #include "simulation/observed.h"
 #include <birdstrike/io/field_writer.h>
 #include <birdstrike/io/fields.h>
-#include <birdstrike/io/history.h>
+#include <birdstrike/report/history.h>
 #include <birdstrike/structure/reports.h>
 #include <birdstrike/time_control/ticks.h>
 

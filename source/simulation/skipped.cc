@@ -2,8 +2,8 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/io/summary.h>
-#include <birdstrike/io/text.h>
+#include <birdstrike/report/summary.h>
+#include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
 #include <cmath>

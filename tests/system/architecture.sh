@@ -22,7 +22,8 @@ declare -A allowed=(
   [contact]="core contact"
   [time_control]="core time_control"
   [io]="core material mesh structure bird contact time_control io"
-  [simulation]="core material mesh structure bird contact time_control io simulation"
+  [report]="core material mesh structure bird contact time_control io report"
+  [simulation]="core material mesh structure bird contact time_control io report simulation"
 )
 
 for room in "${!allowed[@]}"; do

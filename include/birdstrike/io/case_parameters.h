@@ -41,4 +41,11 @@ namespace birdstrike
     /// Where the run writes: `Output/Directory`, or runs/<case name>.
     std::string run_directory() const;
   };
+
+  /// Names of entries, "Section/Entry".
+  using EntryNames = std::vector<std::string>;
+
+  /// The first entry, in the order of declaration, whose values differ ("Bird/Velocity"), other than those named in
+  /// `ignored`; empty if none does. Numbers are compared as numbers, all else as text.
+  std::string first_difference(const CaseParameters &a, const CaseParameters &b, const EntryNames &ignored);
 } // namespace birdstrike

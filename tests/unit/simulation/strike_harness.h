@@ -3,7 +3,7 @@
 #include "simulation/bird_strike.h"
 #include "simulation/scene.h"
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/io/summary.h>
+#include <birdstrike/report/summary.h>
 #include <birdstrike/structure/blade.h>
 
 #include <unistd.h>

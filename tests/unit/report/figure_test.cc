@@ -1,9 +1,9 @@
+#include "report/figure.h"
 #include <birdstrike/core/child_process.h>
-#include <birdstrike/io/figure.h>
 
 #include <gtest/gtest.h>
 
-#include "scratch_folder.h"
+#include "../io/scratch_folder.h"
 
 using birdstrike::Figure;
 using birdstrike::script_of;

@@ -2,7 +2,7 @@
 
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/run_folder.h>
-#include <birdstrike/simulation/compare.h>
+#include <birdstrike/report/compare.h>
 
 #include <filesystem>
 #include <memory>

@@ -1,14 +1,11 @@
-#include "io/parameter_tree.h"
+#include "report/run_reuse.h"
+#include "report/run_record.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/input_files.h>
-#include <birdstrike/io/run_record.h>
-#include <birdstrike/io/run_reuse.h>
-#include <birdstrike/io/summary.h>
+#include <birdstrike/report/summary.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace birdstrike
@@ -18,25 +15,6 @@ namespace birdstrike
     namespace fs = std::filesystem;
 
     const EntryNames place_of_the_run{"Output/Directory"};
-
-    std::string name_of(const KnownEntry &entry)
-    {
-      return (entry.section.empty() ? "" : to_string(entry.section) + "/") + entry.name;
-    }
-
-    /// False for what is no number as a whole.
-    bool parse(const std::string &text, double &value)
-    {
-      char *end = nullptr;
-      value     = std::strtod(text.c_str(), &end);
-      return !text.empty() && *end == '\0';
-    }
-
-    bool are_equal(const std::string &a, const std::string &b)
-    {
-      double of_a = 0., of_b = 0.;
-      return a == b || (parse(a, of_a) && parse(b, of_b) && of_a == of_b);
-    }
 
     /// The first file that is not what the run has read, or is missing on one side; empty if there is none.
     std::string changed_file(const RunRecord &run, const CaseParameters &wanted)
@@ -95,19 +73,6 @@ namespace birdstrike
       return "";
     }
   } // namespace
-
-  std::string first_difference(const CaseParameters &a, const CaseParameters &b, const EntryNames &ignored)
-  {
-    const ParameterTree tree_a = a.file.tree(), tree_b = b.file.tree();
-    for (const KnownEntry &entry : tree_a.entries())
-      {
-        const std::string name = name_of(entry);
-        if (std::find(ignored.begin(), ignored.end(), name) == ignored.end() &&
-            !are_equal(entry.value, tree_b.find(entry.section, entry.name)->value))
-          return name;
-      }
-    return "";
-  }
 
   std::string reason_not_to_reuse(const fs::path &folder, const CaseParameters &wanted)
   {

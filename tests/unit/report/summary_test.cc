@@ -1,4 +1,4 @@
-#include <birdstrike/io/summary.h>
+#include <birdstrike/report/summary.h>
 
 #include <gtest/gtest.h>
 

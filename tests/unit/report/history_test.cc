@@ -1,4 +1,4 @@
-#include <birdstrike/io/history.h>
+#include <birdstrike/report/history.h>
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "scratch_folder.h"
+#include "../io/scratch_folder.h"
 
 using birdstrike::History;
 

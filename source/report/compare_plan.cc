@@ -1,8 +1,8 @@
-#include "simulation/compare_plan.h"
+#include "report/compare_plan.h"
 
+#include "report/run_reuse.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/comparison_folder.h>
-#include <birdstrike/io/run_reuse.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include <birdstrike/core/log.h>
-#include <birdstrike/io/progress.h>
-#include <birdstrike/io/text.h>
+#include <birdstrike/report/progress.h>
+#include <birdstrike/report/text.h>
 
 #include <algorithm>
 #include <chrono>

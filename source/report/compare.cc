@@ -1,11 +1,11 @@
-#include "simulation/compare_plan.h"
+#include "report/compare_plan.h"
 
+#include "report/comparison_figures.h"
+#include "report/comparison_table.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
-#include <birdstrike/io/comparison_figures.h>
 #include <birdstrike/io/comparison_folder.h>
-#include <birdstrike/io/comparison_table.h>
 
 #include <spdlog/logger.h>
 

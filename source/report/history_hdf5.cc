@@ -1,4 +1,4 @@
-#include "io/history_hdf5.h"
+#include "report/history_hdf5.h"
 
 #include <deal.II/base/hdf5.h>
 

@@ -1,4 +1,4 @@
-#include <birdstrike/io/summary.h>
+#include <birdstrike/report/summary.h>
 
 #include <sys/resource.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <birdstrike/io/run_record.h>
+#include "report/run_record.h"
 
 #include <string>
 #include <vector>

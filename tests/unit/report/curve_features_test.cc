@@ -1,4 +1,4 @@
-#include "io/curve_features.h"
+#include "report/curve_features.h"
 
 #include <gtest/gtest.h>
 

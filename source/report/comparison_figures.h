@@ -1,7 +1,7 @@
 #pragma once
 
-#include <birdstrike/io/comparison_table.h>
-#include <birdstrike/io/figure.h>
+#include "report/comparison_table.h"
+#include "report/figure.h"
 
 namespace birdstrike
 {

@@ -2,18 +2,10 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace birdstrike
 {
   struct CaseParameters;
-
-  /// Names of entries, "Section/Entry".
-  using EntryNames = std::vector<std::string>;
-
-  /// The first entry, in the order of declaration, whose values differ ("Bird/Velocity"), other than those named in
-  /// `ignored`; empty if none does. Numbers are compared as numbers, all else as text.
-  std::string first_difference(const CaseParameters &a, const CaseParameters &b, const EntryNames &ignored);
 
   /// Whether the run in a folder can stand for a run of these parameters by this program: it is complete, with its
   /// histories, neither a signal nor the clock ended it, this very build made it, its parameters.prm has the same value

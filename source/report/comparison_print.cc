@@ -1,5 +1,5 @@
-#include <birdstrike/io/comparison_table.h>
-#include <birdstrike/io/text.h>
+#include "report/comparison_table.h"
+#include <birdstrike/report/text.h>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include <birdstrike/io/comparison_table.h>
-#include <birdstrike/io/figure.h>
+#include "report/figure.h"
+#include "report/comparison_table.h"
 
 #include <fmt/format.h>
 

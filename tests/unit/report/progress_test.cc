@@ -1,4 +1,4 @@
-#include <birdstrike/io/progress.h>
+#include <birdstrike/report/progress.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <birdstrike/io/text.h>
+#include <birdstrike/report/text.h>
 
 #include <gtest/gtest.h>
 

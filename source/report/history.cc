@@ -1,5 +1,5 @@
 #include <birdstrike/core/log.h>
-#include <birdstrike/io/history.h>
+#include <birdstrike/report/history.h>
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,7 @@
 #include <spdlog/spdlog.h>
 #include <stdexcept>
 
-#include "io/history_hdf5.h"
+#include "report/history_hdf5.h"
 
 namespace birdstrike
 {

@@ -1,6 +1,6 @@
-#include "io/curve_features.h"
-#include <birdstrike/io/comparison_table.h>
-#include <birdstrike/io/text.h>
+#include "report/comparison_table.h"
+#include "report/curve_features.h"
+#include <birdstrike/report/text.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/io/history.h>
 #include <birdstrike/io/run_folder.h>
-#include <birdstrike/io/summary.h>
+#include <birdstrike/report/history.h>
+#include <birdstrike/report/summary.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include <birdstrike/io/comparison_figures.h>
+#include "report/comparison_figures.h"
 
 #include <algorithm>
 #include <cmath>

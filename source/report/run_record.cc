@@ -1,4 +1,4 @@
-#include <birdstrike/io/run_record.h>
+#include "report/run_record.h"
 
 #include <nlohmann/json.hpp>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "io/history_hdf5.h"
+#include "report/history_hdf5.h"
 
 namespace birdstrike
 {

@@ -1,13 +1,13 @@
+#include "report/run_record.h"
+#include "report/run_reuse.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/io/run_record.h>
-#include <birdstrike/io/run_reuse.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "../io/scratch_folder.h"
 #include "recorded_run.h"
-#include "scratch_folder.h"
 
 using namespace birdstrike;
 

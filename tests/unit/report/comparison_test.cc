@@ -1,15 +1,15 @@
+#include "report/comparison_figures.h"
+#include "report/comparison_table.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/io/comparison_figures.h>
 #include <birdstrike/io/comparison_folder.h>
-#include <birdstrike/io/comparison_table.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "../io/scratch_folder.h"
 #include "recorded_run.h"
-#include "scratch_folder.h"
 
 using namespace birdstrike;
 
