@@ -122,11 +122,13 @@ namespace birdstrike
     compute_rates(); // with the new correction matrices
   }
 
-  void Bird::clear_contact_forces()
+  PointForces Bird::clear_contact_forces()
   {
     for (auto &force : particles.contact_force)
       std::fill(force.begin(), force.end(), 0.);
-    has_contact_force = false;
+    has_contact_force = true; // whoever holds them may write
+    auto &force       = particles.contact_force;
+    return {{force[0].data(), force[1].data(), force[2].data()}};
   }
 
   void Bird::drift(const double dt)

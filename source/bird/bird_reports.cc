@@ -66,7 +66,7 @@ namespace birdstrike
     }
   } // namespace
 
-  PointsView Bird::points()
+  PointsView Bird::points() const
   {
     PointsView view;
     view.n = particles.size();
@@ -74,7 +74,6 @@ namespace birdstrike
       {
         view.position[d] = particles.x[d].data();
         view.velocity[d] = particles.v[d].data();
-        view.force[d]    = particles.contact_force[d].data();
       }
     view.mass           = particle_masses.data();
     view.volume         = particles.volume.data();
@@ -86,7 +85,6 @@ namespace birdstrike
     view.hugoniot_slope = hugoniot_slope;
     view.largest_step   = largest_step();
     view.revision       = revision;
-    has_contact_force   = true; // whoever holds the view may write
     return view;
   }
 

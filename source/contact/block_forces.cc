@@ -103,7 +103,7 @@ namespace birdstrike
         const NodeSums::Sum force{forces[0][t], forces[1][t], forces[2][t], -tangent[t]};
         for (unsigned int d = 0; d < 3; ++d)
           {
-            points.force[d][i] += force[d];
+            target.point_forces.component[d][i] += force[d];
             report.force[d] -= force[d];
           }
         for (unsigned int k = 0; k < 4; ++k)

@@ -20,6 +20,7 @@ namespace birdstrike
     {
       const PointsView                 &points;
       const FacetsView                 &facets;
+      const PointForces                &point_forces;
       std::vector<TouchRecord>         &touches; ///< get their dissipative forces
       const std::vector<PressurePatch> &patches;
       NodeSums::Sum                    *node_sums; ///< of the block, by its numbers

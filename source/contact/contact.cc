@@ -65,10 +65,9 @@ namespace birdstrike
     is_first = true;
   }
 
-  void Contact::add_forces(const PointsView &points, const FacetsView &facets, const double step, ThreadPool &pool)
+  void Contact::add_forces(const PointsView &points, const FacetsView &facets, const double step, const Sink &sink,
+                           ThreadPool &pool)
   {
-    if (!parameters.is_enabled)
-      return;
     clock += is_first ? 0. : step;
     ++last.calls;
 
@@ -80,7 +79,7 @@ namespace birdstrike
         const double       range = topology.max_half_thickness() + 0.5 * memory.max_size();
         const ContactScene scene{points, facets, topology, step, range, last.calls, last.calls == 1, is_changed};
         find_touches(scene, pool);
-        add_forces_of_touches(scene, pool);
+        add_forces_of_touches(scene, sink, pool);
       }
     is_first = false;
     sum_report();
@@ -170,7 +169,7 @@ namespace birdstrike
     record.last_touch = last.calls;
   }
 
-  void Contact::add_forces_of_touches(const ContactScene &scene, ThreadPool &pool)
+  void Contact::add_forces_of_touches(const ContactScene &scene, const Sink &sink, ThreadPool &pool)
   {
     auto &blocks = search.blocks();
     cost.assign(1, 0);
@@ -186,11 +185,11 @@ namespace birdstrike
       for (std::size_t b = begin; b < end; ++b)
         if (!touches[b].empty())
           workspace().forces.add(law, memory,
-                                       {scene.points, scene.facets, touches[b], patches, node_sums.of(blocks[b]),
+                                       {scene.points, scene.facets, sink.points, touches[b], patches, node_sums.of(blocks[b]),
                                   node_sums.mobility_of(blocks[b]), block_reports[b]});
     };
     pool.parallel_for_balanced(blocks.size(), cost.back() < min_cost ? blocks.size() : 1, cost.data(), std::ref(add));
-    update_limit(scene.points, scene.facets, node_sums.add_to(scene.facets, pool));
+    update_limit(scene.points, scene.facets, node_sums.add_to(sink.nodes, scene.facets, pool));
     for (const auto &list : touches)
       dissipation.add(scene.points, scene.facets, list, is_first ? 0. : scene.step);
   }

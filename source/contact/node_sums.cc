@@ -63,7 +63,7 @@ namespace birdstrike
     pool.parallel_for(nodes.size(), grain, std::ref(share));
   }
 
-  NodeSums::Largest NodeSums::add_to(const FacetsView &facets, ThreadPool &pool) const
+  NodeSums::Largest NodeSums::add_to(const NodeForces &forces, const FacetsView &facets, ThreadPool &pool) const
   {
     largest.assign((nodes.size() + grain - 1) / grain, Largest{});
     const auto add = [&](const std::size_t begin, const std::size_t end) {
@@ -74,7 +74,7 @@ namespace birdstrike
             for (unsigned int d = 0; d < 4; ++d)
               total[d] += sums[entries[e]][d];
           for (unsigned int d = 0; d < 3; ++d)
-            facets.force[nodes[n] * facets.velocity_stride + d] += total[d];
+            forces.of(nodes[n])[d] += total[d];
           Largest &most = largest[n / grain];
           if (const double value = total[3] * facets.inverse_mass[nodes[n]]; value > most.value)
             most = {value, nodes[n]};

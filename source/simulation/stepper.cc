@@ -159,7 +159,7 @@ namespace birdstrike
     parts.blade->compute_internal_forces();
     if (parts.self_contact)
       {
-        parts.self_contact->update(parts.blade->internal_facets(), step);
+        parts.self_contact->update(parts.blade->facets(), step);
         parts.blade->add_internal_forces(parts.self_contact->forces());
       }
     ++done.blade;
@@ -173,9 +173,9 @@ namespace birdstrike
     if (parts.contact)
       {
         const Timings::Scope scope(timings, sections.contact);
-        parts.bird->clear_contact_forces();
-        parts.blade->clear_contact_forces();
-        parts.contact->add_forces(parts.bird->points(), parts.blade->facets(), step, *parts.pool);
+        parts.contact->add_forces(parts.bird->points(), parts.blade->facets(), step,
+                                  {parts.bird->clear_contact_forces(), parts.blade->clear_contact_forces()},
+                                  *parts.pool);
         if (parts.watch)
           parts.watch->update(parts.contact->report(), step);
       }

@@ -118,18 +118,18 @@ namespace birdstrike
   {
   }
 
-  void RigidPlate::clear_contact_forces()
+  NodeForces RigidPlate::clear_contact_forces()
   {
     std::fill(force.begin(), force.end(), 0.);
+    return {force.data(), 3};
   }
 
-  FacetsView RigidPlate::facets()
+  FacetsView RigidPlate::facets() const
   {
     FacetsView view;
     view.n_nodes         = surface.nodes.size();
     view.position        = position.data();
     view.velocity        = velocity.data();
-    view.force           = force.data();
     view.inverse_mass    = inverse_mass.data();
     view.velocity_stride = 3;
     view.n_facets        = surface.cells.size();

@@ -22,13 +22,13 @@ namespace birdstrike
     bool        is_deformable() const override;
     StepLimit   step_limit() const override;
 
-    void kick_internal(double half_step, HalfKick half) override;
-    void kick_contact(double half_step, HalfKick half) override;
-    void drift(double step) override;
-    void compute_internal_forces() override;
-    void clear_contact_forces() override;
+    void       kick_internal(double half_step, HalfKick half) override;
+    void       kick_contact(double half_step, HalfKick half) override;
+    void       drift(double step) override;
+    void       compute_internal_forces() override;
+    NodeForces clear_contact_forces() override;
 
-    FacetsView               facets() override;
+    FacetsView               facets() const override;
     std::array<double, 3>    contact_force() const override;
     EnergyReport             energies() const override;
     MomentumReport           momenta() const override;

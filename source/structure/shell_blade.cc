@@ -31,9 +31,9 @@ namespace birdstrike
       state->update_failed();
   }
 
-  void ShellBlade::clear_contact_forces()
+  NodeForces ShellBlade::clear_contact_forces()
   {
-    state->nodes.clear_contact_forces();
+    return state->nodes.clear_contact_forces();
   }
 
   void ShellBlade::set_contact_in_transit(const double duration)
@@ -41,16 +41,9 @@ namespace birdstrike
     state->nodes.set_contact_in_transit(duration);
   }
 
-  FacetsView ShellBlade::facets()
+  FacetsView ShellBlade::facets() const
   {
     FacetsView view = state->nodes.facets();
-    state->surface.offer(view);
-    return view;
-  }
-
-  FacetsView ShellBlade::internal_facets()
-  {
-    FacetsView view = state->nodes.internal_facets();
     state->surface.offer(view);
     return view;
   }

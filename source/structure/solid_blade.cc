@@ -130,9 +130,9 @@ namespace birdstrike
       state->update_failed();
   }
 
-  void SolidBlade::clear_contact_forces()
+  NodeForces SolidBlade::clear_contact_forces()
   {
-    state->nodes.clear_contact_forces();
+    return state->nodes.clear_contact_forces();
   }
 
   void SolidBlade::set_contact_in_transit(const double duration)
@@ -140,19 +140,10 @@ namespace birdstrike
     state->nodes.set_contact_in_transit(duration);
   }
 
-  FacetsView SolidBlade::facets()
+  FacetsView SolidBlade::facets() const
   {
     FacetsView view = state->nodes.facets();
     if (!state->can_fail) // else nodes inside may become the skin's
-      view.n_nodes = state->mesh.volume().n_skin_nodes;
-    state->skin.offer(view);
-    return view;
-  }
-
-  FacetsView SolidBlade::internal_facets()
-  {
-    FacetsView view = state->nodes.internal_facets();
-    if (!state->can_fail)
       view.n_nodes = state->mesh.volume().n_skin_nodes;
     state->skin.offer(view);
     return view;

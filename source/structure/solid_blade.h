@@ -33,15 +33,14 @@ namespace birdstrike
     StepLimit   step_limit() const override;
     double      largest_stable_step() const override;
 
-    void kick_internal(double half_step, HalfKick half) override;
-    void kick_contact(double half_step, HalfKick half) override;
-    void drift(double step) override;
-    void compute_internal_forces() override;
-    void clear_contact_forces() override;
-    void set_contact_in_transit(double duration) override;
+    void       kick_internal(double half_step, HalfKick half) override;
+    void       kick_contact(double half_step, HalfKick half) override;
+    void       drift(double step) override;
+    void       compute_internal_forces() override;
+    NodeForces clear_contact_forces() override;
+    void       set_contact_in_transit(double duration) override;
 
-    FacetsView               facets() override;
-    FacetsView               internal_facets() override;
+    FacetsView               facets() const override;
     void                     add_internal_forces(std::span<const NodalForce> forces) override;
     std::array<double, 3>    contact_force() const override;
     EnergyReport             energies() const override;

@@ -66,7 +66,7 @@ namespace birdstrike::benchmarks
     inverse_mass = std::vector<double>((n + 1) * (n + 1), 1. / (4430. * 2. * half_thickness * edge * edge));
   }
 
-  PointsView ContactWorkload::points()
+  PointsView ContactWorkload::points() const
   {
     PointsView view;
     view.n = id.size();
@@ -74,7 +74,6 @@ namespace birdstrike::benchmarks
       {
         view.position[d] = position[d].data();
         view.velocity[d] = velocity[d].data();
-        view.force[d]    = point_force[d].data();
       }
     view.mass           = mass.data();
     view.volume         = volume.data();
@@ -88,13 +87,12 @@ namespace birdstrike::benchmarks
     return view;
   }
 
-  FacetsView ContactWorkload::facets()
+  FacetsView ContactWorkload::facets() const
   {
     FacetsView view;
     view.n_nodes         = inverse_mass.size();
     view.position        = node_position.data();
     view.velocity        = node_velocity.data();
-    view.force           = node_force.data();
     view.inverse_mass    = inverse_mass.data();
     view.velocity_stride = 6; // as a shell has it: translations first
     view.n_facets        = facet.size();

@@ -40,7 +40,9 @@ namespace birdstrike::benchmarks
 
     void compute_forces()
     {
-      contact.add_forces(points(), facets(), step_size, pool);
+      contact.add_forces(
+        points(), facets(), step_size,
+        {{{point_force[0].data(), point_force[1].data(), point_force[2].data()}}, {node_force.data(), 6}}, pool);
     }
 
     /// Points slide along the plate at 100 m/s: a list lasts some 30 steps, as in a strike.
@@ -78,8 +80,8 @@ namespace birdstrike::benchmarks
   private:
     void       add_points(std::size_t n_layers);
     void       add_plate(std::size_t n);
-    PointsView points();
-    FacetsView facets();
+    PointsView points() const;
+    FacetsView facets() const;
 
     std::uint64_t                        revision = 1;
     std::size_t                          n_slides = 0;

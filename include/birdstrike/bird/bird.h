@@ -34,7 +34,7 @@ namespace birdstrike
   /// and dissipated is what the integration of density and heat in time is wrong by, mostly the error of prediction.
   ///
   /// Raises NumericalFailure from compute_rates (density, motion), InputError from the constructor. Knows no blade:
-  /// contact adds to points().force between clear_contact_forces() and compute_rates().
+  /// contact adds to what clear_contact_forces() hands over, before compute_rates().
   class Bird
   {
   public:
@@ -62,10 +62,10 @@ namespace birdstrike
     /// Overwrites position, velocity and mu particle by particle, for verification; evaluates the rates.
     void set_state(const std::function<void(Point3 &x, Point3 &v, double &mu)> &state);
 
-    void kick(double dt, HalfKick half);
-    void drift(double dt);
-    void clear_contact_forces();
-    void compute_rates();
+    void        kick(double dt, HalfKick half);
+    void        drift(double dt);
+    PointForces clear_contact_forces(); ///< contact adds to them
+    void        compute_rates();
 
     /// CFL h/(c + 1.2 largest approach speed): not the bird's own speed; isolated particles have no vote.
     StepLimit step_limit() const;
@@ -73,7 +73,7 @@ namespace birdstrike
     /// Removes loose particles whose path misses the box grown by the margin of the parameters; returns their number.
     std::size_t retire(const Box3 &blade_box);
 
-    PointsView     points();
+    PointsView     points() const;
     EnergyReport   energies() const;
     MomentumReport momenta() const;
     FieldSnapshot  snapshot() const;

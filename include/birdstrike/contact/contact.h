@@ -48,9 +48,17 @@ namespace birdstrike
   public:
     explicit Contact(const ContactParameters &parameters);
 
+    /// Where the forces go.
+    struct Sink
+    {
+      PointForces points;
+      NodeForces  nodes;
+    };
+
     /// Adds forces to points and nodes (not to be called twice for one state: velocities and sides have a history).
     /// `step` is the step that the forces are kicked with; positions and velocities as after the drift.
-    void add_forces(const PointsView &points, const FacetsView &facets, double step, ThreadPool &pool);
+    void add_forces(const PointsView &points, const FacetsView &facets, double step, const Sink &sink,
+                    ThreadPool &pool);
 
     /// What the springs of the last call can bear, s; infinite where nothing touches.
     StepLimit step_limit() const
@@ -74,7 +82,7 @@ namespace birdstrike
     void update_candidates(const PointsView &points, const FacetsView &facets, ThreadPool &pool);
     void find_touches(const ContactScene &scene, ThreadPool &pool);
     void choose_modulus(const PointsView &points, double step, const TouchRecord &touch, const CandidateBlock &block);
-    void add_forces_of_touches(const ContactScene &scene, ThreadPool &pool);
+    void add_forces_of_touches(const ContactScene &scene, const Sink &sink, ThreadPool &pool);
     void update_limit(const PointsView &points, const FacetsView &facets, const NodeSums::Largest &nodes);
     void sum_report();
     void update_peaks(double spacing);

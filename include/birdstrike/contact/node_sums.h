@@ -47,7 +47,8 @@ namespace birdstrike
 
     void share_masses(const FacetsView &facets, ThreadPool &pool);
 
-    Largest add_to(const FacetsView &facets, ThreadPool &pool) const;
+    /// Adds the forces; stiffness over mass of the same nodes.
+    Largest add_to(const NodeForces &forces, const FacetsView &facets, ThreadPool &pool) const;
 
   private:
     std::vector<Sum>             sums;           // of all blocks, one after the other

@@ -5,8 +5,9 @@
 #include <cstdint>
 #include <span>
 
-/// The views through which parts meet contact: it sees points and facets, never a bird or a blade.
-/// Views do not own; they stay valid until the part that offers them changes its entities (see `revision`).
+/// The views through which parts meet contact: it sees points and facets, never a bird or a blade, and adds its forces
+/// to sinks that their owners hand over. Neither owns; both stay valid until the part changes its entities
+/// (`revision`).
 namespace birdstrike
 {
   /// Soft points with mass, volume and a sound speed. Component arrays are contiguous (structure of arrays).
@@ -25,7 +26,6 @@ namespace birdstrike
     double                        hugoniot_slope = 0.; ///< s in p = rho c u (1 + s u/c), from the equation of state
     double                        largest_step   = 0.; ///< s, the longest that these points can be stepped with
     std::uint64_t                 revision       = 0;  ///< grows whenever points are re-ordered or removed
-    std::array<double *, 3>       force{};             ///< N, contact force on each point: contact adds here
   };
 
   /// Quadrilateral (or triangular: last node repeated) facets of a deformable or rigid surface.
@@ -34,7 +34,6 @@ namespace birdstrike
     std::size_t   n_nodes         = 0;
     const double *position        = nullptr; ///< [n_nodes][3], m, current
     const double *velocity        = nullptr; ///< [n_nodes][velocity_stride], m/s, at the half step, translations first
-    double       *force           = nullptr; ///< [n_nodes][velocity_stride], N: contact adds to the translations
     const double *inverse_mass    = nullptr; ///< [n_nodes], 1/kg; 0 where the node is held or rigid
     std::size_t   velocity_stride = 3;
 
@@ -45,6 +44,24 @@ namespace birdstrike
     const double *half_thickness = nullptr; ///< [n_facets], m: material beyond the facet's surface
     bool          two_sided      = true;    ///< false for the skin of a solid: only the normal side is outside
     std::uint64_t revision       = 0;       ///< grows whenever facets appear or vanish
+  };
+
+  /// Contact forces on points, N, as `position` lies.
+  struct PointForces
+  {
+    std::array<double *, 3> component{};
+  };
+
+  /// Contact forces on nodes, [n_nodes][stride], N: of an entry the three translations come first.
+  struct NodeForces
+  {
+    double     *values = nullptr;
+    std::size_t stride = 3;
+
+    double *of(const std::size_t node) const
+    {
+      return values + stride * node;
+    }
   };
 
   /// A force on one node.

@@ -18,9 +18,9 @@ namespace birdstrike
   /// The struck part, in the verbs of velocity-Verlet. State is synchronous between steps: x^n, v^n, f^n.
   ///
   /// One step dt:  kick(dt/2, first), drift(dt), compute_internal_forces(), kick(dt/2, second), where a kick is
-  /// `kick_internal` (elements, loads, damping) and `kick_contact` (what contact added to `facets().force`); the two
-  /// may be called at different rates (r-RESPA, Tuckerman et al. 1992). `drift` may be called several times before
-  /// `compute_internal_forces`, which takes the whole increment since its last call.
+  /// `kick_internal` (elements, loads, damping) and `kick_contact` (what contact added to `clear_contact_forces()`);
+  /// the two may be called at different rates (r-RESPA, Tuckerman et al. 1992). `drift` may be called several times
+  /// before `compute_internal_forces`, which takes the whole increment since its last call.
   ///
   /// Units are SI. Verbs throw NumericalFailure when the state is lost.
   class Blade
@@ -41,7 +41,8 @@ namespace birdstrike
     virtual void kick_contact(double half_step, HalfKick half)  = 0;
     virtual void drift(double step)                             = 0;
     virtual void compute_internal_forces()                      = 0;
-    virtual void clear_contact_forces()                         = 0;
+    /// Sets the contact forces to zero and hands them over: contact adds to them.
+    virtual NodeForces clear_contact_forces() = 0;
 
     /// How long (s) the present contact forces have still to act: the bird has taken that impulse, this blade will in
     /// later kicks. momenta() counts it as arrived.
@@ -52,15 +53,10 @@ namespace birdstrike
     }
 
     /// The surface offered to contact; valid for the life of the blade.
-    virtual FacetsView facets() = 0;
+    virtual FacetsView facets() const = 0;
 
-    /// The same surface to be looked at only (`force` is null); forces between its own nodes come back through
-    /// add_internal_forces.
-    virtual FacetsView internal_facets()
-    {
-      throw std::logic_error("A blade of kind '" + kind() + "' has no internal forces.");
-    }
-    /// Adds to the forces of the present compute_internal_forces, which kick_internal kicks with. Once a step at most.
+    /// Forces between nodes of the surface: adds to those of the present compute_internal_forces, which kick_internal
+    /// kicks with. Once a step at most.
     virtual void add_internal_forces(std::span<const NodalForce> forces)
     {
       if (!forces.empty())

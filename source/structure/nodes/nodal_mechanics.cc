@@ -177,11 +177,12 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
-  void NodalMechanics<n_unknowns>::clear_contact_forces()
+  NodeForces NodalMechanics<n_unknowns>::clear_contact_forces()
   {
     std::fill(contact.begin(), contact.end(), 0.);
     if (scaled)
       scaled->clear_contact();
+    return {contact.data(), n_unknowns};
   }
 
   template <unsigned int n_unknowns>

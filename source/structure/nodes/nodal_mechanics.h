@@ -56,11 +56,11 @@ namespace birdstrike
     /// From now on the nodes of a solid have the mass matrix of column_mass.h; `coupling` (kg) as there.
     void scale(const NodeColumns &columns, std::vector<double> coupling) requires(n_unknowns == 3);
 
-    void kick_internal(double half_step, HalfKick half);
-    void kick_contact(double half_step, HalfKick half);
-    void drift(double step);
-    void clear_contact_forces();
-    void set_contact_in_transit(double duration); ///< s, see Blade
+    void       kick_internal(double half_step, HalfKick half);
+    void       kick_contact(double half_step, HalfKick half);
+    void       drift(double step);
+    NodeForces clear_contact_forces();                  ///< see Blade
+    void       set_contact_in_transit(double duration); ///< s, see Blade
 
     /// Takes the pressure off a quadrilateral, by its number in the loads' list.
     void stop_pressing(const std::size_t quadrilateral)
@@ -88,8 +88,7 @@ namespace birdstrike
     std::array<double, 3>    contact_force() const;
     std::vector<ProbeValues> probes() const;
     NodeArrays               arrays();
-    FacetsView               facets(); ///< nodes only: the facets are the owner's
-    FacetsView               internal_facets() const;
+    FacetsView               facets() const; ///< nodes only: the facets are the owner's
     void                     add_fields(std::vector<Field> &fields) const;
     std::size_t              bytes() const;
 

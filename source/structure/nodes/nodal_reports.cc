@@ -245,17 +245,7 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
-  FacetsView NodalMechanics<n_unknowns>::facets()
-  {
-    if (scaled)
-      scaled->forget_contact(); // whoever asks may add forces
-    FacetsView view = internal_facets();
-    view.force      = contact.data();
-    return view;
-  }
-
-  template <unsigned int n_unknowns>
-  FacetsView NodalMechanics<n_unknowns>::internal_facets() const
+  FacetsView NodalMechanics<n_unknowns>::facets() const
   {
     FacetsView view;
     view.n_nodes         = n_nodes;

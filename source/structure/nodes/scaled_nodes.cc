@@ -7,7 +7,7 @@ namespace birdstrike
   void ScaledNodes::clear_contact()
   {
     std::fill(effective_contact.begin(), effective_contact.end(), 0.);
-    forget_contact();
+    is_contact_known = false;
   }
 
   void ScaledNodes::update_contact(const double *contact)

@@ -25,11 +25,7 @@ namespace birdstrike
       return effective.data();
     }
 
-    void forget_contact() ///< its forces may have changed
-    {
-      is_contact_known = false;
-    }
-    void          clear_contact();
+    void          clear_contact();                       ///< others are about to come
     void          update_contact(const double *contact); ///< unless nothing has changed
     const double *contact() const
     {

@@ -150,14 +150,14 @@ TEST(Bird, ContactWorkAndImpulseCloseTheBalances)
         {
           bird.kick(0.5 * dt, HalfKick::first);
           bird.drift(dt);
-          bird.clear_contact_forces();
-          PointsView view  = bird.points();
-          double     front = -1.;
+          const PointForces forces = bird.clear_contact_forces();
+          const PointsView  view   = bird.points();
+          double            front  = -1.;
           for (std::size_t p = 0; p < view.n; ++p)
             front = std::max(front, view.position[2][p]);
           for (std::size_t p = 0; p < view.n; ++p)
             if (view.position[2][p] > front - 0.6 * view.spacing)
-              view.force[2][p] = -1000. * std::sin(3.1416 * k / 60.);
+              forces.component[2][p] = -1000. * std::sin(3.1416 * k / 60.);
           bird.compute_rates();
           bird.kick(0.5 * dt, HalfKick::second);
         }

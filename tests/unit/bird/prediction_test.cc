@@ -48,11 +48,11 @@ namespace
       {
         bird.kick(0.5 * dt, HalfKick::first);
         bird.drift(dt);
-        bird.clear_contact_forces();
-        PointsView view = bird.points();
+        const PointForces forces = bird.clear_contact_forces();
+        const PointsView  view   = bird.points();
         for (std::size_t p = 0; p < view.n; ++p)
           if (is_foremost[view.id[p]])
-            view.force[2][p] = -parameters.density * eos.reference_sound_speed() * view.velocity[2][p] * area;
+            forces.component[2][p] = -parameters.density * eos.reference_sound_speed() * view.velocity[2][p] * area;
         bird.compute_rates();
         bird.kick(0.5 * dt, HalfKick::second);
         const auto &error = bird.state().prediction_error;

@@ -90,7 +90,7 @@ namespace birdstrike::test
       id.push_back(static_cast<std::uint32_t>(id.size()));
     }
 
-    PointsView points()
+    PointsView points() const
     {
       PointsView view;
       view.n = id.size();
@@ -98,7 +98,6 @@ namespace birdstrike::test
         {
           view.position[d] = x[d].data();
           view.velocity[d] = v[d].data();
-          view.force[d]    = point_force[d].data();
         }
       view.mass           = mass.data();
       view.volume         = volume.data();
@@ -116,7 +115,6 @@ namespace birdstrike::test
     {
       node_position.resize(3 * node.size());
       node_velocity.resize(6 * node.size());
-      node_force.resize(6 * node.size());
       inverse_mass.resize(node.size());
       for (std::size_t n = 0; n < node.size(); ++n)
         {
@@ -131,7 +129,6 @@ namespace birdstrike::test
       view.n_nodes         = node.size();
       view.position        = node_position.data();
       view.velocity        = node_velocity.data();
-      view.force           = node_force.data();
       view.inverse_mass    = inverse_mass.data();
       view.velocity_stride = 6; // as a shell has it: translations first
       view.n_facets        = facet.size();
@@ -147,8 +144,10 @@ namespace birdstrike::test
     {
       for (auto &component : point_force)
         std::fill(component.begin(), component.end(), 0.);
-      std::fill(node_force.begin(), node_force.end(), 0.);
-      contact.add_forces(points(), facets(), step, pool);
+      node_force.assign(6 * node.size(), 0.);
+      contact.add_forces(
+        points(), facets(), step,
+        {{{point_force[0].data(), point_force[1].data(), point_force[2].data()}}, {node_force.data(), 6}}, pool);
     }
 
     Point3 force_on_point(const std::size_t i) const

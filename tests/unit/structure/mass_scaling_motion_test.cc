@@ -116,16 +116,16 @@ namespace birdstrike
       ThreadPool pool;
       auto       p       = scaled_plate(6, 3, 3);
       p.supports.clamped = "";
-      SolidBlade   blade(p, pool);
-      const auto   view    = blade.facets();
-      const double h       = 1e-9;
-      Point3       impulse = Point3::Zero(), moment = Point3::Zero();
-      blade.clear_contact_forces();
+      SolidBlade       blade(p, pool);
+      const auto       view    = blade.facets();
+      const double     h       = 1e-9;
+      Point3           impulse = Point3::Zero(), moment = Point3::Zero();
+      const NodeForces forces = blade.clear_contact_forces();
       for (std::size_t n = 0; n < view.n_nodes; n += 3)
         {
           const Point3 f(10. * std::sin(double(n)), 5., 100. * std::cos(2. * double(n)));
           for (unsigned int d = 0; d < 3; ++d)
-            view.force[3 * n + d] += f[d];
+            forces.of(n)[d] += f[d];
           impulse += 20. * h * f;
           moment += 20. * h * Point3(view.position + 3 * n).cross(f);
         }

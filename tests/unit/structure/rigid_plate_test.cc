@@ -10,11 +10,11 @@ namespace birdstrike
   {
     void push(RigidPlate &plate, const std::array<double, 3> &force)
     {
-      const auto facets = plate.facets();
-      plate.clear_contact_forces();
-      for (std::size_t n = 0; n < facets.n_nodes; ++n)
+      const std::size_t n_nodes = plate.facets().n_nodes;
+      const NodeForces  forces  = plate.clear_contact_forces();
+      for (std::size_t n = 0; n < n_nodes; ++n)
         for (unsigned int d = 0; d < 3; ++d)
-          facets.force[facets.velocity_stride * n + d] += force[d] / facets.n_nodes;
+          forces.of(n)[d] += force[d] / n_nodes;
     }
 
     void advance(RigidPlate &plate, const std::array<double, 3> &force, const double dt, const unsigned int n_steps)

@@ -92,9 +92,9 @@ namespace birdstrike
       const auto   facets = blade.facets();
       const double f = 7., dt = 1e-7;
       const auto   set = [&] {
-        blade.clear_contact_forces();
+        const NodeForces forces = blade.clear_contact_forces();
         for (std::size_t n = 0; n < facets.n_nodes; ++n)
-          facets.force[facets.velocity_stride * n + 2] = f / facets.inverse_mass[n];
+          forces.of(n)[2] = f / facets.inverse_mass[n];
       };
       set();
       for (unsigned int step = 0; step < 10; ++step)
@@ -123,11 +123,11 @@ namespace birdstrike
       const double step = 0.5 * blade.step_limit().value, sub_step = 0.25 * step, duration = 40. * step;
       double       time = 0.;
       const auto   push = [&] {
-        blade.clear_contact_forces();
-        const double phase = std::min(time / duration, 1.);
+        const NodeForces forces = blade.clear_contact_forces();
+        const double     phase  = std::min(time / duration, 1.);
         for (std::size_t n = 0; n < facets.n_nodes; ++n)
           if (facets.position[3 * n] > 0.2)
-            facets.force[6 * n + 2] = 100. * std::pow(std::sin(M_PI * phase), 2);
+            forces.of(n)[2] = 100. * std::pow(std::sin(M_PI * phase), 2);
       };
       for (unsigned int k = 0; k < 500; ++k)
         {
