@@ -153,7 +153,7 @@ namespace birdstrike
       }
     recorder->flush_when_due(timings.wall());
     if (progress.is_due())
-      progress.print({now, schedule.step, n_steps, balance.energy_error()});
+      progress.print({now, schedule.step, n_steps, balance.energy_error().now});
   }
 
   void BirdStrike::retire_particles()

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "simulation/balance.h"
 #include "simulation/observed.h"
 #include "simulation/recorder.h"
 #include "simulation/scene.h"
 #include "simulation/stepper.h"
 #include <birdstrike/core/timing.h>
+#include <birdstrike/report/balance.h>
 #include <birdstrike/report/progress.h>
 
 #include <atomic>

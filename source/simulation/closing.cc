@@ -35,13 +35,13 @@ namespace birdstrike
               {"blade_hourglass", blade.hourglass},
               {"blade_eroded", blade.eroded},
               {"blade_viscous", blade.viscous},
-              {"blade_damped", blade.dissipated},
+              {"blade_damped", blade.damped},
               {"staggering", bird.staggering + blade.staggering},
               {"external_work", blade.external_work},
-              {"contact_stored", balance.state().contact_stored},
-              {"contact_dissipated", balance.contact_dissipated()},
-              {"self_contact_stored", balance.state().self_contact_stored},
-              {"self_contact_dissipated", balance.state().self_contact_dissipated}};
+              {"contact_stored", balance.state().contact.elastic},
+              {"contact_dissipated", balance.state().contact.dissipated},
+              {"self_contact_stored", balance.state().self_contact.elastic},
+              {"self_contact_dissipated", balance.state().self_contact.dissipated}};
     }
   } // namespace
 
@@ -96,11 +96,11 @@ namespace birdstrike
 
     summary.energy.initial                      = balance.initial_energy();
     summary.energy.final                        = balance.energy();
-    summary.energy.max_relative_error           = balance.max_energy_error();
+    summary.energy.max_relative_error           = balance.energy_error().largest;
     summary.energy.max_hourglass_over_internal  = observed.hourglass_share.value();
     summary.energy.parts                        = energy_parts(balance);
-    summary.momentum.max_relative_error         = balance.max_momentum_error();
-    summary.angular_momentum.max_relative_error = balance.max_angular_momentum_error();
+    summary.momentum.max_relative_error         = balance.momentum_error().largest;
+    summary.angular_momentum.max_relative_error = balance.angular_momentum_error().largest;
     summary.energy.bird_internal                = balance.state().bird.internal;
     const Balance::Origins from                 = balance.origins();
     summary.energy.error_origins                = {

@@ -1,6 +1,6 @@
 #include "simulation/observed.h"
-#include "simulation/balance.h"
 #include "simulation/scene.h"
+#include <birdstrike/report/balance.h>
 #include <birdstrike/structure/blade.h>
 
 #include <algorithm>

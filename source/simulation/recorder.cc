@@ -62,9 +62,9 @@ namespace birdstrike
     history.add_column("bird_step", "s", [this] { return scene.bird ? scene.last_plan().bird_step() : 0.; });
     history.add_column("blade_step", "s", [this] { return scene.last_plan().blade_step(); });
     history.add_column("energy", "J", [this] { return balance.energy(); });
-    history.add_column("energy_error", "-", [this] { return balance.energy_error(); });
-    history.add_column("momentum_error", "-", [this] { return balance.momentum_error(); });
-    history.add_column("angular_momentum_error", "-", [this] { return balance.angular_momentum_error(); });
+    history.add_column("energy_error", "-", [this] { return balance.energy_error().now; });
+    history.add_column("momentum_error", "-", [this] { return balance.momentum_error().now; });
+    history.add_column("angular_momentum_error", "-", [this] { return balance.angular_momentum_error().now; });
     history.add_column("staggering", "J",
                        [this] { return balance.state().bird.staggering + balance.state().blade.staggering; });
   }
@@ -91,8 +91,8 @@ namespace birdstrike
     for (unsigned int c = 0; c < 3; ++c)
       history.add_column(std::string("contact_impulse_") + axis_names[c], "N s",
                          [this, c] { return balance.state().blade_momentum.contact_impulse[c]; });
-    history.add_column("contact_stored", "J", [this] { return balance.state().contact_stored; });
-    history.add_column("contact_dissipated", "J", [this] { return balance.contact_dissipated(); });
+    history.add_column("contact_stored", "J", [this] { return balance.state().contact.elastic; });
+    history.add_column("contact_dissipated", "J", [this] { return balance.state().contact.dissipated; });
     history.add_column("points_in_contact", "-", [this] {
       return scene.contact ? scene.symmetry.factor() * scene.contact->report().n_touching : 0.;
     });
@@ -117,12 +117,12 @@ namespace birdstrike
     history.add_column("blade_plastic", "J", [this] { return balance.state().blade.plastic; });
     history.add_column("blade_hourglass", "J", [this] { return balance.state().blade.hourglass; });
     history.add_column("blade_viscous", "J", [this] { return balance.state().blade.viscous; });
-    history.add_column("blade_damped", "J", [this] { return balance.state().blade.dissipated; });
+    history.add_column("blade_damped", "J", [this] { return balance.state().blade.damped; });
     history.add_column("blade_external_work", "J", [this] { return balance.state().blade.external_work; });
     if (scene.self_contact)
       {
-        history.add_column("self_contact_stored", "J", [this] { return balance.state().self_contact_stored; });
-        history.add_column("self_contact_dissipated", "J", [this] { return balance.state().self_contact_dissipated; });
+        history.add_column("self_contact_stored", "J", [this] { return balance.state().self_contact.elastic; });
+        history.add_column("self_contact_dissipated", "J", [this] { return balance.state().self_contact.dissipated; });
       }
     for (unsigned int c = 0; c < 3; ++c)
       history.add_column(std::string("blade_momentum_") + axis_names[c], "N s",

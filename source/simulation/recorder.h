@@ -1,9 +1,9 @@
 #pragma once
 
-#include "simulation/balance.h"
 #include "simulation/observed.h"
 #include <birdstrike/io/field_writer.h>
 #include <birdstrike/io/fields.h>
+#include <birdstrike/report/balance.h>
 #include <birdstrike/report/history.h>
 #include <birdstrike/structure/reports.h>
 #include <birdstrike/time_control/ticks.h>

@@ -141,13 +141,13 @@ namespace birdstrike
         state.blade_momentum = blade->momenta();
       }
     const ContactReport &of_contact = contact ? contact->report() : gone_contact;
-    state.contact_stored            = of_contact.stored_energy;
-    state.contact_dissipated        = of_contact.dissipated_energy;
+    state.contact.elastic           = of_contact.stored_energy;
+    state.contact.dissipated        = of_contact.dissipated_energy;
     state.contact_dissipation_fall  = of_contact.dissipation_fall;
     if (self_contact)
       {
-        state.self_contact_stored     = self_contact->report().stored_energy;
-        state.self_contact_dissipated = self_contact->report().dissipated_energy;
+        state.self_contact.elastic    = self_contact->report().stored_energy;
+        state.self_contact.dissipated = self_contact->report().dissipated_energy;
       }
     return symmetry.whole(state);
   }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "simulation/balance.h"
 #include "simulation/symmetry.h"
 #include <birdstrike/contact/report.h>
 #include <birdstrike/core/thread_pool.h>
+#include <birdstrike/report/balance.h>
 #include <birdstrike/time_control/schedule.h>
 #include <birdstrike/time_control/smallest_step.h>
 

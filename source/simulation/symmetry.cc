@@ -2,34 +2,6 @@
 
 namespace birdstrike
 {
-  std::array<double, 3> Symmetry::whole(std::array<double, 3> vector) const
-  {
-    return mirrored ? std::array<double, 3>{{2. * vector[0], 0., 2. * vector[2]}} : vector;
-  }
-
-  EnergyReport Symmetry::whole(EnergyReport energy) const
-  {
-    for (double *part : {&energy.kinetic, &energy.staggering, &energy.elastic, &energy.plastic, &energy.hourglass,
-                         &energy.viscous, &energy.dissipated, &energy.retired, &energy.eroded, &energy.external_work,
-                         &energy.contact_work, &energy.internal, &energy.retired_made})
-      *part *= factor();
-    return energy;
-  }
-
-  MomentumReport Symmetry::whole(MomentumReport momentum) const
-  {
-    for (auto *vector : {&momentum.momentum, &momentum.support_impulse, &momentum.retired, &momentum.external_impulse,
-                         &momentum.contact_impulse})
-      *vector = whole(*vector);
-    if (mirrored)
-      for (auto *axial :
-           {&momentum.angular_momentum, &momentum.support_moment, &momentum.retired_moment, &momentum.external_moment})
-        *axial = {{0., 2. * (*axial)[1], 0.}};
-    momentum.impulse_scale *= factor();
-    momentum.moment_scale *= factor();
-    return momentum;
-  }
-
   RootSectionReport Symmetry::whole(RootSectionReport root) const
   {
     for (double *part : {&root.normal_force, &root.bending_moment, &root.transverse_force})
@@ -48,14 +20,12 @@ namespace birdstrike
 
   SystemState Symmetry::whole(SystemState state) const
   {
-    return {whole(state.bird),
-            whole(state.blade),
-            whole(state.bird_momentum),
-            whole(state.blade_momentum),
-            factor() * state.contact_stored,
-            factor() * state.contact_dissipated,
-            factor() * state.self_contact_stored,
-            factor() * state.self_contact_dissipated,
-            factor() * state.contact_dissipation_fall};
+    const SymmetryPlane plane(mirrored);
+    for (const PartOfSystem part : parts_of_system)
+      state.*part = plane.whole(state.*part);
+    state.bird_momentum  = plane.whole(state.bird_momentum);
+    state.blade_momentum = plane.whole(state.blade_momentum);
+    state.contact_dissipation_fall *= factor();
+    return state;
   }
 } // namespace birdstrike

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "simulation/balance.h"
+#include <birdstrike/core/symmetry_plane.h>
+#include <birdstrike/report/ledger.h>
 #include <birdstrike/structure/reports.h>
 
 namespace birdstrike
@@ -31,12 +32,13 @@ namespace birdstrike
       return mirrored ? 2 : 1;
     }
 
-    std::array<double, 3> whole(std::array<double, 3> vector) const;
-    EnergyReport          whole(EnergyReport energy) const;
-    MomentumReport        whole(MomentumReport momentum) const;
-    RootSectionReport     whole(RootSectionReport root) const; ///< forces and moment; stresses as they are
-    FailureReport         whole(FailureReport failure) const;
-    SystemState           whole(SystemState state) const;
+    std::array<double, 3> whole(std::array<double, 3> vector) const
+    {
+      return SymmetryPlane(mirrored).whole(vector);
+    }
+    RootSectionReport whole(RootSectionReport root) const; ///< forces and moment; stresses as they are
+    FailureReport     whole(FailureReport failure) const;
+    SystemState       whole(SystemState state) const;
 
   private:
     bool mirrored;

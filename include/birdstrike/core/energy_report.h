@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace birdstrike
 {
-  /// Energies of one part at one instant (J). Absent kinds stay zero.
+  /// Energies of one part, or of contact, at one instant (J). Absent kinds stay zero; `energy_kinds` says how each
+  /// counts.
   ///
   /// No kind is what is left of the others: what is stored follows from stresses (blade), from density by the equation
   /// of state (bird) or from penetration (contact), what is dissipated from its own rate. So the sum over the parts and
@@ -23,25 +25,70 @@ namespace birdstrike
   /// nothing has gained or lost: `staggering` takes that off again, so that steps may vary.
   struct EnergyReport
   {
-    double kinetic       = 0.; ///< translation and rotation, of the velocities at whole steps
-    double staggering    = 0.; ///< see above; of either sign, small where the step resolves the motion
-    double elastic       = 0.; ///< recoverable: of the stresses (blade), of the equation of state (bird)
-    double plastic       = 0.; ///< plastic work
-    double hourglass     = 0.; ///< work against hourglass stabilisation, stored or not (LS-DYNA: hourglass energy)
-    double viscous       = 0.; ///< by the bulk viscosity of solid elements
-    double dissipated    = 0.; ///< blade: by mass-proportional damping; bird: by artificial viscosity or Riemann flux
-    double retired       = 0.; ///< energy of mass that left the computation
-    double eroded        = 0.; ///< energy of failed elements
+    double kinetic    = 0.; ///< translation and rotation, of the velocities at whole steps
+    double staggering = 0.; ///< see above; of either sign, small where the step resolves the motion
+    double elastic    = 0.; ///< recoverable: of stresses (blade), equation of state (bird), penalty springs (contact)
+    double plastic    = 0.; ///< plastic work
+    double hourglass  = 0.; ///< work against hourglass stabilisation, stored or not (LS-DYNA: hourglass energy)
+    double viscous    = 0.; ///< by the bulk viscosity of solid elements
+    double dissipated = 0.; ///< bird: by artificial viscosity or Riemann flux; contact: by dampers and friction
+    double damped     = 0.; ///< by mass-proportional damping
+    double retired    = 0.; ///< energy of mass that left the computation
+    double eroded     = 0.; ///< energy of failed elements
     double external_work = 0.; ///< by loads and prescribed motion
     double contact_work  = 0.; ///< by contact forces
     double internal      = 0.; ///< work of the part's own forces; no part of the sum
     double retired_made  = 0.; ///< what `retired` has of stored and dissipated energy more than of `internal`; neither
 
+    /// `sum` and all that is held (see energy_kinds), one kind after the other.
+    double add_held(double sum) const;
     double total() const
     {
-      return kinetic + staggering + elastic + plastic + hourglass + viscous + dissipated + retired + eroded;
+      return add_held(0.);
     }
   };
+
+  /// How a kind of energy or momentum counts in what is conserved.
+  enum class Account
+  {
+    held,      ///< on top
+    external,  ///< taken off: what came from outside
+    memorandum ///< no part of the sum
+  };
+
+  struct EnergyKind
+  {
+    double EnergyReport::*value;
+    Account               account;
+    bool                  is_positive;    ///< a sum of squares or of dissipation: below zero by an error only
+    bool                  is_of_own_work; ///< what the work of the part's own forces (`internal`) has become
+  };
+
+  /// Every kind once. Sums are taken in this order.
+  inline constexpr std::array<EnergyKind, 14> energy_kinds{{
+    {&EnergyReport::kinetic, Account::held, true, false},
+    {&EnergyReport::staggering, Account::held, false, false},
+    {&EnergyReport::elastic, Account::held, true, true},
+    {&EnergyReport::plastic, Account::held, true, true},
+    {&EnergyReport::hourglass, Account::held, true, true},
+    {&EnergyReport::viscous, Account::held, true, true},
+    {&EnergyReport::dissipated, Account::held, true, true},
+    {&EnergyReport::damped, Account::held, true, false},
+    {&EnergyReport::retired, Account::held, true, false},
+    {&EnergyReport::eroded, Account::held, true, true},
+    {&EnergyReport::external_work, Account::external, false, false},
+    {&EnergyReport::contact_work, Account::memorandum, false, false},
+    {&EnergyReport::internal, Account::memorandum, false, false},
+    {&EnergyReport::retired_made, Account::memorandum, false, true},
+  }};
+
+  inline double EnergyReport::add_held(double sum) const
+  {
+    for (const EnergyKind &kind : energy_kinds)
+      if (kind.account == Account::held)
+        sum += this->*kind.value;
+    return sum;
+  }
 
   /// Linear momentum (N s) and angular momentum about the origin (N m s) of one part, with what left it or was taken
   /// by its supports: carried + given to supports + retired - external of all parts stays constant, contact being equal
@@ -64,4 +111,42 @@ namespace birdstrike
     double impulse_scale = 0.; ///< sum of m |v| (N s): what momentum is small against
     double moment_scale  = 0.; ///< sum of m |x| |v| (N m s): what angular momentum is small against
   };
+
+  struct MomentumKind
+  {
+    MomentumReport::Vector MomentumReport::*value;
+    bool                                    is_axial; ///< an angular momentum
+    Account                                 account;
+    bool                                    is_scale; ///< whether errors are measured against it
+  };
+
+  /// Every kind once.
+  inline constexpr std::array<MomentumKind, 9> momentum_kinds{{
+    {&MomentumReport::momentum, false, Account::held, true},
+    {&MomentumReport::retired, false, Account::held, false},
+    {&MomentumReport::support_impulse, false, Account::held, true},
+    {&MomentumReport::external_impulse, false, Account::external, true},
+    {&MomentumReport::contact_impulse, false, Account::memorandum, true},
+    {&MomentumReport::angular_momentum, true, Account::held, true},
+    {&MomentumReport::retired_moment, true, Account::held, false},
+    {&MomentumReport::support_moment, true, Account::held, true},
+    {&MomentumReport::external_moment, true, Account::external, true},
+  }};
+  inline constexpr std::array momentum_scales{&MomentumReport::impulse_scale, &MomentumReport::moment_scale};
+
+  template <class Kinds>
+  consteval bool are_distinct(const Kinds &kinds)
+  {
+    for (std::size_t a = 0; a < kinds.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        if (kinds[a].value == kinds[b].value)
+          return false;
+    return true;
+  }
+
+  // A member that no table names would be doubled by no plane of symmetry and counted in no sum.
+  static_assert(sizeof(EnergyReport) == sizeof(double) * energy_kinds.size() && are_distinct(energy_kinds));
+  static_assert(sizeof(MomentumReport) ==
+                  sizeof(MomentumReport::Vector) * momentum_kinds.size() + sizeof(double) * momentum_scales.size() &&
+                are_distinct(momentum_kinds));
 } // namespace birdstrike

@@ -87,9 +87,9 @@ namespace birdstrike
         }
     });
     booked.external_work += sums[0];
-    booked.dissipated += sums[1];
+    booked.damped += sums[1];
     if (scaled)
-      booked.dissipated += scaled->dissipated({v, f_external, inverse, half_step, decay}, first);
+      booked.damped += scaled->dissipated({v, f_external, inverse, half_step, decay}, first);
     if (scaled && !first)
       book_damping_of_scaling(half_step, first);
     for (unsigned int d = 0; d < 3; ++d)

@@ -22,7 +22,7 @@ namespace birdstrike
   ///   m dv/dt = f_elements + f_loads + f_contact - alpha m v,   held unknowns: v = 0,
   ///
   /// in the verbs of velocity-Verlet (blade.h). Damping acts as the factor exp(-alpha dt/2) in every internal half kick
-  /// (unconditionally stable); its work is booked as dissipated, its impulse as external. Held unknowns book the
+  /// (unconditionally stable); its work is booked as damped, its impulse as external. Held unknowns book the
   /// impulse and the moment about the origin that they take. Kinetic energy is that of v^n; the staggering of
   /// energy_report.h is
   ///   -|J|^2 / (2 m) at the half step of reference,  J the impulse of the last second half kicks,
@@ -83,7 +83,7 @@ namespace birdstrike
 
     void add_internal_forces(std::span<const NodalForce> forces); ///< see Blade
 
-    EnergyReport             energies() const; ///< kinetic, staggering, dissipated, works: nothing of the elements
+    EnergyReport             energies() const; ///< kinetic, staggering, damped, works: nothing of the elements
     MomentumReport           momenta() const;
     std::array<double, 3>    contact_force() const;
     std::vector<ProbeValues> probes() const;
@@ -156,7 +156,7 @@ namespace birdstrike
     double staggered_half = 0.;                   ///< s, the half step that the staggering refers to
     double in_transit     = 0.;                   ///< s, for which the contact forces have still to act
 
-    EnergyReport              booked; ///< staggering by changes of the step, dissipated, external_work, contact_work
+    EnergyReport              booked; ///< staggering by changes of the step, damped, external_work, contact_work
     MomentumReport            impulses;
     mutable std::vector<Sums> partial;
   };

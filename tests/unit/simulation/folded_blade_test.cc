@@ -134,14 +134,14 @@ namespace
         stepper.advance(schedule);
         now += schedule.step;
         balance.update(scene.state(), now, ++k);
-        result.fall = std::max(result.fall, dissipated - balance.state().self_contact_dissipated);
-        dissipated  = balance.state().self_contact_dissipated;
+        result.fall = std::max(result.fall, dissipated - balance.state().self_contact.dissipated);
+        dissipated  = balance.state().self_contact.dissipated;
         if (k % 10 == 0)
           result.crossings = std::max(result.crossings, count_crossings(scene.blade->facets(), depth));
       }
     std::filesystem::remove_all(folder);
-    result.energy_error   = balance.max_energy_error();
-    result.momentum_error = balance.max_momentum_error();
+    result.energy_error   = balance.energy_error().largest;
+    result.momentum_error = balance.momentum_error().largest;
     result.dissipated     = dissipated;
     result.momentum       = balance.state().blade_momentum.momentum;
     if (scene.self_contact)

@@ -58,7 +58,7 @@ namespace birdstrike::test
     const MomentumReport m      = blade.momenta();
     std::vector<double>  result(nodes.velocity, nodes.velocity + nodes.n_unknowns * nodes.n);
     result.insert(result.end(), {energy.kinetic, energy.elastic, energy.hourglass, energy.viscous, energy.external_work,
-                                 energy.dissipated});
+                                 energy.damped});
     result.insert(result.end(), m.angular_momentum.begin(), m.angular_momentum.end());
     return result;
   }

@@ -103,9 +103,9 @@ namespace birdstrike
       const double initial = balance(blade);
       advance(blade, 0.9 * blade.step_limit().value, 3000);
       const auto energy = blade.energies();
-      EXPECT_GT(energy.dissipated, 0.05 * energy.external_work);
+      EXPECT_GT(energy.damped, 0.05 * energy.external_work);
       EXPECT_LT(std::abs(balance(blade) - initial), 1e-3 * energy.external_work); // of stresses: 3.5e-4
-      const double by_work = energy.kinetic + energy.staggering + energy.internal + energy.dissipated;
+      const double by_work = energy.kinetic + energy.staggering + energy.internal + energy.damped;
       EXPECT_LT(std::abs(by_work - energy.external_work - initial), 1e-5 * energy.external_work); // 2e-6, as dt^2
     }
 

@@ -121,7 +121,7 @@ namespace birdstrike
       SolidBlade blade(p, pool);
       advance(blade, 0.9 * blade.step_limit().value, 6000);
       const auto energy = blade.energies();
-      EXPECT_GT(energy.dissipated, 0.05 * energy.external_work);
+      EXPECT_GT(energy.damped, 0.05 * energy.external_work);
       EXPECT_LT(std::abs(balance(blade)), 1e-4 * energy.external_work);
     }
 

@@ -1,5 +1,5 @@
-#include "simulation/balance.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/report/balance.h>
 
 #include <gtest/gtest.h>
 
@@ -32,8 +32,8 @@ namespace
     state.bird_momentum.momentum        = {0., 0., 0.03 * v};
     state.blade_momentum.momentum       = {0., 0., 0.01 * v};
     state.bird_momentum.contact_impulse = {0., 0., 0.03 * (v - 75.)};
-    state.contact_stored                = 1.;
-    state.contact_dissipated            = 0.5 * (0.03 * 0.01 / 0.04) * 75. * 75. - 1.;
+    state.contact.elastic               = 1.;
+    state.contact.dissipated            = 0.5 * (0.03 * 0.01 / 0.04) * 75. * 75. - 1.;
     return state;
   }
 } // namespace
@@ -43,12 +43,12 @@ TEST(Balance, ClosesWhenContactTakesWhatThePartsLose)
   Balance balance(0.05);
   balance.update(before(), 0., 0);
   balance.update(merged(), 1e-4, 10);
-  EXPECT_NEAR(balance.energy_error(), 0., 1e-14);
-  EXPECT_NEAR(balance.momentum_error(), 0., 1e-14);
+  EXPECT_NEAR(balance.energy_error().now, 0., 1e-14);
+  EXPECT_NEAR(balance.momentum_error().now, 0., 1e-14);
   // perfectly plastic impact: m1 m2 / (m1 + m2) v^2 / 2
   const double lost = 0.5 * (0.03 * 0.01 / 0.04) * 75. * 75.;
   EXPECT_NEAR(balance.contact_energy(), lost, 1e-12);
-  EXPECT_NEAR(balance.contact_dissipated(), lost - 1., 1e-12);
+  EXPECT_NEAR(balance.state().contact.dissipated, lost - 1., 1e-12);
   EXPECT_NEAR(balance.origins().contact, 0., 1e-12);
   EXPECT_NEAR(balance.origins().steps, 0., 1e-12);
 }
@@ -60,7 +60,7 @@ TEST(Balance, TellsWhereAnErrorComesFrom)
   Balance balance(0.05);
   balance.update(before(), 0., 0);
   SystemState state = merged();
-  state.contact_dissipated += 1.;
+  state.contact.dissipated += 1.;
   state.blade.elastic = 0.5;
   state.bird.elastic  = 0.25;
   balance.update(state, 1e-4, 10);
@@ -68,23 +68,7 @@ TEST(Balance, TellsWhereAnErrorComesFrom)
   EXPECT_NEAR(balance.origins().blade, 0.5, 1e-12);
   EXPECT_NEAR(balance.origins().bird, 0.25, 1e-12);
   EXPECT_NEAR(balance.origins().steps, 0., 1e-12);
-  EXPECT_NEAR(balance.energy_error(), 1.75 / before().bird.kinetic, 1e-12);
-}
-
-TEST(Balance, StopsWhereAnEnergyThatCannotBeIsNegative)
-{
-  const double scale = before().bird.kinetic;
-  for (double EnergyReport::*kind : {&EnergyReport::elastic, &EnergyReport::dissipated, &EnergyReport::plastic,
-                                     &EnergyReport::hourglass, &EnergyReport::viscous})
-    {
-      Balance balance(0.05);
-      balance.update(before(), 0., 0);
-      SystemState state = merged();
-      state.blade.*kind = -0.9e-3 * scale;
-      EXPECT_NO_THROW(balance.update(state, 1e-4, 10));
-      state.blade.*kind = -1.1e-3 * scale;
-      EXPECT_THROW(balance.update(state, 1e-4, 10), NumericalFailure);
-    }
+  EXPECT_NEAR(balance.energy_error().now, 1.75 / before().bird.kinetic, 1e-12);
 }
 
 TEST(Balance, StopsWhereContactGivesBackWhatItHadDissipated)
@@ -93,7 +77,7 @@ TEST(Balance, StopsWhereContactGivesBackWhatItHadDissipated)
   balance.update(before(), 0., 0);
   balance.update(merged(), 1e-4, 10);
   SystemState state = merged();
-  state.contact_dissipated -= 2e-3 * before().bird.kinetic;
+  state.contact.dissipated -= 2e-3 * before().bird.kinetic;
   try
     {
       balance.update(state, 2e-4, 20);
@@ -116,10 +100,10 @@ TEST(Balance, SeesLostAngularMomentumAndSetsSupportsAndLoadsAgainstIt)
   state.blade_momentum.support_moment   = {0., -0.5, 0.};
   state.blade_momentum.external_moment  = {0., 0., 1.};
   balance.update(state, 1e-4, 10);
-  EXPECT_NEAR(balance.angular_momentum_error(), 0., 1e-14);
+  EXPECT_NEAR(balance.angular_momentum_error().now, 0., 1e-14);
   state.blade_momentum.support_moment = {0., 0., 0.};
   balance.update(state, 2e-4, 20);
-  EXPECT_NEAR(balance.max_angular_momentum_error(), 0.25, 1e-14);
+  EXPECT_NEAR(balance.angular_momentum_error().largest, 0.25, 1e-14);
 }
 
 TEST(Balance, SeesLostMomentumAndEnergy)
@@ -130,12 +114,12 @@ TEST(Balance, SeesLostMomentumAndEnergy)
   state.blade_momentum.momentum[2] *= 1.001;
   state.blade.kinetic *= 1.01;
   balance.update(state, 1e-4, 10);
-  EXPECT_NEAR(balance.momentum_error(), 0.001 * 0.25, 1e-12);
-  EXPECT_GT(balance.energy_error(), 0.);
+  EXPECT_NEAR(balance.momentum_error().now, 0.001 * 0.25, 1e-12);
+  EXPECT_GT(balance.energy_error().now, 0.);
   // the largest error stays on record after the state is right again
   balance.update(merged(), 2e-4, 20);
-  EXPECT_NEAR(balance.max_momentum_error(), 0.001 * 0.25, 1e-12);
-  EXPECT_GT(balance.max_energy_error(), 1e-4);
+  EXPECT_NEAR(balance.momentum_error().largest, 0.001 * 0.25, 1e-12);
+  EXPECT_GT(balance.energy_error().largest, 1e-4);
 }
 
 TEST(Balance, StopsTheRunPastTheLimitAndOnNaN)

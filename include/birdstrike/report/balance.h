@@ -1,23 +1,11 @@
 #pragma once
 
-#include <birdstrike/core/energy_report.h>
+#include <birdstrike/report/ledger.h>
 
-#include <array>
 #include <string>
 
 namespace birdstrike
 {
-  /// What the whole system holds at one instant. Absent parts stay zero.
-  struct SystemState
-  {
-    EnergyReport   bird, blade;
-    MomentumReport bird_momentum, blade_momentum;
-    double         contact_stored      = 0.; ///< J, in the penalty springs
-    double         contact_dissipated  = 0.; ///< J, by dampers and friction, from their own rates
-    double         self_contact_stored = 0., self_contact_dissipated = 0.; ///< J, of the blade with itself
-    double         contact_dissipation_fall = 0.; ///< J, by which what dampers took has ever fallen
-  };
-
   /// The ledger of a run. Energy is conserved as
   ///   sum of part totals + stored and dissipated by contact and self-contact - external work = const,
   /// linear and angular momentum (about the origin) as
@@ -47,15 +35,19 @@ namespace birdstrike
 
     double initial_energy() const;
     double energy() const; ///< of the last state, external work taken off (J)
-    double contact_energy() const;
-    double contact_dissipated() const;
-    double contact_fall() const; ///< J, the most that contact's dissipation has fallen
-    double energy_error() const; ///< relative, with sign: positive is gained
-    double max_energy_error() const;
-    double momentum_error() const;
-    double max_momentum_error() const;
-    double angular_momentum_error() const;
-    double max_angular_momentum_error() const;
+
+    struct RelativeError
+    {
+      double now     = 0.; ///< of energy with sign: positive is gained
+      double largest = 0.; ///< absolute value over all updates
+
+      void update(double value);
+    };
+    const RelativeError &energy_error() const;
+    const RelativeError &momentum_error() const;
+    const RelativeError &angular_momentum_error() const;
+
+    double contact_energy() const; ///< J, by the works of its impulses
 
     /// Where an energy error comes from (J): what stored and dissipated energies are more than the work behind them.
     struct Origins
@@ -67,17 +59,22 @@ namespace birdstrike
     const SystemState &state() const;
 
   private:
-    void        update_momenta();
-    void        check(double time, unsigned long step) const;
-    std::string describe_parts() const;
+    /// Linear momentum, or angular momentum.
+    struct Momentum
+    {
+      std::array<double, 3> reference{};
+      RelativeError         error;
+    };
 
-    double                limit;
-    bool                  has_reference = false;
-    SystemState           last;
-    double                reference_energy = 0., current_energy = 0., scale = 0., error = 0., max_error = 0.;
-    double                most_dissipated = 0., fall = 0.; ///< J, by contact
-    std::array<double, 3> reference_momentum{}, reference_angular{};
-    double                error_of_momentum = 0., max_error_of_momentum = 0.;
-    double                error_of_angular = 0., max_error_of_angular = 0.;
+    void update(Momentum &momentum, bool is_axial, double MomentumReport::*smallest_scale);
+    void check(double time, unsigned long step) const;
+
+    double        limit;
+    bool          has_reference = false;
+    SystemState   last;
+    double        reference_energy = 0., current_energy = 0., scale = 0.;
+    double        most_dissipated = 0., fall = 0.; ///< J, by contact
+    RelativeError error;
+    Momentum      linear, angular;
   };
 } // namespace birdstrike

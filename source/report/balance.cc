@@ -1,0 +1,204 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/report/balance.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    using Vector = MomentumReport::Vector;
+
+    double norm(const Vector &a)
+    {
+      return std::hypot(a[0], a[1], a[2]);
+    }
+
+    double external_work_of(const SystemState &state)
+    {
+      double sum = 0.;
+      for (const PartOfSystem part : parts_of_system)
+        sum += (state.*part).external_work;
+      return sum;
+    }
+
+    double energy_of(const SystemState &state)
+    {
+      return state.self_contact.add_held(state.contact.add_held(state.bird.total() + state.blade.total())) -
+             external_work_of(state);
+    }
+
+    /// What the work of a part's own forces has become, less that work.
+    double made_by(const EnergyReport &part, const double work)
+    {
+      double sum = 0.;
+      for (const EnergyKind &kind : energy_kinds)
+        if (kind.is_of_own_work)
+          sum += part.*kind.value;
+      return sum - work;
+    }
+
+    Vector momentum_of(const SystemState &state, const bool is_axial)
+    {
+      Vector sum{};
+      for (const MomentumReport *part : {&state.bird_momentum, &state.blade_momentum})
+        for (const MomentumKind &kind : momentum_kinds)
+          if (kind.is_axial == is_axial && kind.account != Account::memorandum)
+            for (int c = 0; c < 3; ++c)
+              sum[c] += (kind.account == Account::held ? 1. : -1.) * (part->*kind.value)[c];
+      return sum;
+    }
+
+    double largest_norm(const SystemState &state, const bool is_axial)
+    {
+      double largest = 0.;
+      for (const MomentumReport *part : {&state.bird_momentum, &state.blade_momentum})
+        for (const MomentumKind &kind : momentum_kinds)
+          if (kind.is_axial == is_axial && kind.is_scale)
+            largest = std::max(largest, norm(part->*kind.value));
+      return largest;
+    }
+
+    double relative_distance(const Vector &now, const Vector &reference, const double scale)
+    {
+      const Vector difference{now[0] - reference[0], now[1] - reference[1], now[2] - reference[2]};
+      return scale > 0. ? norm(difference) / scale : 0.;
+    }
+
+    /// Of the sums of m |v| and m |x| |v|: momenta that are smaller count as so much.
+    constexpr double smallest_share = 1e-2;
+
+    std::string describe(const SystemState &state)
+    {
+      std::string text;
+      for (const LedgerEntry &entry : ledger)
+        if (const double value = entry.value(state); value != 0.)
+          text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", entry.column, value);
+      return "Energies in J: " + text + ".";
+    }
+
+    std::string advise(const SystemState &state)
+    {
+      const bool has_bird = norm(state.bird_momentum.momentum) + norm(state.bird_momentum.retired) > 0.;
+      return std::string("Reduce ") + (has_bird ? "Time/Step scale and Time/Bird step scale" : "Time/Step scale") +
+             ", and look at the last fields written.";
+    }
+  } // namespace
+
+  Balance::Balance(const double energy_error_limit) : limit(energy_error_limit)
+  {
+  }
+
+  void Balance::update(const SystemState &state, const double time, const unsigned long step)
+  {
+    last           = state;
+    current_energy = energy_of(state);
+    if (!has_reference)
+      {
+        reference_energy  = current_energy;
+        linear.reference  = momentum_of(state, false);
+        angular.reference = momentum_of(state, true);
+        has_reference     = true;
+      }
+    scale = std::abs(reference_energy) + std::abs(external_work_of(state));
+    error.update(scale > 0. ? (current_energy - reference_energy) / scale : 0.);
+    most_dissipated = std::max(most_dissipated, state.contact.dissipated);
+    fall            = std::max({fall, most_dissipated - state.contact.dissipated, state.contact_dissipation_fall});
+    update(linear, false, &MomentumReport::impulse_scale);
+    update(angular, true, &MomentumReport::moment_scale);
+    check(time, step);
+  }
+
+  void Balance::RelativeError::update(const double value)
+  {
+    now     = value;
+    largest = std::max(largest, std::abs(value));
+  }
+
+  void Balance::update(Momentum &momentum, const bool is_axial, double MomentumReport::*const smallest_scale)
+  {
+    const double against =
+      std::max({norm(momentum.reference), largest_norm(last, is_axial),
+                smallest_share * (last.bird_momentum.*smallest_scale + last.blade_momentum.*smallest_scale)});
+    momentum.error.update(relative_distance(momentum_of(last, is_axial), momentum.reference, against));
+  }
+
+  void Balance::check(const double time, const unsigned long step) const
+  {
+    if (std::isinf(limit))
+      return; // rows of the history only look
+    const std::string when = fmt::format("at t = {:.6g} s, step {}", time, step);
+    if (!(std::abs(error.now) <= limit))
+      {
+        const Origins from = origins();
+        throw NumericalFailure(fmt::format(
+          "The energy balance is lost: {:+.3g} of {:.6g} J {} (Time/Energy error limit {:.3g}).\n{}\n"
+          "The error comes from the blade's elements with {:+.3g} J, the bird's density {:+.3g}, contact {:+.3g}, the "
+          "steps in time {:+.3g}.\n{}",
+          error.now, scale, when, limit, describe(last), from.blade, from.bird, from.contact, from.steps,
+          advise(last) +
+            (from.blade > 0.5 * std::abs(error.now) * scale
+               ? "\nThe elements make it: crushed ones do so, and at strains of some per cent one-point bricks without "
+                 "Blade/Element/Linear viscosity at steps near the largest stable one."
+               : "")));
+      }
+    for (const LedgerEntry &entry : ledger)
+      if (const double value = entry.value(last); entry.rules().is_positive && !(value >= -negative_limit * scale))
+        throw NumericalFailure(
+          fmt::format("An energy that cannot be negative is: {} = {:.6g} J {} (limit {:.3g} J).\n{}\n{}", entry.column,
+                      value, when, -negative_limit * scale, describe(last), advise(last)));
+    if (fall > negative_limit * scale)
+      throw NumericalFailure(
+        fmt::format("Contact has made energy: contact_dissipated has fallen by {:.6g} J to {:.6g} J "
+                    "{} (limit {:.3g} J).\n{}\n{}",
+                    fall, last.contact.dissipated, when, negative_limit * scale, describe(last), advise(last)));
+  }
+
+  Balance::Origins Balance::origins() const
+  {
+    Origins from{};
+    from.blade   = made_by(last.blade, last.blade.internal);
+    from.bird    = made_by(last.bird, last.bird.internal);
+    from.contact = made_by(last.contact, contact_energy());
+    from.steps   = current_energy - reference_energy - from.blade - from.bird - from.contact;
+    return from;
+  }
+
+  double Balance::initial_energy() const
+  {
+    return reference_energy;
+  }
+
+  double Balance::energy() const
+  {
+    return current_energy;
+  }
+
+  double Balance::contact_energy() const
+  {
+    return -last.bird.contact_work - last.blade.contact_work;
+  }
+
+  const Balance::RelativeError &Balance::energy_error() const
+  {
+    return error;
+  }
+
+  const Balance::RelativeError &Balance::momentum_error() const
+  {
+    return linear.error;
+  }
+
+  const Balance::RelativeError &Balance::angular_momentum_error() const
+  {
+    return angular.error;
+  }
+
+  const SystemState &Balance::state() const
+  {
+    return last;
+  }
+} // namespace birdstrike
