@@ -141,11 +141,14 @@ namespace birdstrike
           }
       });
     });
-    if (list.is_outdated(particles, pool))
-      {
-        list.update(particles, pool);
-        ++revision;
-      }
+  }
+
+  void Bird::update_neighbor_list()
+  {
+    if (!list.is_outdated(particles, pool))
+      return;
+    list.update(particles, pool);
+    ++revision;
   }
 
   void Bird::compute_rates()

@@ -38,17 +38,12 @@ namespace birdstrike
     constexpr double quiet_time = 0.1e-3;
 
     std::atomic<bool> stop_requested{false};
-
-    Stepper::Parts parts_of(Scene &scene, ContactWatch &watch)
-    {
-      return {scene.bird.get(), scene.blade.get(), scene.contact.get(), &scene.pool, &watch, scene.self_contact.get()};
-    }
   } // namespace
 
   BirdStrike::BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder)
     : parameters(parameters)
     , scene(scene)
-    , stepper(parts_of(scene, observed.contact), timings)
+    , stepper(scene, timings, &observed.contact)
     , sections{timings.section("retirement"), timings.section("step votes"), timings.section("balance and output")}
     , balance(parameters.time.energy_error_limit)
     , row_balance(INFINITY)

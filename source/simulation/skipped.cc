@@ -38,12 +38,11 @@ namespace birdstrike
   {
     const Stepper::Counts &counts = stepper.counts();
     UnitCosts              costs;
-    costs.particle_step = ratio(timings.seconds("bird: rates") + timings.seconds("bird: kick and drift"),
-                                static_cast<double>(counts.particle_steps));
-    costs.element_step  = ratio(timings.seconds("blade: internal forces") + timings.seconds("blade: kick and drift"),
-                                static_cast<double>(counts.element_steps));
-    const ContactReport &report = scene.contact ? scene.contact->report() : scene.gone_contact;
-    costs.contact_step          = ratio(timings.seconds("contact"), static_cast<double>(report.calls - report.skipped));
+    const Stepper::Seconds seconds = stepper.seconds();
+    costs.particle_step            = ratio(seconds.bird, static_cast<double>(counts.particle_steps));
+    costs.element_step             = ratio(seconds.blade, static_cast<double>(counts.element_steps));
+    const ContactReport &report    = scene.contact ? scene.contact->report() : scene.gone_contact;
+    costs.contact_step             = ratio(seconds.contact, static_cast<double>(report.calls - report.skipped));
     return costs;
   }
 
@@ -103,7 +102,7 @@ namespace birdstrike
     if (scene.symmetry.is_mirrored()) // the other half: as much again
       add("the mirrored half", 2., "times less work",
           costs.particle_step * static_cast<double>(counts.particle_steps) +
-            costs.element_step * static_cast<double>(counts.element_steps) + timings.seconds("contact"));
+            costs.element_step * static_cast<double>(counts.element_steps) + stepper.seconds().contact);
     add_parts_never_built(skipped);
     return skipped;
   }

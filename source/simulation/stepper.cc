@@ -1,5 +1,6 @@
 #include "simulation/stepper.h"
 #include "simulation/contact_watch.h"
+#include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/self_contact.h>
@@ -7,12 +8,194 @@
 
 namespace birdstrike
 {
-  Stepper::Stepper(const Parts &parts, Timings &timings)
-    : parts(parts)
+  void Stepper::advance(const Schedule &schedule)
+  {
+    if (schedule.n_blade > 1)
+      return advance_with_several_blade_steps(schedule);
+    if (schedule.n_bird > 1)
+      return advance_with_several_bird_steps(schedule);
+    const double step = schedule.step, half = 0.5 * step;
+    kick_bird(half, HalfKick::first);
+    kick_blade_by_contact(in_transit + half, HalfKick::first);
+    kick_blade(half, HalfKick::first);
+    drift_bird(step);
+    drift_blade(step);
+    update_neighbor_list();
+    compute_blade_forces(step);   // elements may fail: contact meets the facets that are left
+    compute_contact_forces(step); // at velocities of the drift, on both sides
+    compute_bird_rates();
+    kick_blade(half, HalfKick::second);
+    kick_blade_by_contact(half, HalfKick::second);
+    kick_bird(half, HalfKick::second);
+    set_in_transit(0.);
+  }
+
+  void Stepper::advance_with_several_blade_steps(const Schedule &schedule)
+  {
+    const double half = 0.5 * schedule.step, blade_step = schedule.blade_step(), blade_half = 0.5 * blade_step;
+    const double contact_half = 0.5 * (in_transit + half) / schedule.n_blade;
+    kick_bird(half, HalfKick::first);
+    for (unsigned int k = 0; k < schedule.n_blade; ++k)
+      {
+        if (k > 0)
+          kick_blade(blade_half, HalfKick::second); // of the step before
+        kick_blade_by_contact(contact_half, HalfKick::first);
+        kick_blade(blade_half, HalfKick::first);
+        drift_blade(blade_step);
+        compute_blade_forces(blade_step);
+        kick_blade_by_contact(contact_half, HalfKick::second);
+      }
+    drift_bird(schedule.step);
+    update_neighbor_list();
+    compute_contact_forces(schedule.step);
+    compute_bird_rates();
+    kick_blade(blade_half, HalfKick::second);
+    kick_bird(half, HalfKick::second);
+    set_in_transit(half);
+    if (scene.bird)
+      done.particle_steps_not_done += (schedule.n_blade - 1) * scene.bird->state().size();
+  }
+
+  void Stepper::advance_with_several_bird_steps(const Schedule &schedule)
+  {
+    const double step = schedule.bird_step(), half = 0.5 * step;
+    deliver();
+    kick_blade(0.5 * schedule.step, HalfKick::first);
+    for (unsigned int k = 0; k < schedule.n_bird; ++k)
+      {
+        kick_bird(half, HalfKick::first);
+        kick_blade_by_contact(half, HalfKick::first);
+        drift_bird(step);
+        drift_blade(step);
+        update_neighbor_list();
+        compute_contact_forces(step);
+        compute_bird_rates();
+        kick_blade_by_contact(half, HalfKick::second);
+        kick_bird(half, HalfKick::second);
+      }
+    compute_blade_forces(schedule.step);
+    kick_blade(0.5 * schedule.step, HalfKick::second);
+    done.element_steps_not_done += (schedule.n_bird - 1) * scene.blade->n_elements();
+  }
+
+  void Stepper::compute_initial_forces(const double step)
+  {
+    compute_blade_forces(step);
+    compute_contact_forces(step);
+    compute_bird_rates();
+    done = {};
+  }
+
+  template <class Part, class Verb>
+  void Stepper::timed(const Part &part, const std::size_t section, const Verb &verb)
+  {
+    if (!part)
+      return;
+    const Timings::Scope scope(timings, section);
+    verb(*part);
+  }
+
+  void Stepper::kick_bird(const double half_step, const HalfKick half)
+  {
+    timed(scene.bird, sections.bird_kick, [&](Bird &bird) { bird.kick(half_step, half); });
+  }
+
+  void Stepper::kick_blade(const double half_step, const HalfKick half)
+  {
+    timed(scene.blade, sections.blade_kick, [&](Blade &blade) { blade.kick_internal(half_step, half); });
+  }
+
+  void Stepper::kick_blade_by_contact(const double half_step, const HalfKick half)
+  {
+    timed(scene.contact, sections.contact_kick, [&](const Contact &) { scene.blade->kick_contact(half_step, half); });
+  }
+
+  void Stepper::drift_bird(const double step)
+  {
+    timed(scene.bird, sections.bird_drift, [&](Bird &bird) { bird.drift(step); });
+  }
+
+  void Stepper::drift_blade(const double step)
+  {
+    timed(scene.blade, sections.blade_drift, [&](Blade &blade) { blade.drift(step); });
+  }
+
+  void Stepper::update_neighbor_list()
+  {
+    timed(scene.bird, sections.list, [](Bird &bird) { bird.update_neighbor_list(); });
+  }
+
+  void Stepper::compute_blade_forces(const double step)
+  {
+    if (!scene.blade || !scene.blade->is_deformable())
+      return;
+    timed(scene.blade, sections.blade_forces, [](Blade &blade) { blade.compute_internal_forces(); });
+    timed(scene.self_contact, sections.self_contact, [&](SelfContact &contact) {
+      contact.update(scene.blade->facets(), step);
+      scene.blade->add_internal_forces(contact.forces());
+    });
+    ++done.blade;
+    done.element_steps += scene.blade->n_elements();
+  }
+
+  void Stepper::compute_contact_forces(const double step)
+  {
+    timed(scene.contact, sections.contact, [&](Contact &contact) {
+      contact.add_forces(scene.bird->points(), scene.blade->facets(), step,
+                         {scene.bird->clear_contact_forces(), scene.blade->clear_contact_forces()}, scene.pool);
+      if (watch)
+        watch->update(contact.report(), step);
+    });
+  }
+
+  void Stepper::compute_bird_rates()
+  {
+    timed(scene.bird, sections.rates, [&](Bird &bird) {
+      bird.compute_rates();
+      ++done.bird;
+      done.particle_steps += bird.state().size();
+    });
+  }
+
+  void Stepper::deliver()
+  {
+    if (in_transit > 0.)
+      kick_blade_by_contact(in_transit, HalfKick::first);
+    set_in_transit(0.);
+  }
+
+  void Stepper::set_in_transit(const double duration)
+  {
+    if (scene.contact && (duration > 0. || in_transit > 0.))
+      {
+        scene.blade->set_contact_in_transit(duration); // the forces are others, even if the duration is the same
+        in_transit = duration;
+      }
+  }
+
+  void Stepper::drop_bird()
+  {
+    if (scene.contact)
+      {
+        deliver();
+        scene.blade->clear_contact_forces();
+      }
+  }
+
+  Stepper::Stepper(Scene &scene, Timings &timings, ContactWatch *const watch)
+    : scene(scene)
     , timings(timings)
-    , sections{timings.section("bird: rates"), timings.section("bird: kick and drift"),
-               timings.section("blade: internal forces"), timings.section("blade: kick and drift"),
-               timings.section("contact")}
+    , watch(watch)
+    , sections{timings.section("bird: kick"),
+               timings.section("blade: kick"),
+               timings.section("blade: kick by contact"),
+               timings.section("bird: drift"),
+               timings.section("blade: drift"),
+               timings.section("bird: neighbour list"),
+               timings.section("blade: internal forces"),
+               timings.section("blade: self-contact"),
+               timings.section("contact"),
+               timings.section("bird: rates")}
   {
   }
 
@@ -21,167 +204,12 @@ namespace birdstrike
     return done;
   }
 
-  void Stepper::drop_bird()
+  Stepper::Seconds Stepper::seconds() const
   {
-    if (parts.blade)
-      {
-        deliver();
-        parts.blade->clear_contact_forces();
-      }
-    parts.bird    = nullptr;
-    parts.contact = nullptr;
-  }
-
-  void Stepper::advance(const Schedule &schedule)
-  {
-    if (schedule.n_bird == 1)
-      advance_with_sub_cycled_blade(schedule);
-    else
-      advance_with_sub_cycled_bird(schedule);
-  }
-
-  void Stepper::compute_initial_forces(const double step)
-  {
-    compute_blade_forces(step);
-    compute_bird_forces(step);
-    done = {};
-  }
-
-  void Stepper::advance_with_sub_cycled_blade(const Schedule &schedule)
-  {
-    if (parts.bird)
-      done.particle_steps_not_done += (schedule.n_blade - 1) * parts.bird->state().size();
-    const bool   is_held   = parts.contact && schedule.n_blade > 1;
-    const double on_time   = in_transit + 0.5 * schedule.step; // s, of the present contact forces
-    const double each_half = is_held ? 0.5 * on_time / schedule.n_blade : 0.;
-    kick_bird(0.5 * schedule.step, HalfKick::first);
-    if (!is_held)
-      kick_contact(on_time, HalfKick::first);
-    for (unsigned int k = 0; k < schedule.n_blade; ++k)
-      step_blade(schedule.blade_step(), each_half, k + 1 == schedule.n_blade);
-    if (parts.bird)
-      {
-        const Timings::Scope scope(timings, sections.bird_motion);
-        parts.bird->drift(schedule.step);
-      }
-    compute_bird_forces(schedule.step); // at velocities of the drift, on both sides
-    finish_blade_step(schedule.blade_step());
-    kick_bird(0.5 * schedule.step, HalfKick::second);
-    if (!is_held)
-      kick_contact(0.5 * schedule.step, HalfKick::second);
-    set_in_transit(is_held ? 0.5 * schedule.step : 0.);
-  }
-
-  void Stepper::advance_with_sub_cycled_bird(const Schedule &schedule)
-  {
-    const double step = schedule.bird_step();
-    done.element_steps_not_done += (schedule.n_bird - 1) * parts.blade->n_elements();
-    deliver();
-    parts.blade->kick_internal(0.5 * schedule.step, HalfKick::first);
-    for (unsigned int k = 0; k < schedule.n_bird; ++k)
-      {
-        kick_bird(0.5 * step, HalfKick::first);
-        kick_contact(0.5 * step, HalfKick::first);
-        parts.bird->drift(step);
-        parts.blade->drift(step);
-        compute_bird_forces(step);
-        kick_bird(0.5 * step, HalfKick::second);
-        kick_contact(0.5 * step, HalfKick::second);
-      }
-    compute_blade_forces(schedule.step);
-    parts.blade->kick_internal(0.5 * schedule.step, HalfKick::second);
-  }
-
-  void Stepper::kick_bird(const double half_step, const HalfKick half)
-  {
-    if (!parts.bird)
-      return;
-    const Timings::Scope scope(timings, sections.bird_motion);
-    parts.bird->kick(half_step, half);
-  }
-
-  void Stepper::kick_contact(const double half_step, const HalfKick half)
-  {
-    if (!parts.contact)
-      return;
-    const Timings::Scope scope(timings, sections.blade_motion);
-    parts.blade->kick_contact(half_step, half);
-  }
-
-  void Stepper::set_in_transit(const double duration)
-  {
-    if (duration > 0. || in_transit > 0.)
-      parts.blade->set_contact_in_transit(duration); // the forces are others, even if the duration is the same
-    in_transit = duration;
-  }
-
-  void Stepper::deliver()
-  {
-    if (in_transit > 0.)
-      kick_contact(in_transit, HalfKick::first);
-    set_in_transit(0.);
-  }
-
-  void Stepper::finish_blade_step(const double step)
-  {
-    if (!parts.blade)
-      return;
-    const Timings::Scope scope(timings, sections.blade_motion);
-    parts.blade->kick_internal(0.5 * step, HalfKick::second);
-  }
-
-  void Stepper::step_blade(const double step, const double contact_half, const bool is_last)
-  {
-    if (!parts.blade)
-      return;
-    {
-      const Timings::Scope scope(timings, sections.blade_motion);
-      if (contact_half > 0.)
-        parts.blade->kick_contact(contact_half, HalfKick::first);
-      parts.blade->kick_internal(0.5 * step, HalfKick::first);
-      parts.blade->drift(step);
-    }
-    compute_blade_forces(step);
-    {
-      const Timings::Scope scope(timings, sections.blade_motion);
-      if (contact_half > 0.)
-        parts.blade->kick_contact(contact_half, HalfKick::second);
-    }
-    if (!is_last)
-      finish_blade_step(step);
-  }
-
-  void Stepper::compute_blade_forces(const double step)
-  {
-    if (!parts.blade || !parts.blade->is_deformable())
-      return;
-    const Timings::Scope scope(timings, sections.blade_forces);
-    parts.blade->compute_internal_forces();
-    if (parts.self_contact)
-      {
-        parts.self_contact->update(parts.blade->facets(), step);
-        parts.blade->add_internal_forces(parts.self_contact->forces());
-      }
-    ++done.blade;
-    done.element_steps += parts.blade->n_elements();
-  }
-
-  void Stepper::compute_bird_forces(const double step)
-  {
-    if (!parts.bird)
-      return;
-    if (parts.contact)
-      {
-        const Timings::Scope scope(timings, sections.contact);
-        parts.contact->add_forces(parts.bird->points(), parts.blade->facets(), step,
-                                  {parts.bird->clear_contact_forces(), parts.blade->clear_contact_forces()},
-                                  *parts.pool);
-        if (parts.watch)
-          parts.watch->update(parts.contact->report(), step);
-      }
-    const Timings::Scope scope(timings, sections.bird_rates);
-    parts.bird->compute_rates();
-    ++done.bird;
-    done.particle_steps += parts.bird->state().size();
+    const auto sum = [&](const auto... section) { return (timings.sections()[section].seconds + ...); };
+    return {sum(sections.bird_kick, sections.bird_drift, sections.list, sections.rates),
+            sum(sections.blade_kick, sections.blade_drift, sections.blade_forces, sections.self_contact,
+                sections.contact_kick),
+            sum(sections.contact)};
   }
 } // namespace birdstrike

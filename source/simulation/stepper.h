@@ -8,33 +8,21 @@
 
 namespace birdstrike
 {
-  class Bird;
-  class Blade;
-  class Contact;
   class ContactWatch;
-  class SelfContact;
-  class ThreadPool;
+  struct Scene;
 
-  /// One macro step of whatever parts a scene has: velocity-Verlet with both parts synchronous at its ends.
+  /// One macro step of whatever parts a scene has: velocity-Verlet with both parts synchronous at its ends. Each verb
+  /// is timed under its own name.
   ///
   /// The bird with its contact may take several steps within it (r-RESPA by impulses; Tuckerman, Berne and Martyna
   /// 1992), or the blade. What the bird takes in two half kicks at the ends of its step, a blade of several steps takes
   /// evenly in those that follow: an impulse would ring modes of the blade that are faster than the macro step. (Bricks
   /// of 2.1 mm under a bird of 5 mm particles: impulses leave 68 J in the bulk viscosity within 1 ms, a single rate 1
   /// J.) The two are equal and opposite, whatever the ratio; what is under way between them counts as the blade's.
-  /// Parts are named, not owned; an absent part costs nothing.
+  /// A part that the scene lacks costs nothing.
   class Stepper
   {
   public:
-    struct Parts
-    {
-      Bird         *bird         = nullptr;
-      Blade        *blade        = nullptr;
-      Contact      *contact      = nullptr;
-      ThreadPool   *pool         = nullptr;
-      ContactWatch *watch        = nullptr; ///< told of every evaluation of contact
-      SelfContact  *self_contact = nullptr; ///< of the blade
-    };
     struct Counts
     {
       std::uint64_t bird           = 0; ///< bird steps
@@ -44,38 +32,56 @@ namespace birdstrike
       /// What a single rate would have done more.
       std::uint64_t particle_steps_not_done = 0, element_steps_not_done = 0;
     };
+    /// Run time, s.
+    struct Seconds
+    {
+      double bird = 0., blade = 0., contact = 0.;
+    };
 
-    Stepper(const Parts &parts, Timings &timings);
+    /// Scene and timings must outlive the stepper; a `watch` is told of every evaluation of contact.
+    Stepper(Scene &scene, Timings &timings, ContactWatch *watch = nullptr);
 
     /// Forces at the present state, so that a first kick has them.
     void compute_initial_forces(double step);
 
     void advance(const Schedule &schedule);
 
-    /// The bird has gone: from now on the blade runs on alone.
+    /// Before the scene drops its bird: the blade gets what is in transit, and from then on runs alone.
     void drop_bird();
 
     const Counts &counts() const;
+    Seconds       seconds() const;
 
   private:
-    void advance_with_sub_cycled_blade(const Schedule &schedule);
-    void advance_with_sub_cycled_bird(const Schedule &schedule);
-    void kick_bird(double half_step, HalfKick half);
-    void kick_contact(double half_step, HalfKick half);
-    void set_in_transit(double duration);
-    void deliver();                                                  ///< what is in transit, at once
-    void step_blade(double step, double contact_half, bool is_last); ///< the last one is not finished
-    void finish_blade_step(double step);
-    void compute_blade_forces(double step);
-    void compute_bird_forces(double step);
+    void advance_with_several_blade_steps(const Schedule &schedule);
+    void advance_with_several_bird_steps(const Schedule &schedule);
 
-    Parts    parts;
-    Timings &timings;
-    Counts   done;
-    double   in_transit = 0.; ///< s, for which the contact forces have still to act on the blade
+    // The verbs, of one step or half step (s) each.
+    void kick_bird(double half_step, HalfKick half);
+    void kick_blade(double half_step, HalfKick half);
+    void kick_blade_by_contact(double half_step, HalfKick half);
+    void drift_bird(double step);
+    void drift_blade(double step);
+    void update_neighbor_list();
+    void compute_blade_forces(double step);
+    void compute_contact_forces(double step);
+    void compute_bird_rates();
+
+    void deliver();                       ///< what is in transit, at once
+    void set_in_transit(double duration); ///< s
+
+    template <class Part, class Verb>
+    void timed(const Part &part, std::size_t section, const Verb &verb); ///< verb(*part), unless there is no such part
+
+    Scene        &scene;
+    Timings      &timings;
+    ContactWatch *watch;
+    Counts        done;
+    double        in_transit = 0.; ///< s, for which the contact forces have still to act on the blade
     struct Sections
     {
-      std::size_t bird_rates, bird_motion, blade_forces, blade_motion, contact;
+      std::size_t bird_kick, blade_kick, contact_kick, bird_drift, blade_drift, list, blade_forces, self_contact,
+        contact, rates;
     } sections;
   };
 } // namespace birdstrike

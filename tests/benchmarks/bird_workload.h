@@ -49,6 +49,7 @@ namespace birdstrike::benchmarks
     {
       bird.kick(0.5 * step_size, HalfKick::first);
       bird.drift(step_size);
+      bird.update_neighbor_list();
       bird.compute_rates();
       bird.kick(0.5 * step_size, HalfKick::second);
     }

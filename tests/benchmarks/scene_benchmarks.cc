@@ -18,9 +18,7 @@ namespace birdstrike::benchmarks
       {
         parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/frontal.prm", overrides);
         scene.emplace(parameters);
-        stepper.emplace(Stepper::Parts{scene->bird.get(), scene->blade.get(), scene->contact.get(), &scene->pool,
-                                       nullptr, scene->self_contact.get()},
-                        timings);
+        stepper.emplace(*scene, timings);
         stepper->compute_initial_forces(scene->plan(1.).bird_step());
         while (now < start)
           step();

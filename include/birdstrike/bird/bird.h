@@ -18,7 +18,8 @@ namespace birdstrike
   /// The SPH bird: particles, their neighbour list and their rates, advanced by velocity Verlet. SI units.
   ///
   ///   kick(dt/2, first)    v += f dt/2m,  mu compressed over dt/2
-  ///   drift(dt)            x += v dt; the list is rebuilt when its skin is used up
+  ///   drift(dt)            x += v dt
+  ///   update_neighbor_list()  rebuilt when its skin is used up
   ///   compute_rates()      at v + f_old dt/2m and at mu compressed further, both predicted to the end of the step; the
   ///                        second kick then corrects them with the new rates (trapezoidal rule)
   ///   kick(dt/2, second)
@@ -64,6 +65,7 @@ namespace birdstrike
 
     void        kick(double dt, HalfKick half);
     void        drift(double dt);
+    void        update_neighbor_list();
     PointForces clear_contact_forces(); ///< contact adds to them
     void        compute_rates();
 

@@ -24,6 +24,7 @@ namespace birdstrike::testing
   {
     bird.kick(0.5 * dt, HalfKick::first);
     bird.drift(dt);
+    bird.update_neighbor_list();
     bird.compute_rates();
     bird.kick(0.5 * dt, HalfKick::second);
   }

@@ -150,6 +150,7 @@ TEST(Bird, ContactWorkAndImpulseCloseTheBalances)
         {
           bird.kick(0.5 * dt, HalfKick::first);
           bird.drift(dt);
+          bird.update_neighbor_list();
           const PointForces forces = bird.clear_contact_forces();
           const PointsView  view   = bird.points();
           double            front  = -1.;

@@ -48,6 +48,7 @@ namespace
       {
         bird.kick(0.5 * dt, HalfKick::first);
         bird.drift(dt);
+        bird.update_neighbor_list();
         const PointForces forces = bird.clear_contact_forces();
         const PointsView  view   = bird.points();
         for (std::size_t p = 0; p < view.n; ++p)

@@ -27,7 +27,7 @@ TEST(AllocationGuard, StepsOfAWarmSceneAllocateNothing)
                    "Blade/Mesh/Elements along chord=6", "Time/Threads=1"});
   Timings    timings;
   Scene      scene(parameters);
-  Stepper    stepper({scene.bird.get(), scene.blade.get(), scene.contact.get(), &scene.pool}, timings);
+  Stepper    stepper(scene, timings);
   double     now     = 0.;
   const auto advance = [&] {
     const Schedule schedule = scene.plan(1. - now);

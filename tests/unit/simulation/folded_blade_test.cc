@@ -116,11 +116,9 @@ namespace
 
     const double depth = is_solid ? depth_of_bricks : 0.;
 
-    Scene   scene(parameters);
-    Timings timings;
-    Stepper stepper(
-      {scene.bird.get(), scene.blade.get(), scene.contact.get(), &scene.pool, nullptr, scene.self_contact.get()},
-      timings);
+    Scene    scene(parameters);
+    Timings  timings;
+    Stepper  stepper(scene, timings);
     Balance  balance(10.);
     Outcome  result;
     Schedule schedule = scene.plan(parameters.time.end_time);
