@@ -83,10 +83,10 @@ namespace birdstrike
                   (is_cut && may_lie_along ? "; rows of particles may lie along an edge: see Bird/Roll" : ""));
     }
 
-    void add_steps(TextTable &table, const CaseParameters &parameters, Scene &scene)
+    void add_steps(TextTable &table, const CaseParameters &parameters, const Scene &scene)
     {
-      const Schedule schedule = scene.plan(parameters.time.end_time);
-      const double   n_macro  = std::ceil(parameters.time.end_time / schedule.step);
+      const Schedule &schedule = scene.last_plan();
+      const double    n_macro  = std::ceil(parameters.time.end_time / schedule.step);
       table.add_heading("Time");
       table.add("end time", parameters.time.end_time, "s");
       table.add("flight skipped before first touch", scene.flight_time, "s");
@@ -122,7 +122,7 @@ namespace birdstrike
     }
   } // namespace
 
-  std::string explain(const CaseParameters &parameters, Scene &scene)
+  std::string explain(const CaseParameters &parameters, const Scene &scene)
   {
     TextTable table(parameters.name + (parameters.description.empty() ? "" : ": " + parameters.description));
     if (scene.symmetry.is_mirrored())
@@ -131,7 +131,6 @@ namespace birdstrike
       add_blade(table, *scene.blade, parameters.blade);
     if (scene.bird)
       {
-        scene.bird->compute_rates(); // the step limit needs the present rates
         add_bird(table, *scene.bird, parameters.bird);
         if (scene.blade)
           add_mass_in_the_way(table, compute_share_in_the_way(scene.bird->points(), scene.blade->facets()),

@@ -70,6 +70,9 @@ namespace birdstrike
         largest_bird_step = bird->shocked_step(touch.closing_speed);
         limit_multirate();
       }
+    if (bird)
+      bird->compute_rates(); // where it has been moved to: its vote rests on them
+    plan(parameters.time.end_time);
   }
 
   Scene::~Scene() = default;

@@ -55,7 +55,7 @@ namespace birdstrike
     /// @throws NumericalFailure for a step that collapses (Time/Smallest step).
     Schedule plan(double remaining);
 
-    /// The latest plan; zero before the first.
+    /// The latest plan; a scene that has just been built has made its first.
     const Schedule &last_plan() const;
 
     /// Energies and momenta of the whole scene; a bird that has gone keeps its books in `gone`.
