@@ -1,6 +1,5 @@
+#include "structure/deformable_blade.h"
 #include "structure/rigid_plate.h"
-#include "structure/shell_blade.h"
-#include "structure/solid_blade.h"
 #include <birdstrike/core/log.h>
 #include <birdstrike/structure/make_blade.h>
 

@@ -1,7 +1,7 @@
 #include "measure.h"
 #include "shell_workload.h"
 
-#include "structure/shell_blade.h"
+#include "structure/deformable_blade.h"
 
 namespace birdstrike::benchmarks
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/shell_blade.h"
+#include "structure/deformable_blade.h"
 
 #include <gtest/gtest.h>
 

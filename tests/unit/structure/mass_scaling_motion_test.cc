@@ -1,6 +1,6 @@
 #include "mass_scaling_case.h"
 
-#include "structure/solid_blade.h"
+#include "structure/deformable_blade.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "blade_case.h"
 
-#include "structure/solid_blade.h"
+#include "structure/deformable_blade.h"
 
 #include <gtest/gtest.h>
 

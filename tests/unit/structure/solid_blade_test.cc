@@ -1,7 +1,7 @@
 #include "blade_case.h"
 #include "solid_frequencies.h"
 
-#include "structure/solid_blade.h"
+#include "structure/deformable_blade.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/structure/make_blade.h>
 

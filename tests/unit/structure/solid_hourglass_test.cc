@@ -1,7 +1,7 @@
 #include "blade_case.h"
 #include "solid_harness.h"
 
-#include "structure/solid_blade.h"
+#include "structure/deformable_blade.h"
 
 #include <gtest/gtest.h>
 

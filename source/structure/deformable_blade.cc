@@ -1,0 +1,66 @@
+#include "structure/deformable_blade.h"
+#include "structure/probes/strike_side.h"
+
+namespace birdstrike
+{
+  namespace
+  {
+    template <class Mesh>
+    Mesh &with_dofs(Mesh &mesh)
+    {
+      mesh.distribute_dofs();
+      return mesh;
+    }
+  } // namespace
+
+  template <class Kind>
+  DeformableBlade<Kind>::DeformableBlade(const BladeParameters &parameters, ThreadPool &pool)
+    : mesh(Kind::make_mesh(parameters))
+    , supports(parameters.supports, Kind::plain(with_dofs(mesh)))
+    , lumped(Kind::compute_mass(mesh, parameters))
+    , elements(Kind::make_elements(mesh, lumped, parameters, pool))
+    , pressed(Kind::find_pressed(mesh, parameters.loads))
+    , motion(Kind::plain(mesh).nodes, Kind::masses(lumped), supports,
+             Loads(parameters.loads, Kind::skin(mesh), pressed.facets, Kind::n_unknowns), pool)
+    , root(Kind::make_root(mesh, supports, parameters))
+    , tip(Kind::make_tip(mesh, supports))
+    , surface(Kind::make_surface(mesh, lumped))
+    , can_fail(parameters.material.metal().failure.can_fail())
+  {
+    elements.use_nodal_masses(lumped.node);
+    scaling = Kind::finish(parameters, mesh, lumped, elements, motion);
+    motion.initialize_velocity(parameters.loads);
+    motion.watch(parameters.probes);
+    turn_from_strike(compute_strike(parameters, motion.momenta(), lumped.total), Kind::is_one_surface(mesh), root, tip);
+  }
+
+  template <class Kind>
+  void DeformableBlade<Kind>::compute_internal_forces()
+  {
+    motion.compute_internal_forces(elements);
+    if (elements.n_failed() != n_failed)
+      update_failed();
+  }
+
+  template <class Kind>
+  void DeformableBlade<Kind>::update_failed()
+  {
+    n_failed = elements.n_failed();
+    surface.remove([this](const std::size_t element) { return elements.is_failed(element); });
+    for (std::size_t k = 0; k < pressed.elements.size(); ++k)
+      if (elements.is_failed(pressed.elements[k]))
+        motion.stop_pressing(k);
+  }
+
+  template <class Kind>
+  FacetsView DeformableBlade<Kind>::facets() const
+  {
+    FacetsView view = motion.facets();
+    view.n_nodes    = Kind::n_nodes_in_contact(mesh, can_fail);
+    surface.offer(view);
+    return view;
+  }
+
+  template class DeformableBlade<ShellKind>;
+  template class DeformableBlade<SolidKind>;
+} // namespace birdstrike

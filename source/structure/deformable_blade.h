@@ -1,0 +1,126 @@
+#pragma once
+
+#include "structure/nodes/nodal_mechanics.h"
+#include "structure/shell_kind.h"
+#include "structure/solid_kind.h"
+#include <birdstrike/structure/blade.h>
+
+namespace birdstrike
+{
+  /// A blade of finite elements: deal.II mesh and DoFs, our own element and nodal loops. Its nodes move as
+  /// source/structure/nodes/nodal_mechanics.h says, which explains damping, held unknowns and the kinetic energy; the
+  /// elements are those of source/structure/elements. What shells and bricks do differently stands in `Kind`, ShellKind
+  /// or SolidKind.
+  ///
+  /// Elements of a metal that can fail do so (elements/erosion.h); what is left keeps the surface that contact meets,
+  /// and nothing presses on what has failed.
+  ///
+  /// Not here: spin of the hub, several ranks.
+  template <class Kind>
+  class DeformableBlade final : public Blade
+  {
+  public:
+    /// Throws InputError. The pool must outlive the blade.
+    DeformableBlade(const BladeParameters &parameters, ThreadPool &pool);
+
+    StepLimit step_limit() const override
+    {
+      return elements.step_limit();
+    }
+    double largest_stable_step() const override
+    {
+      return elements.largest_stable_step();
+    }
+    void kick_internal(const double half_step, const HalfKick half) override
+    {
+      motion.kick_internal(half_step, half);
+    }
+    void kick_contact(const double half_step, const HalfKick half) override
+    {
+      motion.kick_contact(half_step, half);
+    }
+    void drift(const double step) override
+    {
+      motion.drift(step);
+    }
+    void compute_internal_forces() override;
+    NodeForces clear_contact_forces() override
+    {
+      return motion.clear_contact_forces();
+    }
+    void set_contact_in_transit(const double duration) override
+    {
+      motion.set_contact_in_transit(duration);
+    }
+    FacetsView facets() const override;
+    void add_internal_forces(const std::span<const NodalForce> forces) override
+    {
+      motion.add_internal_forces(forces);
+    }
+    std::array<double, 3> contact_force() const override
+    {
+      return motion.contact_force();
+    }
+
+    std::string kind() const override
+    {
+      return Kind::name;
+    }
+    bool is_deformable() const override
+    {
+      return true;
+    }
+    std::size_t n_elements() const override
+    {
+      return elements.n_elements();
+    }
+    std::size_t n_nodes() const override
+    {
+      return Kind::plain(mesh).nodes.size();
+    }
+    double mass() const override
+    {
+      return lumped.total;
+    }
+    EnergyReport   energies() const override;
+    MomentumReport momenta() const override
+    {
+      return motion.momenta();
+    }
+    BladeCensus              census() const override;
+    FieldSnapshot            snapshot() const override;
+    std::vector<ProbeValues> probes() const override
+    {
+      return motion.probes();
+    }
+    RootSectionReport       root_section() const override;
+    TipDeflection           tip_deflection() const override;
+    PeakPlasticStrain       peak_plastic_strain() const override;
+    FailureReport           failure() const override;
+    std::optional<SpanLine> span_line() const override;
+
+    NodeArrays nodes() ///< for initial states and checks
+    {
+      return motion.arrays();
+    }
+
+  private:
+    void update_failed(); ///< after elements have failed
+
+    typename Kind::Mesh              mesh;
+    Supports                         supports;
+    typename Kind::Mesh::Mass        lumped;
+    typename Kind::Elements          elements;
+    PressedFacets                    pressed;
+    NodalMechanics<Kind::n_unknowns> motion;
+    typename Kind::Root              root;
+    TipRow                           tip;
+    typename Kind::Surface           surface;
+    MassScalingReport                scaling;
+    bool                             can_fail;
+    std::size_t                      n_failed = 0; ///< elements, as the surface knows them
+  };
+
+  using ShellBlade = DeformableBlade<ShellKind>;
+  using SolidBlade = DeformableBlade<SolidKind>;
+} // namespace birdstrike

@@ -1,0 +1,106 @@
+#include "structure/census.h"
+#include "structure/deformable_blade.h"
+
+namespace birdstrike
+{
+  template <class Kind>
+  EnergyReport DeformableBlade<Kind>::energies() const
+  {
+    EnergyReport report = motion.energies();
+    Kind::add_energies(elements, report);
+    report.plastic  = elements.plastic_work();
+    report.eroded   = elements.eroded_energy();
+    report.internal = elements.work();
+    return report;
+  }
+
+  template <class Kind>
+  BladeCensus DeformableBlade<Kind>::census() const
+  {
+    BladeCensus census            = compute_census(Kind::plain(mesh));
+    census.mass                   = mass();
+    census.n_held_dofs            = supports.held_dofs.size();
+    census.n_elements_with_points = elements.n_promoted();
+    census.mass_scaling           = scaling;
+    census.bytes                  = motion.bytes() + elements.bytes() + Kind::bytes_per_cell * census.n_elements;
+    census.bytes_per_snapshot     = 8. * (9. * census.n_nodes + Kind::fields_per_cell * census.n_elements) +
+                                Kind::bytes_per_cell_in_file * census.n_elements;
+    return census;
+  }
+
+  template <class Kind>
+  FieldSnapshot DeformableBlade<Kind>::snapshot() const
+  {
+    const auto   &plain = Kind::plain(mesh);
+    FieldSnapshot snapshot;
+    snapshot.dim = Kind::dim;
+    for (const auto &x : plain.nodes)
+      snapshot.points.insert(snapshot.points.end(), x.begin(), x.end());
+    std::vector<std::size_t> left; // failed elements are not shown
+    Field                    damage{"damage", "-", true, 1, {}}, number{"element", "-", true, 1, {}};
+    for (std::size_t e = 0; e < plain.cells.size(); ++e)
+      if (!elements.is_failed(e))
+        {
+          const auto &nodes = Kind::nodes_of(plain, e);
+          snapshot.cells.insert(snapshot.cells.end(), nodes.begin(), nodes.end());
+          left.push_back(e);
+          damage.values.push_back(elements.damage(e));
+          number.values.push_back(static_cast<double>(e));
+        }
+    motion.add_fields(snapshot.fields);
+    Kind::add_fields(elements, left, snapshot.fields);
+    if (can_fail)
+      snapshot.fields.insert(snapshot.fields.end(), {std::move(damage), std::move(number)});
+    return snapshot;
+  }
+
+  template <class Kind>
+  RootSectionReport DeformableBlade<Kind>::root_section() const
+  {
+    return root.compute_report(motion.element_forces(), motion.positions(), elements);
+  }
+
+  template <class Kind>
+  TipDeflection DeformableBlade<Kind>::tip_deflection() const
+  {
+    return tip.compute_deflection(motion.displacements(), Kind::n_unknowns);
+  }
+
+  template <class Kind>
+  std::optional<SpanLine> DeformableBlade<Kind>::span_line() const
+  {
+    return make_span_line(root.section(), tip, motion.reference_positions());
+  }
+
+  template <class Kind>
+  PeakPlasticStrain DeformableBlade<Kind>::peak_plastic_strain() const
+  {
+    const auto   peak = elements.max_plastic_strain();
+    const Point3 c    = Kind::plain(mesh).centroid(peak.element);
+    return {peak.value, peak.element, {{c[0], c[1], c[2]}}};
+  }
+
+  template <class Kind>
+  FailureReport DeformableBlade<Kind>::failure() const
+  {
+    FailureReport report;
+    report.can_fail   = can_fail;
+    report.n_elements = elements.n_failed();
+    if (report.n_elements == 0)
+      return report;
+    report.n_collapsed = elements.n_collapsed();
+    report.n_at_root   = root.count_failed(elements);
+    report.mass        = elements.failed_mass();
+    for (std::size_t n = 0; n < lumped.node.size(); ++n)
+      if (elements.is_free(n))
+        {
+          ++report.n_free_nodes;
+          report.free_mass += lumped.node[n];
+        }
+    report.has_lost_tip = tip.has_any([&](const std::uint32_t n) { return elements.is_free(n); });
+    return report;
+  }
+
+  template class DeformableBlade<ShellKind>;
+  template class DeformableBlade<SolidKind>;
+} // namespace birdstrike

@@ -1,0 +1,151 @@
+#include "structure/shell_kind.h"
+#include "structure/elements/von_mises.h"
+#include "structure/section_choices.h"
+
+#include <birdstrike/core/text_lists.h>
+#include <birdstrike/mesh/thickness_law.h>
+
+#include <numeric>
+
+namespace birdstrike
+{
+  namespace
+  {
+    ShellSection make_section(const BladeParameters &parameters)
+    {
+      ShellSection section;
+      section.formulation           = shell_formulations().at(parameters.element.shell_formulation());
+      section.rule                  = thickness_rules().at(parameters.element.rule);
+      section.n_points              = parameters.element.n_points;
+      section.material              = parameters.material.metal();
+      section.hourglass_coefficient = parameters.element.hourglass;
+      section.shear_factor          = parameters.element.shear_factor;
+      section.has_thinning          = parameters.element.has_thinning;
+      return section;
+    }
+
+    std::vector<Point3> points_of(const SurfaceMesh &mesh)
+    {
+      std::vector<Point3> points;
+      for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+        points.push_back(mesh.node(n));
+      return points;
+    }
+  } // namespace
+
+  ShellMesh ShellKind::make_mesh(const BladeParameters &parameters)
+  {
+    return ShellMesh(parameters.mesh, parameters.is_halved);
+  }
+
+  const SurfaceMesh &ShellKind::plain(const Mesh &mesh)
+  {
+    return mesh.surface();
+  }
+
+  const SurfaceMesh &ShellKind::skin(const Mesh &mesh)
+  {
+    return mesh.surface();
+  }
+
+  ShellMesh::Mass ShellKind::compute_mass(const Mesh &mesh, const BladeParameters &parameters)
+  {
+    return mesh.compute_mass(parameters.material.metal().density, make_thickness_law(parameters));
+  }
+
+  ShellElements ShellKind::make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,
+                                         ThreadPool &pool)
+  {
+    return ShellElements(points_of(mesh.surface()), mesh.surface().cells, mass.element_thickness,
+                         make_section(parameters), pool);
+  }
+
+  NodalMechanics<6>::Masses ShellKind::masses(const Mesh::Mass &mass)
+  {
+    return {mass.node, mass.rotary};
+  }
+
+  PressedFacets ShellKind::find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads)
+  {
+    if (!is_present(loads.pressure))
+      return {};
+    PressedFacets pressed{mesh.surface().cells, std::vector<std::uint32_t>(mesh.surface().cells.size())};
+    std::iota(pressed.elements.begin(), pressed.elements.end(), 0);
+    return pressed;
+  }
+
+  RootSection ShellKind::make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &)
+  {
+    return RootSection(mesh.surface(), supports.root_ids);
+  }
+
+  TipRow ShellKind::make_tip(const Mesh &mesh, const Supports &supports)
+  {
+    return TipRow(mesh.surface(), supports.tip_ids);
+  }
+
+  ContactSurface ShellKind::make_surface(const Mesh &mesh, const Mesh::Mass &mass)
+  {
+    std::vector<double> half_thickness = mass.element_thickness;
+    for (double &value : half_thickness)
+      value *= 0.5;
+    return ContactSurface(mesh.surface(), std::move(half_thickness));
+  }
+
+  bool ShellKind::is_one_surface(const Mesh &)
+  {
+    return true;
+  }
+
+  std::size_t ShellKind::n_nodes_in_contact(const Mesh &mesh, bool)
+  {
+    return mesh.surface().nodes.size();
+  }
+
+  MassScalingReport ShellKind::finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &,
+                                      Elements &elements, Nodes &)
+  {
+    if (parameters.is_halved)
+      elements.add_symmetry_plane(mesh.surface().symmetry_nodes, Point3::UnitY());
+    return {};
+  }
+
+  void ShellKind::add_energies(const Elements &elements, EnergyReport &report)
+  {
+    report.elastic   = elements.elastic_energy();
+    report.hourglass = elements.hourglass_energy();
+  }
+
+  void ShellKind::add_fields(const Elements &elements, const std::vector<std::size_t> &cells,
+                             std::vector<Field> &fields)
+  {
+    static constexpr std::array<ShellLayer, 3> layers{{ShellLayer::bottom, ShellLayer::middle, ShellLayer::top}};
+    static const std::array<std::string, 3>    names{{"bottom", "middle", "top"}};
+    static const std::array<std::string, 6>    components{{"xx", "yy", "zz", "xy", "yz", "zx"}};
+    const auto add = [&](const std::string &name, const std::string &unit, const auto &value) {
+      Field field{name, unit, true, 1, {}};
+      field.values.reserve(cells.size());
+      for (const std::size_t cell : cells)
+        field.values.push_back(value(cell));
+      fields.push_back(std::move(field));
+    };
+    for (unsigned int k = 0; k < layers.size(); ++k)
+      {
+        const auto stress = [&](const std::size_t e) { return elements.global_layer_stress(e, layers[k]); };
+        add("equivalent_plastic_strain_" + names[k], "-",
+            [&](const std::size_t e) { return elements.layer_plastic_strain(e, layers[k]); });
+        add("von_mises_stress_" + names[k], "Pa", [&](const std::size_t e) { return von_mises(stress(e)); });
+        if (layers[k] == ShellLayer::middle)
+          continue; // the mid-surface stress follows from both faces
+        for (unsigned int c = 0; c < 6; ++c)
+          add("stress_" + components[c] + "_" + names[k], "Pa", [&](const std::size_t e) { return stress(e)[c]; });
+      }
+    add("thickness", "m", [&](const std::size_t e) { return elements.state(e).thickness; });
+  }
+
+  std::array<std::uint32_t, 4> ShellKind::nodes_of(const SurfaceMesh &mesh, const std::size_t cell)
+  {
+    const auto &c = mesh.cells[cell];
+    return {c[0], c[1], c[3], c[2]};
+  }
+} // namespace birdstrike

@@ -1,0 +1,159 @@
+#include "structure/solid_kind.h"
+#include "structure/elements/von_mises.h"
+#include "structure/nodes/mass_scaling.h"
+#include "structure/section_choices.h"
+
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/text_lists.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    SolidSection make_section(const BladeParameters &parameters)
+    {
+      SolidSection section;
+      section.formulation         = solid_formulations().at(parameters.solid_formulation());
+      section.material            = parameters.material.metal();
+      section.rule                = thickness_rules().at(parameters.element.rule);
+      section.n_points            = parameters.element.n_points;
+      section.linear_viscosity    = parameters.element.linear_viscosity;
+      section.quadratic_viscosity = parameters.element.quadratic_viscosity;
+      return section;
+    }
+
+    std::vector<Point3> points_of(const VolumeMesh &mesh)
+    {
+      std::vector<Point3> points;
+      for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+        points.push_back(mesh.node(n));
+      return points;
+    }
+  } // namespace
+
+  SolidMesh SolidKind::make_mesh(const BladeParameters &parameters)
+  {
+    return SolidMesh(parameters);
+  }
+
+  const VolumeMesh &SolidKind::plain(const Mesh &mesh)
+  {
+    return mesh.volume();
+  }
+
+  const SurfaceMesh &SolidKind::skin(const Mesh &mesh)
+  {
+    return mesh.volume().skin;
+  }
+
+  SolidMesh::Mass SolidKind::compute_mass(const Mesh &mesh, const BladeParameters &parameters)
+  {
+    return mesh.compute_mass(parameters.material.metal().density);
+  }
+
+  SolidElements SolidKind::make_elements(const Mesh &mesh, const Mesh::Mass &, const BladeParameters &parameters,
+                                         ThreadPool &pool)
+  {
+    return SolidElements(points_of(mesh.volume()), mesh.volume().cells, make_section(parameters), pool);
+  }
+
+  NodalMechanics<3>::Masses SolidKind::masses(const Mesh::Mass &mass)
+  {
+    return {mass.node, {}};
+  }
+
+  /// The skin facets that pressure acts on, turned so that their normals point inwards.
+  PressedFacets SolidKind::find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads)
+  {
+    PressedFacets pressed;
+    if (!is_present(loads.pressure))
+      return pressed;
+    const auto ids = parse_ids(loads.pressure_boundaries, "Loads/Pressure boundaries");
+    for (const auto &face : mesh.volume().faces)
+      if (std::find(ids.begin(), ids.end(), face.id) != ids.end())
+        {
+          pressed.facets.push_back({{face.nodes[0], face.nodes[3], face.nodes[2], face.nodes[1]}});
+          pressed.elements.push_back(face.cell);
+        }
+    if (pressed.facets.empty())
+      throw InputError("Blade/Loads/Pressure boundaries: no face of the mesh has one of the ids '" +
+                       loads.pressure_boundaries + "'.\nPressure on a solid needs faces to act on.");
+    return pressed;
+  }
+
+  SolidRootSection SolidKind::make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &parameters)
+  {
+    return SolidRootSection(mesh.volume(), supports.root_ids, parameters.material.metal().hardening);
+  }
+
+  TipRow SolidKind::make_tip(const Mesh &mesh, const Supports &supports)
+  {
+    return make_tip_row(mesh.volume(), supports.tip_ids);
+  }
+
+  ErodingSkin SolidKind::make_surface(const Mesh &mesh, const Mesh::Mass &)
+  {
+    return ErodingSkin(mesh.volume());
+  }
+
+  bool SolidKind::is_one_surface(const Mesh &mesh)
+  {
+    return mesh.volume().layers > 0;
+  }
+
+  std::size_t SolidKind::n_nodes_in_contact(const Mesh &mesh, const bool can_fail)
+  {
+    // where elements fail, nodes inside may become the skin's
+    return can_fail ? mesh.volume().nodes.size() : mesh.volume().n_skin_nodes;
+  }
+
+  MassScalingReport SolidKind::finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &mass,
+                                      Elements &elements, Nodes &nodes)
+  {
+    if (parameters.mass_scaling.method != "selective")
+      return {};
+    const NodeColumns columns(mesh.volume());
+    MassScaling       chosen = choose_mass_scaling(parameters, mesh.volume(), columns, elements, mass.node);
+    elements.scale_masses(chosen.scale);
+    nodes.scale(columns, std::move(chosen.coupling));
+    chosen.report.step = elements.largest_stable_step();
+    return chosen.report;
+  }
+
+  void SolidKind::add_energies(const Elements &elements, EnergyReport &report)
+  {
+    // What stabilises a brick of one point is the strain of bending and torsion, exact for a plate of one layer:
+    // nothing in it is artificial, and counted as hourglass it would be most of what such a plate stores.
+    const auto stored = elements.stored_energy();
+    report.elastic    = stored[0] + stored[1];
+    report.viscous    = elements.viscous_energy();
+  }
+
+  void SolidKind::add_fields(const Elements &elements, const std::vector<std::size_t> &cells,
+                             std::vector<Field> &fields)
+  {
+    static const std::array<std::string, 6> components{{"xx", "yy", "zz", "xy", "yz", "zx"}};
+    std::vector<SolidState>                 states;
+    for (const std::size_t e : cells)
+      states.push_back(elements.state(e));
+    const auto add = [&](const std::string &name, const std::string &unit, const auto &value) {
+      Field field{name, unit, true, 1, {}};
+      field.values.reserve(states.size());
+      for (const SolidState &state : states)
+        field.values.push_back(value(state));
+      fields.push_back(std::move(field));
+    };
+    add("equivalent_plastic_strain", "-", [](const SolidState &s) { return s.plastic_strain; });
+    add("largest_equivalent_plastic_strain", "-", [](const SolidState &s) { return s.max_plastic_strain; });
+    add("von_mises_stress", "Pa", [](const SolidState &s) { return von_mises(s.stress); });
+    for (unsigned int c = 0; c < 6; ++c)
+      add("stress_" + components[c], "Pa", [c](const SolidState &s) { return s.stress[c]; });
+  }
+
+  const std::array<std::uint32_t, 8> &SolidKind::nodes_of(const VolumeMesh &mesh, const std::size_t cell)
+  {
+    return mesh.cells[cell];
+  }
+} // namespace birdstrike

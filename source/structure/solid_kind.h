@@ -1,0 +1,53 @@
+#pragma once
+
+#include "structure/elements/solid/elements.h"
+#include "structure/nodes/nodal_mechanics.h"
+#include "structure/pressed_facets.h"
+#include "structure/probes/solid_sections.h"
+#include "structure/surface/eroding_skin.h"
+#include <birdstrike/mesh/solid_mesh.h>
+
+namespace birdstrike
+{
+  /// What makes a DeformableBlade one of hexahedra.
+  ///
+  /// The same parameters make the shell and the solid of a part. What differs: nodes have three displacements, and
+  /// clamped ids are faces whose nodes lose these; pressure acts on the facets of Loads/Pressure boundaries, pushing
+  /// inwards (on the built-in face at minus the normal this is the shell's direction); contact sees the skin, closed
+  /// and one-sided, without any thickness beyond it; the tip row is the mean of both faces, the root stress that on
+  /// both faces. Selective mass scaling (source/structure/nodes/mass_scaling.h) keeps thin layers from ruling the step.
+  struct SolidKind
+  {
+    using Mesh     = SolidMesh;
+    using Elements = SolidElements;
+    using Root     = SolidRootSection;
+    using Surface  = ErodingSkin;
+    using Nodes    = NodalMechanics<3>;
+
+    static constexpr unsigned int n_unknowns = 3, dim = 3;
+    static constexpr const char  *name            = "solid";
+    static constexpr double       bytes_per_cell  = 1200.; ///< of deal.II's mesh, about
+    static constexpr double       fields_per_cell = 9., bytes_per_cell_in_file = 32.;
+
+    static Mesh               make_mesh(const BladeParameters &parameters);
+    static const VolumeMesh  &plain(const Mesh &mesh);
+    static const SurfaceMesh &skin(const Mesh &mesh);
+    static Mesh::Mass         compute_mass(const Mesh &mesh, const BladeParameters &parameters);
+    static Elements           make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,
+                                            ThreadPool &pool);
+    static Nodes::Masses      masses(const Mesh::Mass &mass);
+    static PressedFacets      find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads);
+    static Root               make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &parameters);
+    static TipRow             make_tip(const Mesh &mesh, const Supports &supports);
+    static Surface            make_surface(const Mesh &mesh, const Mesh::Mass &mass);
+    static bool               is_one_surface(const Mesh &mesh);
+    static std::size_t        n_nodes_in_contact(const Mesh &mesh, bool can_fail);
+
+    static MassScalingReport finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &mass,
+                                    Elements &elements, Nodes &nodes);
+
+    static void add_energies(const Elements &elements, EnergyReport &report);
+    static void add_fields(const Elements &elements, const std::vector<std::size_t> &cells, std::vector<Field> &fields);
+    static const std::array<std::uint32_t, 8> &nodes_of(const VolumeMesh &mesh, std::size_t cell);
+  };
+} // namespace birdstrike
