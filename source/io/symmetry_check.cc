@@ -40,7 +40,7 @@ namespace birdstrike
       const std::vector<Point3> &get()
       {
         if (points.empty())
-          blade.kind == "solid" && blade.mesh.generator == "file" ? add_solid() : add_surface();
+          blade.kind == BladeKind::solid &&blade.mesh.generator == "file" ? add_solid() : add_surface();
         return points;
       }
 
@@ -146,10 +146,10 @@ namespace birdstrike
 
     void require_symmetric_blade(const BladeParameters &blade, const double end_time)
     {
-      if (blade.kind == "rigid")
+      if (blade.kind == BladeKind::rigid)
         refuse_unless(blade.rigid.centre[1] == 0. && blade.rigid.normal[1] == 0., "Blade/Rigid/Centre or Normal",
                       "a y component of 0");
-      if (blade.kind != "shell" && blade.kind != "solid")
+      if (!blade.is_deformable())
         return;
       refuse_unless(blade.mesh.generator != "flat plate" ||
                       (blade.mesh.chord_grading == 1. && blade.mesh.n_chord % 2 == 0),
@@ -160,7 +160,7 @@ namespace birdstrike
       require_parity(blade.loads.initial_velocity, {1, -1, 1}, "Loads/Initial velocity", 0., places);
       // a spin is an axial vector
       require_parity(blade.loads.initial_spin, {-1, 1, -1}, "Loads/Initial spin", 0., places);
-      if (blade.kind == "solid" && blade.mesh.generator != "file" && is_present(blade.loads.pressure))
+      if (blade.kind == BladeKind::solid && blade.mesh.generator != "file" && is_present(blade.loads.pressure))
         require_both_edges(blade.loads.pressure_boundaries, "Loads/Pressure boundaries");
       refuse_unless(blade.loads.point_loads.empty(), "Blade/Loads/Point loads", "nothing, with a symmetry plane");
       require_symmetric_supports(blade);

@@ -55,7 +55,7 @@ namespace birdstrike
     summary.end.reason      = why_ended;
     if (scene.blade)
       {
-        summary.blade.kind                 = scene.blade->kind();
+        summary.blade.kind                 = blade_kinds().name(scene.blade->kind());
         summary.blade.elements             = scene.symmetry.factor() * scene.blade->n_elements();
         summary.blade.nodes                = scene.blade->n_nodes();
         summary.blade.mass                 = scene.symmetry.factor() * scene.blade->mass();

@@ -47,15 +47,13 @@ namespace birdstrike
     void add_blade(TextTable &table, const Blade &blade, const BladeParameters &parameters)
     {
       const BladeCensus census = blade.census();
-      table.add_heading("Blade: " + blade.kind() +
-                        (blade.kind() == "shell"   ? ", " + parameters.element.shell_formulation()
-                         : blade.kind() == "solid" ? ", " + parameters.solid_formulation()
-                                                   : ""));
+      table.add_heading("Blade: " + blade_kinds().name(blade.kind()) +
+                        (blade.is_deformable() ? ", " + parameters.formulation_name() : ""));
       table.add("elements, nodes", format_count(blade.n_elements()) + ", " + format_count(blade.n_nodes()));
       if (!blade.is_deformable())
         return;
       table.add("mass", census.mass, "kg");
-      table.add(blade.kind() == "solid" ? "area of the skin" : "area", fmt::format("{:.4g} m^2", census.area));
+      table.add(blade.kind() == BladeKind::solid ? "area of the skin" : "area", fmt::format("{:.4g} m^2", census.area));
       table.add("smallest element edge",
                 format_quantity(census.smallest_edge, "m") + " at " + vector_text(census.smallest_at, "m"));
       table.add("largest over smallest element", fmt::format("{:.3g}", census.largest_edge_ratio));

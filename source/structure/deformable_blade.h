@@ -62,9 +62,9 @@ namespace birdstrike
       return motion.contact_force();
     }
 
-    std::string kind() const override
+    BladeKind kind() const override
     {
-      return Kind::name;
+      return Kind::kind;
     }
     bool is_deformable() const override
     {

@@ -11,13 +11,19 @@ namespace birdstrike
   {
     parameters.check();
     for (const std::string &entry : parameters.unused_entries())
-      log().warn("Blade/{} is set, and means nothing for a blade of kind '{}'.", entry, parameters.kind);
-    if (parameters.kind == "shell")
-      return std::make_unique<ShellBlade>(parameters, pool);
-    if (parameters.kind == "solid")
-      return std::make_unique<SolidBlade>(parameters, pool);
-    if (parameters.kind == "rigid")
-      return std::make_unique<RigidPlate>(parameters);
+      log().warn("Blade/{} is set, and means nothing for a blade of kind '{}'.", entry,
+                 blade_kinds().name(parameters.kind));
+    switch (parameters.kind)
+      {
+      case BladeKind::shell:
+        return std::make_unique<ShellBlade>(parameters, pool);
+      case BladeKind::solid:
+        return std::make_unique<SolidBlade>(parameters, pool);
+      case BladeKind::rigid:
+        return std::make_unique<RigidPlate>(parameters);
+      case BladeKind::none:
+        break;
+      }
     return nullptr;
   }
 } // namespace birdstrike

@@ -1,12 +1,10 @@
 #include "structure/nodes/mass_scaling.h"
-#include "structure/section_choices.h"
 #include <birdstrike/mesh/parameters.h>
 
+#include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/structure/parameters.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 
@@ -34,19 +32,17 @@ namespace birdstrike
     void declare_element(dealii::ParameterHandler &prm, BladeParameters::Element &p)
     {
       prm.enter_subsection("Element");
-      prm.add_parameter(
-        "Formulation", p.formulation,
+      declare_choice(
+        prm, "Formulation", p.formulation, element_formulations(),
         "Automatic: physical for a shell; solid-shell for a built-in part of one layer whose metal does not fail, "
         "one point for all other solids. Shells: one point with physical "
         "stabilisation and warping correction, or plain Belytschko-Tsay with perturbation hourglass "
         "control; or fully integrated (2 x 2 points, MITC4), the reference for both. Solids: one point with "
         "physical stabilisation, which bends right in a single layer but flows as a whole; solid-shell, the same "
         "with points through the thickness, which yields layer by layer in a single one; or B-bar, fully "
-        "integrated, which needs layers. [-]",
-        Selection("automatic|" + shell_formulations().selection() + "|" + solid_formulations().selection()));
-      prm.add_parameter("Points rule", p.rule,
-                        "Integration through the thickness; Lobatto has points on both faces, Gauss is exacter. [-]",
-                        Selection(thickness_rules().selection()));
+        "integrated, which needs layers. [-]");
+      declare_choice(prm, "Points rule", p.rule, thickness_rules(),
+                     "Integration through the thickness; Lobatto has points on both faces, Gauss is exacter. [-]");
       prm.add_parameter("Points through thickness", p.n_points,
                         "Number of points through the thickness: 3, 5 or 7. [-]", Integer(3, 7));
       prm.add_parameter("Hourglass coefficient", p.hourglass,
@@ -121,16 +117,16 @@ namespace birdstrike
     void declare_rigid(dealii::ParameterHandler &prm, BladeParameters::Rigid &p)
     {
       prm.enter_subsection("Rigid");
-      prm.add_parameter("Surface", p.surface, "Rigid surface: one rectangle, or the facets of the mesh. [-]",
-                        Selection("rectangle|mesh"));
+      declare_choice(prm, "Surface", p.surface, rigid_surfaces(),
+                     "Rigid surface: one rectangle, or the facets of the mesh. [-]");
       declare_vector(prm, "Centre", p.centre, "Centre of the rectangle. [m]");
       declare_vector(prm, "Normal", p.normal,
                      "Normal of the rectangle, of any length; also the direction of the free motion. [-]");
       prm.add_parameter("Length", p.length, "Length of the rectangle, along x if the normal is z. [m]", Double(tiny));
       prm.add_parameter("Width", p.width, "Width of the rectangle, along y if the normal is z. [m]", Double(tiny));
       prm.add_parameter("Half thickness", p.half_thickness, "Material on either side of the surface. [m]", Double(0.));
-      prm.add_parameter("Motion", p.motion, "Whether the surface is fixed or free to move along its normal. [-]",
-                        Selection("fixed|free along normal"));
+      declare_choice(prm, "Motion", p.motion, rigid_motions(),
+                     "Whether the surface is fixed or free to move along its normal. [-]");
       prm.add_parameter("Mass", p.mass, "Mass of the free surface. [kg]", Double(tiny));
       prm.leave_subsection();
     }
@@ -142,25 +138,38 @@ namespace birdstrike
     }
   } // namespace
 
-  std::string BladeParameters::Element::shell_formulation() const
+  bool BladeParameters::is_deformable() const
   {
-    return formulation == "automatic" ? "physical" : formulation;
+    return kind == BladeKind::shell || kind == BladeKind::solid;
   }
 
-  std::string BladeParameters::solid_formulation() const
+  ShellFormulation BladeParameters::shell_formulation() const
   {
-    if (element.formulation != "automatic")
-      return element.formulation;
+    const auto *named = std::get_if<ShellFormulation>(&element.formulation);
+    return named != nullptr ? *named : ShellFormulation::one_point_physical;
+  }
+
+  SolidFormulation BladeParameters::solid_formulation() const
+  {
+    if (const auto *named = std::get_if<SolidFormulation>(&element.formulation))
+      return *named;
     const bool is_one_layer = mesh.generator != "file" && mesh.n_layers == 1;
-    return is_one_layer && !material.metal().failure.can_fail() ? "solid-shell" : "one point";
+    return is_one_layer && !material.metal().failure.can_fail() ? SolidFormulation::solid_shell
+                                                                : SolidFormulation::one_point;
+  }
+
+  std::string BladeParameters::formulation_name() const
+  {
+    return kind == BladeKind::shell   ? element_formulations().name(shell_formulation())
+           : kind == BladeKind::solid ? element_formulations().name(solid_formulation())
+                                      : "";
   }
 
   void BladeParameters::declare(dealii::ParameterHandler &prm)
   {
-    prm.add_parameter("Kind", kind,
-                      "What the bird meets: a blade of shell or of solid elements, a rigid surface without finite "
-                      "elements, or nothing. [-]",
-                      Selection("shell|solid|rigid|none"));
+    declare_choice(prm, "Kind", kind, blade_kinds(),
+                   "What the bird meets: a blade of shell or of solid elements, a rigid surface without finite "
+                   "elements, or nothing. [-]");
     prm.add_parameter("Probes", probes, "Watched nodes, the nearest to each point: 'name: x y z; ...'. [m]",
                       Anything());
     mesh.declare(prm);
@@ -177,32 +186,30 @@ namespace birdstrike
 
   void BladeParameters::check() const
   {
-    require(kind == "shell" || kind == "solid" || kind == "rigid" || kind == "none",
-            "Kind: '" + kind + "' was read.\nAllowed: shell, solid, rigid, none.");
-    if (kind == "none")
+    if (kind == BladeKind::none)
       return;
-    if (kind != "rigid" || rigid.surface == "mesh")
+    if (is_deformable() || rigid.surface == RigidSurface::mesh)
       require(
         mesh.generator != "file" || !mesh.file.empty(),
         "Mesh/File: the generator is 'file' but no file is named.\nName a .msh file, or set Generator = flat plate.");
-    if (kind == "rigid")
+    if (kind == BladeKind::rigid)
       {
         require(std::hypot(rigid.normal[0], rigid.normal[1], rigid.normal[2]) > 0.,
                 "Rigid/Normal: the normal has no length.\nAllowed: any three numbers that are not all zero.");
         return;
       }
     check_geometry();
-    const bool  is_solid    = kind == "solid";
-    const auto &formulation = element.formulation;
-    require(formulation == "automatic" ||
-              (is_solid ? solid_formulations().has(formulation) : shell_formulations().has(formulation)),
-            "Element/Formulation: '" + formulation + "' is no element of a " + kind + ".\nAllowed for it: automatic|" +
-              (is_solid ? solid_formulations().selection() : shell_formulations().selection()) +
+    const bool is_solid = kind == BladeKind::solid;
+    require(is_solid ? !std::holds_alternative<ShellFormulation>(element.formulation)
+                     : !std::holds_alternative<SolidFormulation>(element.formulation),
+            "Element/Formulation: '" + element_formulations().name(element.formulation) + "' is no element of a " +
+              blade_kinds().name(kind) + ".\nAllowed for it: automatic|" +
+              (is_solid ? "one point|solid-shell|B-bar" : "physical|Belytschko-Tsay|fully integrated") +
               ". Set one of them, or change Blade/Kind.");
     require(element.n_points == 3 || element.n_points == 5 || element.n_points == 7,
             "Element/Points through thickness: " + std::to_string(element.n_points) + " was read.\nAllowed: 3, 5, 7.");
     material.check();
-    require(!is_solid || mass_scaling.method == "off" || !material.metal().failure.can_fail(),
+    require(!is_solid || mass_scaling.method == MassScalingMethod::off || !material.metal().failure.can_fail(),
             "Mass scaling/Method: inertia that is added between nodes is not taken out again with elements that fail.\n"
             "Set it to off, or Material/Failure to none.");
   }
@@ -211,29 +218,29 @@ namespace birdstrike
   {
     const BladeParameters    defaults;
     std::vector<std::string> unused;
-    const auto               add = [&](const char *of_kind, const std::string &name, const bool is_changed) {
-      if (is_changed && kind != of_kind && (kind == "shell" || kind == "solid"))
+    const auto               add = [&](const BladeKind of_kind, const std::string &name, const bool is_changed) {
+      if (is_changed && kind != of_kind && is_deformable())
         unused.push_back(name);
     };
     const Element &e = element, &d = defaults.element;
     const auto     differ = [](const double a, const double b) { return std::abs(a - b) > 1e-5 * b; }; // printed digits
-    if (kind != "solid" || solid_formulation() != "solid-shell")
+    if (kind != BladeKind::solid || solid_formulation() != SolidFormulation::solid_shell)
       {
-        add("shell", "Element/Points rule", e.rule != d.rule);
-        add("shell", "Element/Points through thickness", e.n_points != d.n_points);
+        add(BladeKind::shell, "Element/Points rule", e.rule != d.rule);
+        add(BladeKind::shell, "Element/Points through thickness", e.n_points != d.n_points);
       }
-    add("shell", "Element/Hourglass coefficient", differ(e.hourglass, d.hourglass));
-    add("shell", "Element/Shear factor", differ(e.shear_factor, d.shear_factor));
-    add("shell", "Element/Thinning", e.has_thinning != d.has_thinning);
-    add("solid", "Element/Linear viscosity", differ(e.linear_viscosity, d.linear_viscosity));
-    add("solid", "Element/Quadratic viscosity", differ(e.quadratic_viscosity, d.quadratic_viscosity));
-    add("solid", "Loads/Pressure boundaries", loads.pressure_boundaries != defaults.loads.pressure_boundaries);
-    add("solid", "Mesh/Layers", mesh.n_layers != defaults.mesh.n_layers);
-    add("solid", "Mesh/Layer grading", differ(mesh.layer_grading, defaults.mesh.layer_grading));
+    add(BladeKind::shell, "Element/Hourglass coefficient", differ(e.hourglass, d.hourglass));
+    add(BladeKind::shell, "Element/Shear factor", differ(e.shear_factor, d.shear_factor));
+    add(BladeKind::shell, "Element/Thinning", e.has_thinning != d.has_thinning);
+    add(BladeKind::solid, "Element/Linear viscosity", differ(e.linear_viscosity, d.linear_viscosity));
+    add(BladeKind::solid, "Element/Quadratic viscosity", differ(e.quadratic_viscosity, d.quadratic_viscosity));
+    add(BladeKind::solid, "Loads/Pressure boundaries", loads.pressure_boundaries != defaults.loads.pressure_boundaries);
+    add(BladeKind::solid, "Mesh/Layers", mesh.n_layers != defaults.mesh.n_layers);
+    add(BladeKind::solid, "Mesh/Layer grading", differ(mesh.layer_grading, defaults.mesh.layer_grading));
     const MassScaling &m = mass_scaling, &n = defaults.mass_scaling;
-    add("solid", "Mass scaling/Method", m.method != n.method);
-    add("solid", "Mass scaling/Largest added inertia", differ(m.largest_added, n.largest_added));
-    add("solid", "Mass scaling/Target step", m.target_step != n.target_step);
+    add(BladeKind::solid, "Mass scaling/Method", m.method != n.method);
+    add(BladeKind::solid, "Mass scaling/Largest added inertia", differ(m.largest_added, n.largest_added));
+    add(BladeKind::solid, "Mass scaling/Target step", m.target_step != n.target_step);
     return unused;
   }
 } // namespace birdstrike

@@ -10,14 +10,14 @@
 namespace birdstrike
 {
   RigidPlate::RigidPlate(const BladeParameters &parameters)
-    : is_free(parameters.rigid.motion == "free along normal"), plate_mass(parameters.rigid.mass)
+    : is_free(parameters.rigid.motion == RigidMotion::free_along_normal), plate_mass(parameters.rigid.mass)
   {
     const auto  &n    = parameters.rigid.normal;
     const double norm = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     normal            = {{n[0] / norm, n[1] / norm, n[2] / norm}};
     if (parameters.is_halved)
       plate_mass *= 0.5;
-    if (parameters.rigid.surface == "mesh")
+    if (parameters.rigid.surface == RigidSurface::mesh)
       take_mesh(ShellMesh(parameters.mesh, parameters.is_halved).surface());
     else
       take_mesh(make_rectangle(parameters.rigid, parameters.is_halved));
@@ -59,9 +59,9 @@ namespace birdstrike
     inverse_mass.assign(surface.nodes.size(), is_free ? static_cast<double>(surface.nodes.size()) / plate_mass : 0.);
   }
 
-  std::string RigidPlate::kind() const
+  BladeKind RigidPlate::kind() const
   {
-    return "rigid";
+    return BladeKind::rigid;
   }
 
   bool RigidPlate::is_deformable() const

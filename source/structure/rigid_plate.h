@@ -18,9 +18,9 @@ namespace birdstrike
   public:
     explicit RigidPlate(const BladeParameters &parameters);
 
-    std::string kind() const override;
-    bool        is_deformable() const override;
-    StepLimit   step_limit() const override;
+    BladeKind kind() const override;
+    bool      is_deformable() const override;
+    StepLimit step_limit() const override;
 
     void       kick_internal(double half_step, HalfKick half) override;
     void       kick_contact(double half_step, HalfKick half) override;

@@ -1,6 +1,5 @@
 #include "structure/shell_kind.h"
 #include "structure/elements/von_mises.h"
-#include "structure/section_choices.h"
 
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/mesh/thickness_law.h>
@@ -14,8 +13,8 @@ namespace birdstrike
     ShellSection make_section(const BladeParameters &parameters)
     {
       ShellSection section;
-      section.formulation           = shell_formulations().at(parameters.element.shell_formulation());
-      section.rule                  = thickness_rules().at(parameters.element.rule);
+      section.formulation           = parameters.shell_formulation();
+      section.rule                  = parameters.element.rule;
       section.n_points              = parameters.element.n_points;
       section.material              = parameters.material.metal();
       section.hourglass_coefficient = parameters.element.hourglass;

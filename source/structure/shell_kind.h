@@ -20,7 +20,7 @@ namespace birdstrike
     using Nodes    = NodalMechanics<6>;
 
     static constexpr unsigned int n_unknowns = 6, dim = 2;
-    static constexpr const char  *name            = "shell";
+    static constexpr BladeKind    kind            = BladeKind::shell;
     static constexpr double       bytes_per_cell  = 600.; ///< of deal.II's mesh, about
     static constexpr double       fields_per_cell = 19., bytes_per_cell_in_file = 16.;
 

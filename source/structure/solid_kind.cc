@@ -1,7 +1,6 @@
 #include "structure/solid_kind.h"
 #include "structure/elements/von_mises.h"
 #include "structure/nodes/mass_scaling.h"
-#include "structure/section_choices.h"
 
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
@@ -15,9 +14,9 @@ namespace birdstrike
     SolidSection make_section(const BladeParameters &parameters)
     {
       SolidSection section;
-      section.formulation         = solid_formulations().at(parameters.solid_formulation());
+      section.formulation         = parameters.solid_formulation();
       section.material            = parameters.material.metal();
-      section.rule                = thickness_rules().at(parameters.element.rule);
+      section.rule                = parameters.element.rule;
       section.n_points            = parameters.element.n_points;
       section.linear_viscosity    = parameters.element.linear_viscosity;
       section.quadratic_viscosity = parameters.element.quadratic_viscosity;
@@ -112,7 +111,7 @@ namespace birdstrike
   MassScalingReport SolidKind::finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &mass,
                                       Elements &elements, Nodes &nodes)
   {
-    if (parameters.mass_scaling.method != "selective")
+    if (parameters.mass_scaling.method != MassScalingMethod::selective)
       return {};
     const NodeColumns columns(mesh.volume());
     MassScaling       chosen = choose_mass_scaling(parameters, mesh.volume(), columns, elements, mass.node);

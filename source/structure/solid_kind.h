@@ -25,7 +25,7 @@ namespace birdstrike
     using Nodes    = NodalMechanics<3>;
 
     static constexpr unsigned int n_unknowns = 3, dim = 3;
-    static constexpr const char  *name            = "solid";
+    static constexpr BladeKind    kind            = BladeKind::solid;
     static constexpr double       bytes_per_cell  = 1200.; ///< of deal.II's mesh, about
     static constexpr double       fields_per_cell = 9., bytes_per_cell_in_file = 32.;
 

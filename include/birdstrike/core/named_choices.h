@@ -34,6 +34,15 @@ namespace birdstrike
       return false;
     }
 
+    /// Throws std::out_of_range for a value that has no name.
+    const std::string &name(const Value &value) const
+    {
+      for (const auto &entry : entries)
+        if (entry.second == value)
+          return entry.first;
+      throw std::out_of_range("A value that is none of " + selection());
+    }
+
     /// Throws std::out_of_range with the allowed names.
     const Value &at(const std::string &name) const
     {

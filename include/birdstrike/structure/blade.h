@@ -5,6 +5,7 @@
 #include <birdstrike/core/fields.h>
 #include <birdstrike/core/half_kick.h>
 #include <birdstrike/core/step_limit.h>
+#include <birdstrike/structure/choices.h>
 #include <birdstrike/structure/reports.h>
 
 #include <optional>
@@ -28,9 +29,9 @@ namespace birdstrike
   public:
     virtual ~Blade() = default;
 
-    virtual std::string kind() const          = 0; ///< "shell", "solid", "rigid"
-    virtual bool        is_deformable() const = 0; ///< false: no internal force, no vote on the step
-    virtual StepLimit   step_limit() const    = 0;
+    virtual BladeKind kind() const          = 0; ///< never none
+    virtual bool      is_deformable() const = 0; ///< false: no internal force, no vote on the step
+    virtual StepLimit step_limit() const    = 0;
     /// Its value alone (s), for every step: nothing is searched, no text is written.
     virtual double largest_stable_step() const
     {
@@ -49,7 +50,7 @@ namespace birdstrike
     virtual void set_contact_in_transit(double duration)
     {
       if (duration > 0.)
-        throw std::logic_error("A blade of kind '" + kind() + "' takes contact impulses at once.");
+        throw std::logic_error("A blade of kind '" + blade_kinds().name(kind()) + "' takes contact impulses at once.");
     }
 
     /// The surface offered to contact; valid for the life of the blade.
@@ -60,7 +61,7 @@ namespace birdstrike
     virtual void add_internal_forces(std::span<const NodalForce> forces)
     {
       if (!forces.empty())
-        throw std::logic_error("A blade of kind '" + kind() + "' has no internal forces.");
+        throw std::logic_error("A blade of kind '" + blade_kinds().name(kind()) + "' has no internal forces.");
     }
 
     /// The frame of contact force history: sum of the present contact forces, N.

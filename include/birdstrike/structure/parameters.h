@@ -2,6 +2,7 @@
 
 #include <birdstrike/material/metal_parameters.h>
 #include <birdstrike/mesh/parameters.h>
+#include <birdstrike/structure/choices.h>
 
 #include <array>
 #include <optional>
@@ -28,22 +29,20 @@ namespace birdstrike
 
     struct Element
     {
-      std::string  formulation      = "automatic"; ///< see shell_formulation, solid_formulation; or named
-      std::string  rule             = "Gauss";
-      unsigned int n_points         = 5;
-      double       hourglass        = 0.05; ///< perturbation control only
-      double       shear_factor     = 5. / 6.;
-      bool         has_thinning     = true;
-      double       linear_viscosity = 0.06, quadratic_viscosity = 1.2; ///< bulk viscosity of solids
-
-      std::string shell_formulation() const; ///< "automatic" is physical
+      ElementFormulation formulation; ///< automatic, see below; or one of the blade's kind
+      ThicknessRule      rule             = ThicknessRule::gauss;
+      unsigned int       n_points         = 5;
+      double             hourglass        = 0.05; ///< perturbation control only
+      double             shear_factor     = 5. / 6.;
+      bool               has_thinning     = true;
+      double             linear_viscosity = 0.06, quadratic_viscosity = 1.2; ///< bulk viscosity of solids
     };
 
     struct MassScaling
     {
-      std::string method        = "off"; ///< off | selective (solids)
-      double      largest_added = 0.01;  ///< of the blade's smallest moment of inertia
-      double      target_step   = 0.;    ///< s; 0: automatic
+      MassScalingMethod method        = MassScalingMethod::off;
+      double            largest_added = 0.01; ///< of the blade's smallest moment of inertia
+      double            target_step   = 0.;   ///< s; 0: automatic
     };
 
     struct Supports
@@ -68,17 +67,17 @@ namespace birdstrike
 
     struct Rigid
     {
-      std::string           surface = "rectangle"; ///< rectangle | mesh
+      RigidSurface          surface = RigidSurface::rectangle;
       std::array<double, 3> centre{{0., 0., 0.}};
       std::array<double, 3> normal{{0., 0., 1.}};
-      double                length         = 0.4;     ///< m, along the first in-plane direction
-      double                width          = 0.4;     ///< m
-      double                half_thickness = 0.;      ///< m
-      std::string           motion         = "fixed"; ///< fixed | free along normal
-      double                mass           = 1.;      ///< kg
+      double                length         = 0.4; ///< m, along the first in-plane direction
+      double                width          = 0.4; ///< m
+      double                half_thickness = 0.;  ///< m
+      RigidMotion           motion         = RigidMotion::fixed;
+      double                mass           = 1.; ///< kg
     };
 
-    std::string     kind = "shell"; ///< shell | solid | rigid | none
+    BladeKind       kind = BladeKind::shell;
     Element         element;
     MetalParameters material;
     MassScaling     mass_scaling;
@@ -90,9 +89,15 @@ namespace birdstrike
     /// bird.
     std::optional<std::array<double, 3>> bird_velocity;
 
-    /// "automatic" is a solid-shell where one layer of bricks makes up the thickness of a built-in part (in a file that
+    bool is_deformable() const; ///< of finite elements
+
+    /// Automatic is physical.
+    ShellFormulation shell_formulation() const;
+    /// Automatic is a solid-shell where one layer of bricks makes up the thickness of a built-in part (in a file that
     /// is not known) and the metal does not fail, else one point. Throws InputError for an impossible metal.
-    std::string solid_formulation() const;
+    SolidFormulation solid_formulation() const;
+    /// The name of the one that the blade's kind takes; empty without elements.
+    std::string formulation_name() const;
 
     /// Declares every entry in the handler's present section; the members' values are the defaults.
     void declare(dealii::ParameterHandler &prm);

@@ -1,15 +1,11 @@
 #pragma once
 
+#include <birdstrike/structure/choices.h>
+
 #include <array>
 
 namespace birdstrike
 {
-  enum class ThicknessRule
-  {
-    gauss,
-    lobatto
-  };
-
   /// Positions in [-1, 1] (2 z / t, ascending) and weights (sum 2) of the integration through the thickness.
   /// Three points of either rule integrate elastic bending exactly.
   struct ThicknessPoints

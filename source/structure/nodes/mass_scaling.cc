@@ -1,8 +1,7 @@
 #include "structure/nodes/mass_scaling.h"
 
+#include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -124,11 +123,10 @@ namespace birdstrike
   {
     using namespace dealii::Patterns;
     prm.enter_subsection("Mass scaling");
-    prm.add_parameter("Method", p.method,
-                      "Selective: solids in thin layers take the step of their dimensions in the plane, for more "
-                      "inertia against rotation and stretching of the lines of nodes through the thickness; mass and "
-                      "momentum stay exact. [-]",
-                      Selection("off|selective"));
+    declare_choice(prm, "Method", p.method, mass_scaling_methods(),
+                   "Selective: solids in thin layers take the step of their dimensions in the plane, for more "
+                   "inertia against rotation and stretching of the lines of nodes through the thickness; mass and "
+                   "momentum stay exact. [-]");
     prm.add_parameter("Largest added inertia", p.largest_added,
                       "Most that selective scaling may add to the moment of inertia of the blade about its slenderest "
                       "axis, as a share of it; the frequency of the first torsion falls by about half of this. [-]",

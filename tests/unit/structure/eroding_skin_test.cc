@@ -14,7 +14,7 @@ namespace birdstrike
     BladeParameters box(const unsigned int n_span, const unsigned int n_chord, const unsigned int n_layers)
     {
       BladeParameters p;
-      p.kind            = "solid";
+      p.kind            = BladeKind::solid;
       p.mesh.length     = 0.05;
       p.mesh.chord      = 0.01;
       p.mesh.n_span     = n_span;

@@ -9,9 +9,9 @@ namespace birdstrike::test
                                       const unsigned int n_layers)
   {
     BladeParameters p            = elastic_plate(n_span, n_chord);
-    p.kind                       = "solid";
+    p.kind                       = BladeKind::solid;
     p.mesh.n_layers              = n_layers;
-    p.mass_scaling.method        = "selective";
+    p.mass_scaling.method        = MassScalingMethod::selective;
     p.mass_scaling.largest_added = 10.;
     return p;
   }

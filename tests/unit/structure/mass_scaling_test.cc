@@ -24,7 +24,7 @@ namespace birdstrike
           const auto       scaling = blade.census().mass_scaling;
           EXPECT_NEAR(blade.largest_stable_step() / scaling.step, 1., 1e-12);
           EXPECT_EQ(scaling.n_scaled, blade.n_elements());
-          p.mass_scaling.method = "off";
+          p.mass_scaling.method = MassScalingMethod::off;
           const SolidBlade plain(p, pool);
           EXPECT_NEAR(scaling.step_before / plain.largest_stable_step(), 1., 1e-12);
           EXPECT_EQ(plain.census().mass_scaling.step, 0.);
@@ -136,7 +136,7 @@ namespace birdstrike
       ThreadPool pool;
       const auto p          = without_viscosity(scaled_plate(28, 8, 2));
       auto       q          = p;
-      q.mass_scaling.method = "off";
+      q.mass_scaling.method = MassScalingMethod::off;
       SolidBlade   scaled(p, pool), plain(q, pool);
       const auto   f = scaled_frequencies(scaled, 4), g = test::natural_frequencies(plain, 4);
       const double added = scaled.census().mass_scaling.added_rotary_inertia;
@@ -156,7 +156,7 @@ namespace birdstrike
     {
       auto p = scaled_plate(4, 2, 1);
       EXPECT_TRUE(p.unused_entries().empty());
-      p.kind = "shell";
+      p.kind = BladeKind::shell;
       EXPECT_EQ(p.unused_entries(),
                 (std::vector<std::string>{"Mass scaling/Method", "Mass scaling/Largest added inertia"}));
     }

@@ -48,7 +48,7 @@ namespace
   BladeParameters built_in(const char *kind)
   {
     BladeParameters p = test::elastic_plate(n_span, n_chord);
-    p.kind            = kind;
+    p.kind            = blade_kinds().at(kind);
     p.mesh.n_layers   = 2;
     return p;
   }
@@ -92,7 +92,7 @@ namespace
     const auto   blade = make_blade(p, pool);
     MidChord     line(blade->facets(), *blade->span_line());
     const double step = 2e-6;
-    EXPECT_LT(step, blade->step_limit().value * (p.kind == "shell" ? 1. : 10.));
+    EXPECT_LT(step, blade->step_limit().value * (p.kind == BladeKind::shell ? 1. : 10.));
     const auto        n = static_cast<unsigned int>(std::ceil(step / (0.8 * blade->step_limit().value)));
     RootSectionReport mean{};
     for (unsigned int k = 0; k < 150; ++k)
@@ -184,7 +184,7 @@ TEST(Orientation, ReportsDoNotDependOnTheOrderInWhichAFileListsHexahedra)
   const auto rotations = test::rotations_of_a_cube();
   ASSERT_EQ(rotations.size(), 24u);
   BladeParameters p     = built_in("solid");
-  p.element.formulation = "one point"; // what "automatic" is for a file
+  p.element.formulation = SolidFormulation::one_point; // what "automatic" is for a file
   const Reports built   = strike(p, 1);
   for (std::size_t k = 0; k < rotations.size(); ++k)
     {

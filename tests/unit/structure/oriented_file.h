@@ -77,7 +77,7 @@ namespace birdstrike::test
     BladeParameters parameters() const
     {
       BladeParameters p  = elastic_plate(n[0], n[1]);
-      p.kind             = n[2] > 0 ? "solid" : "shell";
+      p.kind             = n[2] > 0 ? BladeKind::solid : BladeKind::shell;
       p.mesh.generator   = "file";
       p.mesh.file        = path;
       p.supports.clamped = "10";

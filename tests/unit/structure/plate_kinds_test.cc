@@ -15,7 +15,7 @@ namespace birdstrike
                           const unsigned int n_layers = 1)
     {
       BladeParameters p = test::elastic_plate(n_span, n_chord);
-      p.kind            = kind;
+      p.kind            = blade_kinds().at(kind);
       p.mesh.n_layers   = n_layers;
       if (kind == "solid")
         p.element.linear_viscosity = p.element.quadratic_viscosity = 0.;
@@ -47,7 +47,8 @@ namespace birdstrike
           {
             const double x = 0.3112 * i / n_span, y = 0.0889 * (double(j) / n_chord - 0.5);
             if (std::hypot(x - 0.21784, y) < 0.02034)
-              places.insert(std::to_string(x) + " " + std::to_string(y) + (p.kind == "shell" ? " 0" : " -0.002135"));
+              places.insert(std::to_string(x) + " " + std::to_string(y) +
+                            (p.kind == BladeKind::shell ? " 0" : " -0.002135"));
           }
       for (const std::string &place : places)
         p.loads.point_loads += (p.loads.point_loads.empty() ? "" : " | ") + place + ": 0; 0; if(t < 458.69e-6, " +

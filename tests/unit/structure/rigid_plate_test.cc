@@ -67,7 +67,7 @@ namespace birdstrike
     TEST(RigidPlate, FreeOneMovesAlongItsNormal)
     {
       BladeParameters p;
-      p.rigid.motion = "free along normal";
+      p.rigid.motion = RigidMotion::free_along_normal;
       p.rigid.mass   = 0.5;
       RigidPlate plate(p);
       advance(plate, {{1., 0., 3.}}, 1e-3, 100);
@@ -87,7 +87,7 @@ namespace birdstrike
     TEST(RigidPlate, TakesTheFacetsOfAMesh)
     {
       BladeParameters p;
-      p.rigid.surface = "mesh";
+      p.rigid.surface = RigidSurface::mesh;
       p.mesh.n_span   = 4;
       p.mesh.n_chord  = 3;
       RigidPlate plate(p);

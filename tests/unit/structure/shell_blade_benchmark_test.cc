@@ -23,7 +23,7 @@ namespace birdstrike
       for (const std::string formulation : {"physical", "fully integrated"})
         {
           auto p                = elastic_plate(28, 8);
-          p.element.formulation = formulation;
+          p.element.formulation = element_formulations().at(formulation);
           const auto found      = natural_frequencies(p);
           for (unsigned int k = 0; k < 6; ++k)
             {
@@ -98,7 +98,7 @@ namespace birdstrike
     {
       const double    inch  = 0.0254;
       BladeParameters p     = strip_parameters(n_span, n_chord);
-      p.element.formulation = formulation;
+      p.element.formulation = element_formulations().at(formulation);
       ThreadPool   pool;
       ShellBlade   blade(p, pool);
       const double dt       = 0.8 * blade.step_limit().value;
@@ -209,7 +209,7 @@ namespace birdstrike
         {
           SCOPED_TRACE(formulation);
           auto p                = elastic_plate(28, 8);
-          p.element.formulation = formulation;
+          p.element.formulation = element_formulations().at(formulation);
           p.material.hardening  = "linear";
           p.material.yield      = "880e6";
           p.material.modulus    = "1.25e9";

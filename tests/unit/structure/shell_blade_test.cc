@@ -272,12 +272,12 @@ namespace birdstrike
     {
       ThreadPool pool;
       auto       p = elastic_plate(4, 2);
-      EXPECT_EQ(make_blade(p, pool)->kind(), "shell");
-      p.kind = "solid";
-      EXPECT_EQ(make_blade(p, pool)->kind(), "solid");
-      p.kind = "rigid";
-      EXPECT_EQ(make_blade(p, pool)->kind(), "rigid");
-      p.kind = "none";
+      EXPECT_EQ(make_blade(p, pool)->kind(), BladeKind::shell);
+      p.kind = BladeKind::solid;
+      EXPECT_EQ(make_blade(p, pool)->kind(), BladeKind::solid);
+      p.kind = BladeKind::rigid;
+      EXPECT_EQ(make_blade(p, pool)->kind(), BladeKind::rigid);
+      p.kind = BladeKind::none;
       EXPECT_EQ(make_blade(p, pool), nullptr);
     }
   } // namespace

@@ -13,7 +13,7 @@ namespace birdstrike
     double limit_load(const std::string &formulation)
     {
       BladeParameters p     = test::elastic_plate(14, 4);
-      p.element.formulation = formulation;
+      p.element.formulation = element_formulations().at(formulation);
       p.material.hardening  = "perfect";
       p.material.yield      = "8.8e6";
       p.loads.damping       = 400.; // 1/s: near critical for the first bending mode

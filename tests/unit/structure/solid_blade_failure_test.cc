@@ -16,14 +16,14 @@ namespace birdstrike
     BladeParameters strip(const std::string &formulation, const unsigned int n_layers)
     {
       BladeParameters p;
-      p.kind                            = "solid";
+      p.kind                            = BladeKind::solid;
       p.mesh.length                     = 0.05;
       p.mesh.chord                      = 0.01;
       p.mesh.n_span                     = 10;
       p.mesh.n_chord                    = 2;
       p.mesh.n_layers                   = n_layers;
       p.thickness.value                 = "0.002";
-      p.element.formulation             = formulation;
+      p.element.formulation             = element_formulations().at(formulation);
       p.material.name                   = "Al 2024 Johnson-Cook";
       p.material.failure.law            = "plastic strain";
       p.material.failure.plastic_strain = 0.1;

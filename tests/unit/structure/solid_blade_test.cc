@@ -25,7 +25,7 @@ namespace birdstrike
     BladeParameters solid_plate(const unsigned int n_span, const unsigned int n_chord, const unsigned int n_layers)
     {
       BladeParameters p = test::elastic_plate(n_span, n_chord);
-      p.kind            = "solid";
+      p.kind            = BladeKind::solid;
       p.mesh.n_layers   = n_layers;
       return p;
     }
@@ -102,7 +102,7 @@ namespace birdstrike
                                                  std::tuple("solid", "6", -1.), std::tuple("solid", "5, 6", 0.)})
         {
           auto p                      = solid_plate(8, 4, 1);
-          p.kind                      = kind;
+          p.kind                      = blade_kinds().at(kind);
           p.loads.pressure            = "1e4";
           p.loads.pressure_boundaries = faces;
           const auto blade            = make_blade(p, pool);
@@ -289,11 +289,11 @@ namespace birdstrike
         EXPECT_THROW(make_blade(p, pool), InputError);
       };
       EXPECT_NO_THROW(make_blade(solid_plate(4, 2, 1), pool));
-      refuses([](auto &p) { p.element.formulation = "physical"; });
-      refuses([](auto &p) { p.element.formulation = "Belytschko-Tsay"; });
+      refuses([](auto &p) { p.element.formulation = ShellFormulation::one_point_physical; });
+      refuses([](auto &p) { p.element.formulation = ShellFormulation::belytschko_tsay; });
       refuses([](auto &p) {
-        p.kind                = "shell";
-        p.element.formulation = "B-bar";
+        p.kind                = BladeKind::shell;
+        p.element.formulation = SolidFormulation::b_bar;
       });
       refuses([](auto &p) { p.supports.clamped = "7"; });
       refuses([](auto &p) { p.supports.held = "1: rx"; });
@@ -312,19 +312,19 @@ namespace birdstrike
     {
       BladeParameters p    = solid_plate(4, 2, 1);
       p.material.hardening = "perfect";
-      EXPECT_EQ(p.solid_formulation(), "solid-shell");
+      EXPECT_EQ(p.solid_formulation(), SolidFormulation::solid_shell);
       p.mesh.n_layers = 2;
-      EXPECT_EQ(p.solid_formulation(), "one point") << "the layers resolve the thickness";
+      EXPECT_EQ(p.solid_formulation(), SolidFormulation::one_point) << "the layers resolve the thickness";
       p.mesh.n_layers        = 1;
       p.material.failure.law = "plastic strain";
-      EXPECT_EQ(p.solid_formulation(), "one point") << "solid-shells do not fail";
-      p.element.formulation = "solid-shell";
+      EXPECT_EQ(p.solid_formulation(), SolidFormulation::one_point) << "solid-shells do not fail";
+      p.element.formulation = SolidFormulation::solid_shell;
       ThreadPool pool;
       EXPECT_THROW(make_blade(p, pool), InputError);
       p.material.failure.law = "none";
-      p.element.formulation  = "automatic";
+      p.element.formulation  = {};
       p.mesh.generator       = "file";
-      EXPECT_EQ(p.solid_formulation(), "one point") << "a file may hold any number of layers";
+      EXPECT_EQ(p.solid_formulation(), SolidFormulation::one_point) << "a file may hold any number of layers";
     }
 
     TEST(SolidBlade, NamesEntriesThatMeanNothingForIt)
@@ -336,7 +336,7 @@ namespace birdstrike
       EXPECT_EQ(p.unused_entries(), std::vector<std::string>{"Element/Points through thickness"});
       p.mesh.n_layers = 1;
       EXPECT_TRUE(p.unused_entries().empty()) << "one layer: solid-shells";
-      p.kind = "shell";
+      p.kind = BladeKind::shell;
       EXPECT_EQ(p.unused_entries(), std::vector<std::string>{"Element/Linear viscosity"});
     }
   } // namespace

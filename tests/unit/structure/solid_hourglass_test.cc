@@ -146,8 +146,8 @@ TEST(SolidHourglass, NoCheckerboardBuildsUp)
     {
       ThreadPool      pool;
       BladeParameters p          = test::elastic_plate(14, 4);
-      p.kind                     = "solid";
-      p.element.formulation      = formulation;
+      p.kind                     = BladeKind::solid;
+      p.element.formulation      = element_formulations().at(formulation);
       p.element.linear_viscosity = p.element.quadratic_viscosity = 0.;
       p.loads.initial_velocity                                   = "0; 0; 5*(x/0.3112)^2 + 60*x*y";
       SolidBlade   blade(p, pool);

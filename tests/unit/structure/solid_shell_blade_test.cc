@@ -19,8 +19,8 @@ namespace birdstrike
     {
       ThreadPool      pool;
       BladeParameters p        = test::elastic_plate(28, 8);
-      p.kind                   = kind;
-      p.element.formulation    = formulation;
+      p.kind                   = blade_kinds().at(kind);
+      p.element.formulation    = element_formulations().at(formulation);
       p.material.hardening     = "linear";
       p.material.yield         = "880e6";
       p.material.modulus       = "1.25e9";
@@ -55,12 +55,12 @@ namespace birdstrike
     TEST(SolidShellBlade, TakesTheEntriesOfTheThickness)
     {
       BladeParameters p     = test::elastic_plate(4, 2);
-      p.kind                = "solid";
+      p.kind                = BladeKind::solid;
       p.element.n_points    = 7;
-      p.element.rule        = "Lobatto";
-      p.element.formulation = "one point";
+      p.element.rule        = ThicknessRule::lobatto;
+      p.element.formulation = SolidFormulation::one_point;
       EXPECT_EQ(p.unused_entries().size(), 2u) << "bricks of one point have none";
-      p.element.formulation = "solid-shell";
+      p.element.formulation = SolidFormulation::solid_shell;
       EXPECT_TRUE(p.unused_entries().empty());
       p.check();
       ThreadPool pool;

@@ -23,7 +23,7 @@ namespace birdstrike
     BladeParameters struck_plate(const bool is_halved, const std::string &formulation = "physical")
     {
       BladeParameters p        = elastic_plate(14, 6);
-      p.element.formulation    = formulation;
+      p.element.formulation    = element_formulations().at(formulation);
       p.material.hardening     = "perfect";
       p.is_halved              = is_halved;
       p.loads.pressure         = "-2e6*exp(-(x-0.2)^2/0.001-y^2/0.0005)";
@@ -171,9 +171,9 @@ namespace birdstrike
   TEST(SymmetryPlane, HalvesARigidPlate)
   {
     BladeParameters p;
-    p.kind         = "rigid";
+    p.kind         = BladeKind::rigid;
     p.is_halved    = true;
-    p.rigid.motion = "free along normal";
+    p.rigid.motion = RigidMotion::free_along_normal;
     p.rigid.mass   = 3.;
     for (const std::array<double, 3> &normal : {std::array<double, 3>{{0., 0., 1.}}, {{1., 0., 0.}}, {{0.6, 0., 0.8}}})
       {

@@ -5,6 +5,7 @@
 #include <birdstrike/core/step_limit.h>
 #include <birdstrike/core/thread_pool.h>
 #include <birdstrike/material/metal.h>
+#include <birdstrike/structure/choices.h>
 
 #include <array>
 #include <cstdint>
@@ -14,13 +15,6 @@
 
 namespace birdstrike
 {
-  enum class ShellFormulation
-  {
-    one_point_physical, ///< covariant one-point quadrilateral with physical stabilisation (default)
-    belytschko_tsay,    ///< Belytschko, Lin & Tsay (1984) with perturbation hourglass control
-    fully_integrated    ///< 2 x 2 points, MITC4 shear, assumed membrane strain: the reference
-  };
-
   /// What all elements of a blade share.
   struct ShellSection
   {

@@ -6,6 +6,7 @@
 #include <birdstrike/core/step_limit.h>
 #include <birdstrike/core/thread_pool.h>
 #include <birdstrike/material/metal.h>
+#include <birdstrike/structure/choices.h>
 
 #include <array>
 #include <cstdint>
@@ -15,13 +16,6 @@
 
 namespace birdstrike
 {
-  enum class SolidFormulation
-  {
-    one_point,  ///< mean gradient and assumed-strain (physical) stabilisation; bends right with one layer (default)
-    b_bar,      ///< 2 x 2 x 2 points with mean dilatation: the reference, which locks in the bending of thin bricks
-    solid_shell ///< the one-point brick with points through its thickness once it yields: one layer yields as a shell
-  };
-
   /// What all solid elements of a blade share.
   struct SolidSection
   {
