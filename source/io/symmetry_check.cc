@@ -40,7 +40,7 @@ namespace birdstrike
       const std::vector<Point3> &get()
       {
         if (points.empty())
-          blade.kind == BladeKind::solid &&blade.mesh.generator == "file" ? add_solid() : add_surface();
+          (blade.kind == BladeKind::solid && blade.mesh.generator == "file") ? add_solid() : add_surface();
         return points;
       }
 

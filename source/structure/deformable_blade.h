@@ -43,7 +43,7 @@ namespace birdstrike
     {
       motion.drift(step);
     }
-    void compute_internal_forces() override;
+    void       compute_internal_forces() override;
     NodeForces clear_contact_forces() override
     {
       return motion.clear_contact_forces();
@@ -53,7 +53,7 @@ namespace birdstrike
       motion.set_contact_in_transit(duration);
     }
     FacetsView facets() const override;
-    void add_internal_forces(const std::span<const NodalForce> forces) override
+    void       add_internal_forces(const std::span<const NodalForce> forces) override
     {
       motion.add_internal_forces(forces);
     }
