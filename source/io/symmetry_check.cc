@@ -3,8 +3,7 @@
 #include <birdstrike/core/expression.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/mesh/shell_mesh.h>
-#include <birdstrike/mesh/solid_mesh.h>
+#include <birdstrike/mesh/blade_mesh.h>
 #include <birdstrike/mesh/thickness_law.h>
 
 #include <algorithm>
@@ -50,8 +49,7 @@ namespace birdstrike
 
       void add_surface()
       {
-        const ShellMesh    shell(blade.mesh, true);
-        const SurfaceMesh &mesh = shell.surface();
+        const ShellMesh mesh({blade.mesh, {}, true});
         for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
           points.push_back(mesh.node(n));
         for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
@@ -65,8 +63,7 @@ namespace birdstrike
 
       void add_solid()
       {
-        const SolidMesh   solid(blade);
-        const VolumeMesh &mesh = solid.volume();
+        const SolidMesh mesh(blade);
         for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
           points.push_back(mesh.node(n));
         for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)

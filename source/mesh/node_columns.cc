@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <string>
 
 namespace birdstrike
@@ -41,29 +40,6 @@ namespace birdstrike
             length[a] += (mesh.node(mesh.cells[cell][upper]) - mesh.node(mesh.cells[cell][lower])).norm();
           }
       return length[axis] / std::min(length[(axis + 1) % 3], length[(axis + 2) % 3]);
-    }
-
-    /// For every cell and face (deal.II's order) the neighbouring cell; `none` on the boundary.
-    std::vector<std::array<std::uint32_t, 6>> find_neighbours(const VolumeMesh &mesh)
-    {
-      std::map<std::array<std::uint32_t, 4>, std::array<std::uint32_t, 2>> first;
-      std::vector<std::array<std::uint32_t, 6>>                            neighbours(mesh.cells.size());
-      for (std::uint32_t cell = 0; cell < mesh.cells.size(); ++cell)
-        for (unsigned int f = 0; f < 6; ++f)
-          {
-            neighbours[cell][f] = none;
-            std::array<std::uint32_t, 4> key;
-            for (unsigned int edge = 0; edge < 4; ++edge)
-              key[edge] = mesh.cells[cell][corners_of_edge(f / 2, edge)[f % 2]];
-            std::sort(key.begin(), key.end());
-            const auto [there, is_new] = first.insert({key, {{cell, f}}});
-            if (is_new)
-              continue;
-            const auto [other, face] = there->second;
-            neighbours[cell][f]      = other;
-            neighbours[other][face]  = cell;
-          }
-      return neighbours;
     }
 
     /// The axis of a cell along which two of its nodes differ.
@@ -122,14 +98,14 @@ namespace birdstrike
         axis[0]     = unknown;
         axis[first] = best;
       }
-    const auto                 neighbours = find_neighbours(mesh);
     std::vector<std::uint32_t> reached{first}; // the mesh is in one piece
     for (std::size_t k = 0; k < reached.size(); ++k)
       for (unsigned int f = 0; f < 6; ++f)
         {
-          const std::uint32_t cell = reached[k], other = neighbours[cell][f];
-          if (other == none)
+          const std::uint32_t cell = reached[k];
+          if (mesh.neighbors[cell][f] < 0)
             continue;
+          const auto         other = static_cast<std::uint32_t>(mesh.neighbors[cell][f]);
           const unsigned int there = continued_axis(mesh, cell, f, axis[cell], other);
           if (axis[other] == unknown)
             reached.push_back(other);

@@ -3,25 +3,14 @@
 
 namespace birdstrike
 {
-  namespace
-  {
-    template <class Mesh>
-    Mesh &with_dofs(Mesh &mesh)
-    {
-      mesh.distribute_dofs();
-      return mesh;
-    }
-  } // namespace
-
   template <class Kind>
   DeformableBlade<Kind>::DeformableBlade(const BladeParameters &parameters, ThreadPool &pool)
-    : mesh(Kind::make_mesh(parameters))
-    , supports(parameters.supports, Kind::plain(with_dofs(mesh)))
+    : mesh(parameters)
+    , supports(parameters.supports, mesh)
     , lumped(Kind::compute_mass(mesh, parameters))
     , elements(Kind::make_elements(mesh, lumped, parameters, pool))
     , pressed(Kind::find_pressed(mesh, parameters.loads))
-    , motion(Kind::plain(mesh).nodes, Kind::masses(lumped), supports,
-             Loads(parameters.loads, Kind::skin(mesh), pressed.facets, Kind::n_unknowns), pool)
+    , motion(mesh.nodes, Kind::masses(lumped), supports, Loads(parameters.loads, mesh, pressed.facets), pool)
     , root(Kind::make_root(mesh, supports, parameters))
     , tip(Kind::make_tip(mesh, supports))
     , surface(Kind::make_surface(mesh, lumped))
@@ -30,7 +19,7 @@ namespace birdstrike
     elements.use_nodal_masses(lumped.node);
     scaling = Kind::finish(parameters, mesh, lumped, elements, motion);
     motion.initialize_velocity(parameters.loads);
-    motion.watch(parameters.probes);
+    motion.watch(parameters.probes, mesh);
     turn_from_strike(compute_strike(parameters, motion.momenta(), lumped.total), Kind::is_one_surface(mesh), root, tip);
   }
 

@@ -76,7 +76,7 @@ namespace birdstrike
     }
     std::size_t n_nodes() const override
     {
-      return Kind::plain(mesh).nodes.size();
+      return mesh.nodes.size();
     }
     double mass() const override
     {

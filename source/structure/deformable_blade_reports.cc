@@ -17,7 +17,7 @@ namespace birdstrike
   template <class Kind>
   BladeCensus DeformableBlade<Kind>::census() const
   {
-    BladeCensus census            = compute_census(Kind::plain(mesh));
+    BladeCensus census            = compute_census(mesh);
     census.mass                   = mass();
     census.n_held_dofs            = supports.held_dofs.size();
     census.n_elements_with_points = elements.n_promoted();
@@ -31,7 +31,7 @@ namespace birdstrike
   template <class Kind>
   FieldSnapshot DeformableBlade<Kind>::snapshot() const
   {
-    const auto   &plain = Kind::plain(mesh);
+    const auto   &plain = mesh;
     FieldSnapshot snapshot;
     snapshot.dim = Kind::dim;
     for (const auto &x : plain.nodes)
@@ -76,7 +76,7 @@ namespace birdstrike
   PeakPlasticStrain DeformableBlade<Kind>::peak_plastic_strain() const
   {
     const auto   peak = elements.max_plastic_strain();
-    const Point3 c    = Kind::plain(mesh).centroid(peak.element);
+    const Point3 c    = mesh.centroid(peak.element);
     return {peak.value, peak.element, {{c[0], c[1], c[2]}}};
   }
 

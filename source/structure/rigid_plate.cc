@@ -1,7 +1,7 @@
 #include "structure/rigid_plate.h"
 #include "structure/census.h"
+#include <birdstrike/mesh/blade_mesh.h>
 #include <birdstrike/mesh/orientation.h>
-#include <birdstrike/mesh/shell_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace birdstrike
     if (parameters.is_halved)
       plate_mass *= 0.5;
     if (parameters.rigid.surface == RigidSurface::mesh)
-      take_mesh(ShellMesh(parameters.mesh, parameters.is_halved).surface());
+      take_mesh(ShellMesh(parameters));
     else
       take_mesh(make_rectangle(parameters.rigid, parameters.is_halved));
     half_thickness.assign(surface.cells.size(), parameters.rigid.half_thickness);
@@ -39,12 +39,14 @@ namespace birdstrike
     SurfaceMesh  mesh;
     for (const Point3 &p : {Point3(centre - along - across), Point3(centre + along - across),
                             Point3(centre + along + across), Point3(centre - along + across)})
-      mesh.nodes.push_back({{p[0], is_halved ? std::max(p[1], 0.) : p[1], p[2]}});
+      mesh.nodes.push_back({{p[0], is_halved && p[1] < 1e-6 * parameters.length ? 0. : p[1], p[2]}});
     mesh.cells        = {{{0, 1, 2, 3}}};
     mesh.neighbors    = {{{-1, -1, -1, -1}}};
     mesh.material_ids = {0};
+    for (unsigned int side = 0; side < 4; ++side)
+      mesh.boundary.push_back({0, side, mesh.side_nodes(0, side), 0});
     if (is_halved)
-      cut_at_symmetry_plane(mesh);
+      mesh.cut_at_symmetry_plane();
     return mesh;
   }
 

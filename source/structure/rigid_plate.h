@@ -1,6 +1,6 @@
 #pragma once
 
-#include <birdstrike/mesh/surface_mesh.h>
+#include <birdstrike/mesh/cell_mesh.h>
 #include <birdstrike/structure/blade.h>
 #include <birdstrike/structure/parameters.h>
 

@@ -32,21 +32,6 @@ namespace birdstrike
     }
   } // namespace
 
-  ShellMesh ShellKind::make_mesh(const BladeParameters &parameters)
-  {
-    return ShellMesh(parameters.mesh, parameters.is_halved);
-  }
-
-  const SurfaceMesh &ShellKind::plain(const Mesh &mesh)
-  {
-    return mesh.surface();
-  }
-
-  const SurfaceMesh &ShellKind::skin(const Mesh &mesh)
-  {
-    return mesh.surface();
-  }
-
   ShellMesh::Mass ShellKind::compute_mass(const Mesh &mesh, const BladeParameters &parameters)
   {
     return mesh.compute_mass(parameters.material.metal().density, make_thickness_law(parameters));
@@ -55,8 +40,7 @@ namespace birdstrike
   ShellElements ShellKind::make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,
                                          ThreadPool &pool)
   {
-    return ShellElements(points_of(mesh.surface()), mesh.surface().cells, mass.element_thickness,
-                         make_section(parameters), pool);
+    return ShellElements(points_of(mesh), mesh.cells, mass.element_thickness, make_section(parameters), pool);
   }
 
   NodalMechanics<6>::Masses ShellKind::masses(const Mesh::Mass &mass)
@@ -68,19 +52,19 @@ namespace birdstrike
   {
     if (!is_present(loads.pressure))
       return {};
-    PressedFacets pressed{mesh.surface().cells, std::vector<std::uint32_t>(mesh.surface().cells.size())};
+    PressedFacets pressed{mesh.cells, std::vector<std::uint32_t>(mesh.cells.size())};
     std::iota(pressed.elements.begin(), pressed.elements.end(), 0);
     return pressed;
   }
 
   RootSection ShellKind::make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &)
   {
-    return RootSection(mesh.surface(), supports.root_ids);
+    return RootSection(mesh, supports.root_ids);
   }
 
   TipRow ShellKind::make_tip(const Mesh &mesh, const Supports &supports)
   {
-    return TipRow(mesh.surface(), supports.tip_ids);
+    return TipRow(mesh, supports.tip_ids);
   }
 
   ContactSurface ShellKind::make_surface(const Mesh &mesh, const Mesh::Mass &mass)
@@ -88,7 +72,7 @@ namespace birdstrike
     std::vector<double> half_thickness = mass.element_thickness;
     for (double &value : half_thickness)
       value *= 0.5;
-    return ContactSurface(mesh.surface(), std::move(half_thickness));
+    return ContactSurface(mesh, std::move(half_thickness));
   }
 
   bool ShellKind::is_one_surface(const Mesh &)
@@ -98,14 +82,14 @@ namespace birdstrike
 
   std::size_t ShellKind::n_nodes_in_contact(const Mesh &mesh, bool)
   {
-    return mesh.surface().nodes.size();
+    return mesh.nodes.size();
   }
 
   MassScalingReport ShellKind::finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &,
                                       Elements &elements, Nodes &)
   {
     if (parameters.is_halved)
-      elements.add_symmetry_plane(mesh.surface().symmetry_nodes, Point3::UnitY());
+      elements.add_symmetry_plane(mesh.symmetry_nodes, Point3::UnitY());
     return {};
   }
 
@@ -142,7 +126,7 @@ namespace birdstrike
     add("thickness", "m", [&](const std::size_t e) { return elements.state(e).thickness; });
   }
 
-  std::array<std::uint32_t, 4> ShellKind::nodes_of(const SurfaceMesh &mesh, const std::size_t cell)
+  std::array<std::uint32_t, 4> ShellKind::nodes_of(const Mesh &mesh, const std::size_t cell)
   {
     const auto &c = mesh.cells[cell];
     return {c[0], c[1], c[3], c[2]};

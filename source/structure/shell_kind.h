@@ -5,7 +5,7 @@
 #include "structure/pressed_facets.h"
 #include "structure/probes/sections.h"
 #include "structure/surface/contact_surface.h"
-#include <birdstrike/mesh/shell_mesh.h>
+#include <birdstrike/mesh/blade_mesh.h>
 
 namespace birdstrike
 {
@@ -24,19 +24,16 @@ namespace birdstrike
     static constexpr double       bytes_per_cell  = 600.; ///< of deal.II's mesh, about
     static constexpr double       fields_per_cell = 19., bytes_per_cell_in_file = 16.;
 
-    static Mesh               make_mesh(const BladeParameters &parameters);
-    static const SurfaceMesh &plain(const Mesh &mesh);
-    static const SurfaceMesh &skin(const Mesh &mesh);
-    static Mesh::Mass         compute_mass(const Mesh &mesh, const BladeParameters &parameters);
-    static Elements           make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,
-                                            ThreadPool &pool);
-    static Nodes::Masses      masses(const Mesh::Mass &mass);
-    static PressedFacets      find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads);
-    static Root               make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &parameters);
-    static TipRow             make_tip(const Mesh &mesh, const Supports &supports);
-    static Surface            make_surface(const Mesh &mesh, const Mesh::Mass &mass);
-    static bool               is_one_surface(const Mesh &mesh); ///< cells run through from root to tip
-    static std::size_t        n_nodes_in_contact(const Mesh &mesh, bool can_fail);
+    static Mesh::Mass    compute_mass(const Mesh &mesh, const BladeParameters &parameters);
+    static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,
+                                       ThreadPool &pool);
+    static Nodes::Masses masses(const Mesh::Mass &mass);
+    static PressedFacets find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads);
+    static Root          make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &parameters);
+    static TipRow        make_tip(const Mesh &mesh, const Supports &supports);
+    static Surface       make_surface(const Mesh &mesh, const Mesh::Mass &mass);
+    static bool          is_one_surface(const Mesh &mesh); ///< cells run through from root to tip
+    static std::size_t   n_nodes_in_contact(const Mesh &mesh, bool can_fail);
 
     /// What is left to do once nodes and elements are there; of what it scales of the masses a report.
     static MassScalingReport finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &mass,
@@ -46,6 +43,6 @@ namespace birdstrike
     /// Of the elements in the list.
     static void add_fields(const Elements &elements, const std::vector<std::size_t> &cells, std::vector<Field> &fields);
     /// Nodes of a cell in the order of FieldSnapshot::cells.
-    static std::array<std::uint32_t, 4> nodes_of(const SurfaceMesh &mesh, std::size_t cell);
+    static std::array<std::uint32_t, 4> nodes_of(const Mesh &mesh, std::size_t cell);
   };
 } // namespace birdstrike

@@ -32,21 +32,6 @@ namespace birdstrike
     }
   } // namespace
 
-  SolidMesh SolidKind::make_mesh(const BladeParameters &parameters)
-  {
-    return SolidMesh(parameters);
-  }
-
-  const VolumeMesh &SolidKind::plain(const Mesh &mesh)
-  {
-    return mesh.volume();
-  }
-
-  const SurfaceMesh &SolidKind::skin(const Mesh &mesh)
-  {
-    return mesh.volume().skin;
-  }
-
   SolidMesh::Mass SolidKind::compute_mass(const Mesh &mesh, const BladeParameters &parameters)
   {
     return mesh.compute_mass(parameters.material.metal().density);
@@ -55,7 +40,7 @@ namespace birdstrike
   SolidElements SolidKind::make_elements(const Mesh &mesh, const Mesh::Mass &, const BladeParameters &parameters,
                                          ThreadPool &pool)
   {
-    return SolidElements(points_of(mesh.volume()), mesh.volume().cells, make_section(parameters), pool);
+    return SolidElements(points_of(mesh), mesh.cells, make_section(parameters), pool);
   }
 
   NodalMechanics<3>::Masses SolidKind::masses(const Mesh::Mass &mass)
@@ -70,7 +55,7 @@ namespace birdstrike
     if (!is_present(loads.pressure))
       return pressed;
     const auto ids = parse_ids(loads.pressure_boundaries, "Loads/Pressure boundaries");
-    for (const auto &face : mesh.volume().faces)
+    for (const auto &face : mesh.boundary)
       if (std::find(ids.begin(), ids.end(), face.id) != ids.end())
         {
           pressed.facets.push_back({{face.nodes[0], face.nodes[3], face.nodes[2], face.nodes[1]}});
@@ -84,28 +69,28 @@ namespace birdstrike
 
   SolidRootSection SolidKind::make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &parameters)
   {
-    return SolidRootSection(mesh.volume(), supports.root_ids, parameters.material.metal().hardening);
+    return SolidRootSection(mesh, supports.root_ids, parameters.material.metal().hardening);
   }
 
   TipRow SolidKind::make_tip(const Mesh &mesh, const Supports &supports)
   {
-    return make_tip_row(mesh.volume(), supports.tip_ids);
+    return make_tip_row(mesh, supports.tip_ids);
   }
 
   ErodingSkin SolidKind::make_surface(const Mesh &mesh, const Mesh::Mass &)
   {
-    return ErodingSkin(mesh.volume());
+    return ErodingSkin(mesh);
   }
 
   bool SolidKind::is_one_surface(const Mesh &mesh)
   {
-    return mesh.volume().layers > 0;
+    return mesh.layers > 0;
   }
 
   std::size_t SolidKind::n_nodes_in_contact(const Mesh &mesh, const bool can_fail)
   {
     // where elements fail, nodes inside may become the skin's
-    return can_fail ? mesh.volume().nodes.size() : mesh.volume().n_skin_nodes;
+    return can_fail ? mesh.nodes.size() : mesh.n_skin_nodes;
   }
 
   MassScalingReport SolidKind::finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &mass,
@@ -113,8 +98,8 @@ namespace birdstrike
   {
     if (parameters.mass_scaling.method != MassScalingMethod::selective)
       return {};
-    const NodeColumns columns(mesh.volume());
-    MassScaling       chosen = choose_mass_scaling(parameters, mesh.volume(), columns, elements, mass.node);
+    const NodeColumns columns(mesh);
+    MassScaling       chosen = choose_mass_scaling(parameters, mesh, columns, elements, mass.node);
     elements.scale_masses(chosen.scale);
     nodes.scale(columns, std::move(chosen.coupling));
     chosen.report.step = elements.largest_stable_step();
@@ -151,7 +136,7 @@ namespace birdstrike
       add("stress_" + components[c], "Pa", [c](const SolidState &s) { return s.stress[c]; });
   }
 
-  const std::array<std::uint32_t, 8> &SolidKind::nodes_of(const VolumeMesh &mesh, const std::size_t cell)
+  const std::array<std::uint32_t, 8> &SolidKind::nodes_of(const Mesh &mesh, const std::size_t cell)
   {
     return mesh.cells[cell];
   }

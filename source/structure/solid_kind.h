@@ -5,7 +5,7 @@
 #include "structure/pressed_facets.h"
 #include "structure/probes/solid_sections.h"
 #include "structure/surface/eroding_skin.h"
-#include <birdstrike/mesh/solid_mesh.h>
+#include <birdstrike/mesh/blade_mesh.h>
 
 namespace birdstrike
 {
@@ -29,25 +29,22 @@ namespace birdstrike
     static constexpr double       bytes_per_cell  = 1200.; ///< of deal.II's mesh, about
     static constexpr double       fields_per_cell = 9., bytes_per_cell_in_file = 32.;
 
-    static Mesh               make_mesh(const BladeParameters &parameters);
-    static const VolumeMesh  &plain(const Mesh &mesh);
-    static const SurfaceMesh &skin(const Mesh &mesh);
-    static Mesh::Mass         compute_mass(const Mesh &mesh, const BladeParameters &parameters);
-    static Elements           make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,
-                                            ThreadPool &pool);
-    static Nodes::Masses      masses(const Mesh::Mass &mass);
-    static PressedFacets      find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads);
-    static Root               make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &parameters);
-    static TipRow             make_tip(const Mesh &mesh, const Supports &supports);
-    static Surface            make_surface(const Mesh &mesh, const Mesh::Mass &mass);
-    static bool               is_one_surface(const Mesh &mesh);
-    static std::size_t        n_nodes_in_contact(const Mesh &mesh, bool can_fail);
+    static Mesh::Mass    compute_mass(const Mesh &mesh, const BladeParameters &parameters);
+    static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,
+                                       ThreadPool &pool);
+    static Nodes::Masses masses(const Mesh::Mass &mass);
+    static PressedFacets find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads);
+    static Root          make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &parameters);
+    static TipRow        make_tip(const Mesh &mesh, const Supports &supports);
+    static Surface       make_surface(const Mesh &mesh, const Mesh::Mass &mass);
+    static bool          is_one_surface(const Mesh &mesh);
+    static std::size_t   n_nodes_in_contact(const Mesh &mesh, bool can_fail);
 
     static MassScalingReport finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &mass,
                                     Elements &elements, Nodes &nodes);
 
     static void add_energies(const Elements &elements, EnergyReport &report);
     static void add_fields(const Elements &elements, const std::vector<std::size_t> &cells, std::vector<Field> &fields);
-    static const std::array<std::uint32_t, 8> &nodes_of(const VolumeMesh &mesh, std::size_t cell);
+    static const std::array<std::uint32_t, 8> &nodes_of(const Mesh &mesh, std::size_t cell);
   };
 } // namespace birdstrike

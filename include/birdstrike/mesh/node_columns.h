@@ -1,6 +1,6 @@
 #pragma once
 
-#include <birdstrike/mesh/volume_mesh.h>
+#include <birdstrike/mesh/cell_mesh.h>
 
 #include <cstdint>
 #include <vector>

@@ -64,8 +64,8 @@ namespace birdstrike
   /// What gives a blade of finite elements its geometry.
   struct GeometryParameters
   {
-    MeshParameters      mesh;
-    ThicknessParameters thickness;
+    MeshParameters      mesh{};
+    ThicknessParameters thickness{};
     bool                is_halved = false; ///< only y >= 0 is computed; set by the case
 
     /// Rules between their entries. Throws InputError.

@@ -6,9 +6,10 @@
 
 namespace birdstrike
 {
-  Loads::Loads(const BladeParameters::Loads &parameters, const SurfaceMesh &mesh,
-               std::vector<Quadrilateral> quadrilaterals, const unsigned int n_unknowns)
-    : n_unknowns(n_unknowns), damping_rate(parameters.damping)
+  template <int dim>
+  Loads::Loads(const BladeParameters::Loads &parameters, const BladeMesh<dim> &mesh,
+               std::vector<Quadrilateral> quadrilaterals)
+    : n_unknowns(mesh.n_unknowns), damping_rate(parameters.damping)
   {
     if (is_present(parameters.pressure))
       {
@@ -23,17 +24,21 @@ namespace birdstrike
     add_point_loads(parameters, mesh);
   }
 
-  void Loads::add_point_loads(const BladeParameters::Loads &parameters, const SurfaceMesh &mesh)
+  template <int dim>
+  void Loads::add_point_loads(const BladeParameters::Loads &parameters, const BladeMesh<dim> &mesh)
   {
-    double reach = 0.;
-    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
-      reach = std::max(reach, mesh.smallest_edge(cell));
+    const SurfaceMesh &surface = mesh.surface();
+    double             reach   = 0.;
+    for (std::size_t facet = 0; facet < surface.cells.size(); ++facet)
+      reach = std::max(reach, surface.smallest_edge(facet));
     for (const auto &[where, what] : parse_pairs(parameters.point_loads, "Loads/Point loads", '|'))
       {
-        const auto          x    = parse_numbers(where, 3, "Loads/Point loads");
-        const Point3        p    = Point3(x[0], x[1], x[2]);
-        const std::uint32_t node = mesh.nearest_node(p);
-        if ((mesh.node(node) - p).norm() > reach)
+        const auto x    = parse_numbers(where, 3, "Loads/Point loads");
+        const auto p    = Point3(x[0], x[1], x[2]);
+        const auto node = mesh.nearest_node(p, dim == 3);
+        if (!node)
+          continue;
+        if ((mesh.node(*node) - p).norm() > reach)
           throw InputError("Blade/Loads/Point loads: no node near (" + where +
                            ") m.\nLoads act on the nearest node, at "
                            "most one element away.");
@@ -42,7 +47,7 @@ namespace birdstrike
           throw InputError("Blade/Loads/Point loads: '" + what +
                            "' has moments, which the nodes of a solid cannot take.\n"
                            "Allowed for a solid: three forces, 'fx; fy; fz'.");
-        point_loads.push_back({node, Expression(has_moments ? what : what + "; 0; 0; 0", 6, "Loads/Point loads")});
+        point_loads.push_back({*node, Expression(has_moments ? what : what + "; 0; 0; 0", 6, "Loads/Point loads")});
       }
   }
 
@@ -82,4 +87,7 @@ namespace birdstrike
       for (unsigned int c = 0; c < n_unknowns; ++c)
         force[n_unknowns * load.node + c] += load.components.value(origin, time, c);
   }
+
+  template Loads::Loads(const BladeParameters::Loads &, const BladeMesh<2> &, std::vector<Quadrilateral>);
+  template Loads::Loads(const BladeParameters::Loads &, const BladeMesh<3> &, std::vector<Quadrilateral>);
 } // namespace birdstrike

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <birdstrike/core/expression.h>
-#include <birdstrike/mesh/surface_mesh.h>
+#include <birdstrike/mesh/blade_mesh.h>
 #include <birdstrike/structure/parameters.h>
 
 #include <cstdint>
@@ -19,11 +19,11 @@ namespace birdstrike
   public:
     using Quadrilateral = std::array<std::uint32_t, 4>;
 
-    /// Pressure acts on `pressed`, quadrilaterals of the mesh's nodes; a node has `n_unknowns`, 3 or 6. Throws
-    /// InputError for formulas that cannot be read, for load points farther than an element from any node, and for
-    /// moments on nodes without rotations.
-    Loads(const BladeParameters::Loads &parameters, const SurfaceMesh &mesh, std::vector<Quadrilateral> pressed,
-          unsigned int n_unknowns);
+    /// Pressure acts on `pressed`, quadrilaterals of the mesh's nodes. Throws InputError for formulas that cannot be
+    /// read, for load points farther than an element from any node of the surface, and for moments on nodes without
+    /// rotations.
+    template <int dim>
+    Loads(const BladeParameters::Loads &parameters, const BladeMesh<dim> &mesh, std::vector<Quadrilateral> pressed);
 
     bool   is_active() const; ///< anything but damping
     double damping() const;   ///< 1/s
@@ -41,7 +41,8 @@ namespace birdstrike
       Expression    components; ///< fx fy fz mx my mz in t
     };
 
-    void add_point_loads(const BladeParameters::Loads &parameters, const SurfaceMesh &mesh);
+    template <int dim>
+    void add_point_loads(const BladeParameters::Loads &parameters, const BladeMesh<dim> &mesh);
 
     unsigned int                       n_unknowns;
     double                             damping_rate;

@@ -51,8 +51,9 @@ namespace birdstrike
 
     /// Velocities of formulas and of a rigid spin about the origin, held unknowns excepted. Throws InputError.
     void initialize_velocity(const BladeParameters::Loads &parameters);
-    /// Watches the nodes nearest to the points of a list "name: x y z; ...". Throws InputError.
-    void watch(const std::string &probes);
+    /// Watches the nodes nearest to the points of a list "name: x y z; ...", as far as they are owned. Throws
+    /// InputError.
+    void watch(const std::string &probes, const BladeMesh<n_unknowns == 6 ? 2 : 3> &mesh);
     /// From now on the nodes of a solid have the mass matrix of column_mass.h; `coupling` (kg) as there.
     void scale(const NodeColumns &columns, std::vector<double> coupling) requires(n_unknowns == 3);
 

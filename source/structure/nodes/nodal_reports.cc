@@ -5,7 +5,6 @@
 #include <birdstrike/core/text_lists.h>
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 // What NodalMechanics starts from and what it tells about itself.
@@ -79,20 +78,13 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
-  void NodalMechanics<n_unknowns>::watch(const std::string &probes)
+  void NodalMechanics<n_unknowns>::watch(const std::string &probes, const BladeMesh<n_unknowns == 6 ? 2 : 3> &mesh)
   {
     for (const auto &[name, where] : parse_pairs(probes, "Probes"))
       {
-        const auto    x        = parse_numbers(where, 3, "Probes");
-        std::uint32_t nearest  = 0;
-        double        smallest = std::numeric_limits<double>::infinity();
-        for (std::uint32_t n = 0; n < n_nodes; ++n)
-          if (const double d = (Point3(&reference[3 * n]) - Point3(x[0], x[1], x[2])).squaredNorm(); d < smallest)
-            {
-              smallest = d;
-              nearest  = n;
-            }
-        watched.emplace_back(name, nearest);
+        const auto x = parse_numbers(where, 3, "Probes");
+        if (const auto node = mesh.nearest_node(Point3(x[0], x[1], x[2])))
+          watched.emplace_back(name, *node);
       }
   }
 

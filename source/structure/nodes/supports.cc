@@ -17,21 +17,11 @@ namespace birdstrike
             std::find(mesh.mirrored_ids.begin(), mesh.mirrored_ids.end(), id) == mesh.mirrored_ids.end())
           {
             std::string known;
-            for (const unsigned int other : mesh.boundary_ids())
+            for (const unsigned int other : mesh.boundary_ids)
               known += (known.empty() ? "" : ", ") + std::to_string(other);
             throw InputError("Blade/Supports/" + entry + ": the mesh has no boundary id " + std::to_string(id) +
                              ".\nIds of this mesh: " + known + ".");
           }
-    }
-
-    std::vector<std::uint32_t> nodes_on(const SurfaceMesh &mesh, const std::vector<unsigned int> &ids)
-    {
-      return mesh.rim_nodes(ids);
-    }
-
-    std::vector<std::uint32_t> nodes_on(const VolumeMesh &mesh, const std::vector<unsigned int> &ids)
-    {
-      return mesh.nodes_on(ids);
     }
 
     template <unsigned int n_unknowns>
@@ -74,7 +64,7 @@ namespace birdstrike
       // Coordinates of generated meshes carry round-off: a box that ends on a node includes it.
       const double               margin = 1e-9;
       std::vector<std::uint32_t> nodes;
-      for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n)
+      for (std::uint32_t n = 0; n < mesh.space.n_owned(); ++n)
         {
           bool is_inside = true;
           for (unsigned int d = 0; d < 3; ++d)
@@ -120,20 +110,20 @@ namespace birdstrike
   {
     constexpr std::array<bool, 6> all{{true, true, true, true, true, true}};
     HeldSet<n_unknowns>           held;
-    held.add(nodes_on(mesh, parse_ids(parameters.clamped, "Supports/Clamped")), all);
-    held.add(nodes_on(mesh, parse_ids(parameters.hub, "Supports/Hub")), all);
+    held.add(mesh.nodes_on(parse_ids(parameters.clamped, "Supports/Clamped")), all);
+    held.add(mesh.nodes_on(parse_ids(parameters.hub, "Supports/Hub")), all);
     // the mirror image at y = 0 has -u_y, -theta_x and -theta_z
     held.add(mesh.symmetry_nodes, {{false, true, false, true, false, true}});
     for (const auto &[key, components] : parse_pairs(parameters.held, "Supports/Held"))
       {
         const auto ids = parse_ids(key, "Supports/Held");
         require_ids(ids, mesh, "Held");
-        held.add(nodes_on(mesh, ids), read_components<n_unknowns>(components, "Supports/Held"));
+        held.add(mesh.nodes_on(ids), read_components<n_unknowns>(components, "Supports/Held"));
       }
     for (const auto &[key, components] : parse_pairs(parameters.held_boxes, "Supports/Held boxes"))
       {
         const auto nodes = nodes_in_box(mesh, parse_numbers(key, 6, "Supports/Held boxes"));
-        if (nodes.empty())
+        if (nodes.empty() && mesh.space.is_whole())
           throw InputError("Blade/Supports/Held boxes: no node lies in the box '" + key + "'.\n" +
                            "Order: xmin ymin zmin xmax ymax zmax, in metres.");
         held.add(nodes, read_components<n_unknowns>(components, "Supports/Held boxes"));

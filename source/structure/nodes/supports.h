@@ -1,7 +1,6 @@
 #pragma once
 
-#include <birdstrike/mesh/surface_mesh.h>
-#include <birdstrike/mesh/volume_mesh.h>
+#include <birdstrike/mesh/cell_mesh.h>
 #include <birdstrike/structure/parameters.h>
 
 #include <cstdint>

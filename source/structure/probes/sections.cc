@@ -51,9 +51,9 @@ namespace birdstrike
 
   RootSection::RootSection(const SurfaceMesh &mesh, const std::vector<unsigned int> &root_ids)
   {
-    frame.nodes   = mesh.rim_nodes(root_ids);
+    frame.nodes   = mesh.nodes_on(root_ids);
     double length = 0.;
-    for (const auto &edge : mesh.rim)
+    for (const auto &edge : mesh.boundary)
       if (std::find(root_ids.begin(), root_ids.end(), edge.id) != root_ids.end())
         {
           const Point3 a = mesh.node(edge.nodes[0]), b = mesh.node(edge.nodes[1]), middle = 0.5 * (a + b);
@@ -120,14 +120,14 @@ namespace birdstrike
   TipRow::TipRow(const SurfaceMesh &mesh, const std::vector<unsigned int> &tip_ids)
   {
     Point3 span = Point3::Zero(), mean_normal = Point3::Zero();
-    for (const auto &edge : mesh.rim)
+    for (const auto &edge : mesh.boundary)
       if (std::find(tip_ids.begin(), tip_ids.end(), edge.id) != tip_ids.end())
         {
           mean_normal += mesh.area_vector(edge.cell);
           span += 0.5 * (mesh.node(edge.nodes[0]) + mesh.node(edge.nodes[1])) - mesh.centroid(edge.cell);
         }
     mean_normal.normalize();
-    add_row(mesh.nodes, mesh.rim_nodes(tip_ids), mesh.symmetry_nodes, chord_along(mean_normal, span), mean_normal);
+    add_row(mesh.nodes, mesh.nodes_on(tip_ids), mesh.symmetry_nodes, chord_along(mean_normal, span), mean_normal);
   }
 
   void TipRow::add_row(const std::vector<std::array<double, 3>> &nodes, const std::vector<std::uint32_t> &row,

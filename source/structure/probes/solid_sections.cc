@@ -12,19 +12,7 @@ namespace birdstrike
 {
   namespace
   {
-    using Face = VolumeMesh::BoundaryFace;
-
-    Point3 area_vector(const VolumeMesh &mesh, const Face &face)
-    {
-      const auto &c = face.nodes;
-      return 0.5 * (mesh.node(c[2]) - mesh.node(c[0])).cross(mesh.node(c[3]) - mesh.node(c[1]));
-    }
-
-    Point3 middle(const VolumeMesh &mesh, const Face &face)
-    {
-      const auto &c = face.nodes;
-      return 0.25 * (mesh.node(c[0]) + mesh.node(c[1]) + mesh.node(c[2]) + mesh.node(c[3]));
-    }
+    using Face = VolumeMesh::BoundarySide;
 
     bool has_id(const Face &face, const std::vector<unsigned int> &ids)
     {
@@ -46,10 +34,10 @@ namespace birdstrike
     {
       Matrix3<double> moment = Matrix3<double>::Zero();
       for (const std::size_t f : faces)
-        for (const std::uint32_t n : mesh.faces[f].nodes)
+        for (const std::uint32_t n : mesh.boundary[f].nodes)
           {
             const Point3 arm = mesh.node(n) - centroid;
-            moment += area_vector(mesh, mesh.faces[f]).norm() * arm * arm.transpose();
+            moment += area_vector(mesh, mesh.boundary[f]).norm() * arm * arm.transpose();
           }
       if (!mesh.symmetry_nodes.empty()) // with the mirror image
         moment(0, 1) = moment(1, 0) = moment(1, 2) = moment(2, 1) = 0.;
@@ -72,8 +60,8 @@ namespace birdstrike
   {
     double area = 0.;
     Point3 axis = Point3::Zero();
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-      if (const Face &face = mesh.faces[f]; has_id(face, ids))
+    for (std::size_t f = 0; f < mesh.boundary.size(); ++f)
+      if (const Face &face = mesh.boundary[f]; has_id(face, ids))
         {
           const Point3 vector = area_vector(mesh, face);
           faces.push_back(f);
@@ -102,10 +90,10 @@ namespace birdstrike
   {
     std::set<std::uint32_t> cells;
     for (const std::size_t f : faces)
-      cells.insert(mesh.faces[f].cell);
+      cells.insert(mesh.boundary[f].cell);
     std::array<std::vector<std::size_t>, 2> found;
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-      if (const Face &face = mesh.faces[f]; !has_id(face, ids) && cells.count(face.cell) > 0)
+    for (std::size_t f = 0; f < mesh.boundary.size(); ++f)
+      if (const Face &face = mesh.boundary[f]; !has_id(face, ids) && cells.count(face.cell) > 0)
         {
           const double cosine = area_vector(mesh, face).normalized().dot(normal);
           if (std::abs(cosine) > 0.5)
@@ -154,7 +142,7 @@ namespace birdstrike
     std::vector<Facet> made;
     for (const std::size_t f : faces)
       {
-        const Face &face = mesh.faces[f];
+        const Face &face = mesh.boundary[f];
         Facet       facet{face.cell, face.nodes, {}, (middle(mesh, face) - frame.origin).dot(frame.chord)};
         const auto &cell = mesh.cells[face.cell];
         for (unsigned int k = 0; k < 4; ++k)
@@ -222,7 +210,7 @@ namespace birdstrike
       {
         std::set<std::uint32_t> nodes;
         for (const std::size_t f : faces)
-          for (const std::uint32_t n : mesh.faces[f].nodes)
+          for (const std::uint32_t n : mesh.boundary[f].nodes)
             if (std::binary_search(on_tip.begin(), on_tip.end(), n))
               nodes.insert(n);
         row.add_row(mesh.nodes, {nodes.begin(), nodes.end()}, mesh.symmetry_nodes, chord, tip.normal);

@@ -3,7 +3,7 @@
 #include "structure/elements/solid/elements.h"
 #include "structure/probes/sections.h"
 #include <birdstrike/material/hardening.h>
-#include <birdstrike/mesh/volume_mesh.h>
+#include <birdstrike/mesh/cell_mesh.h>
 
 #include <vector>
 
@@ -24,7 +24,7 @@ namespace birdstrike
       return !faces.empty();
     }
 
-    std::vector<std::size_t> faces; ///< of VolumeMesh::faces; empty where there is no single end
+    std::vector<std::size_t> faces; ///< of VolumeMesh::boundary; empty where there is no single end
     Point3                   centroid = Point3::Zero(), outward = Point3::Zero(), normal = Point3::Zero(); ///< m; unit
 
     /// The other boundary faces that meet this end: those that look along minus and plus the normal (within 60

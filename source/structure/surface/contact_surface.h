@@ -2,7 +2,7 @@
 
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/function_ref.h>
-#include <birdstrike/mesh/surface_mesh.h>
+#include <birdstrike/mesh/cell_mesh.h>
 
 #include <cstdint>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/function_ref.h>
-#include <birdstrike/mesh/volume_mesh.h>
+#include <birdstrike/mesh/cell_mesh.h>
 
 #include <array>
 #include <cstdint>
@@ -27,14 +27,11 @@ namespace birdstrike
     void offer(FacetsView &view) const;
 
   private:
-    static constexpr std::int32_t outside = -1, symmetry = -2;
     using Quadrilateral = std::array<std::uint32_t, 4>;
 
-    void         find_neighbors();
     std::int32_t facet_across(std::size_t cell, unsigned int face, std::uint32_t a, std::uint32_t b) const;
 
     const VolumeMesh                        &mesh;
-    std::vector<std::array<std::int32_t, 6>> across; ///< [cells][faces], cell behind a face, outside or symmetry
     std::vector<std::array<std::int32_t, 6>> number; ///< [cells][faces], of the facet, or -1
     std::vector<Quadrilateral>               facets;
     std::vector<std::array<std::int32_t, 4>> neighbors;

@@ -1,7 +1,6 @@
 #include "mesh/blade_shape.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/mesh/shell_mesh.h>
-#include <birdstrike/mesh/solid_mesh.h>
+#include <birdstrike/mesh/blade_mesh.h>
 #include <birdstrike/structure/parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -35,10 +34,12 @@ namespace birdstrike
       return p;
     }
 
-    /// Node (i, j) of the grid: a shell keeps the generator's order until DoFs are distributed.
+    /// Node (i, j) of the grid, a corner of cell (i, j) or, at the far ends, of the one before.
     Point3 grid_node(const SurfaceMesh &mesh, const BladeParameters &p, const unsigned int i, const unsigned int j)
     {
-      return mesh.node(i * (p.mesh.n_chord + 1) + j);
+      const bool is_tip = i == p.mesh.n_span, is_trailing = j == p.mesh.n_chord;
+      return mesh.node(mesh.cells[(i - is_tip) * p.mesh.n_chord + j - is_trailing]
+                                 [is_tip + is_trailing + 2 * (is_trailing && !is_tip)]);
     }
 
     Point3 direction(const double degrees)
@@ -48,15 +49,13 @@ namespace birdstrike
 
     double shell_mass(const BladeParameters &p)
     {
-      ShellMesh mesh(p.mesh);
-      mesh.distribute_dofs();
+      ShellMesh mesh({p.mesh});
       return mesh.compute_mass(4430., make_thickness_law(p)).total;
     }
 
     double solid_mass(const BladeParameters &p)
     {
       SolidMesh mesh(p);
-      mesh.distribute_dofs();
       return mesh.compute_mass(4430.).total;
     }
 
@@ -65,22 +64,22 @@ namespace birdstrike
     {
       BladeParameters p;
       p.mesh.span_grading = 3.;
-      const ShellMesh plate(p.mesh);
+      const ShellMesh plate({p.mesh});
       p.mesh.generator = "blade";
-      const ShellMesh blade(p.mesh);
-      const auto     &a = plate.surface(), &b = blade.surface();
+      const ShellMesh blade({p.mesh});
+      const auto     &a = plate, &b = blade;
       ASSERT_EQ(a.nodes.size(), b.nodes.size());
       for (std::size_t n = 0; n < a.nodes.size(); ++n)
         EXPECT_LT((a.node(n) - b.node(n)).norm(), 1e-15);
       EXPECT_EQ(a.cells, b.cells);
-      EXPECT_EQ(a.boundary_ids(), b.boundary_ids());
+      EXPECT_EQ(a.boundary_ids, b.boundary_ids);
     }
 
     TEST(BladeGenerator, HasTheChordsAndStaggerAnglesOfTheDescription)
     {
       const BladeParameters p = fan_blade(20, 8);
-      const ShellMesh       shell(p.mesh);
-      const SurfaceMesh    &mesh = shell.surface();
+      const ShellMesh       shell({p.mesh});
+      const SurfaceMesh    &mesh = shell;
       for (const unsigned int i : {0u, 10u, 20u})
         {
           const double s       = i / 20.;
@@ -175,10 +174,10 @@ namespace birdstrike
       BladeParameters p = fan_blade(10, 6);
       p.mesh.n_layers   = 2;
       const SolidMesh    solid(p);
-      const ShellMesh    shell(p.mesh);
+      const ShellMesh    shell({p.mesh});
       const BladeShape   shape(p.mesh);
       const ThicknessLaw law  = make_thickness_law(p);
-      const VolumeMesh  &mesh = solid.volume();
+      const VolumeMesh  &mesh = solid;
       for (std::size_t below = 0; below < mesh.cells.size(); below += 2)
         for (unsigned int k = 0; k < 4; ++k)
           {
@@ -188,13 +187,13 @@ namespace birdstrike
             const double t    = law(middle.data(), 0);
             EXPECT_LT((high - low - t * shape.normal(sc[0], sc[1])).norm(), 1e-12);
             EXPECT_LT((0.5 * (high + low) - middle).norm(), 1e-16);
-            const std::uint32_t n = shell.surface().nearest_node(middle);
-            EXPECT_LT((shell.surface().node(n) - middle).norm(), 1e-16);
+            const std::uint32_t n = shell.nearest_node(middle).value();
+            EXPECT_LT((shell.node(n) - middle).norm(), 1e-16);
           }
-      EXPECT_EQ(mesh.boundary_ids(), (std::vector<unsigned int>{0, 1, 2, 3, 5, 6}));
+      EXPECT_EQ(mesh.boundary_ids, (std::vector<unsigned int>{0, 1, 2, 3, 5, 6}));
       // The leading edge is a face of a quarter of the largest thickness: 3 mm at the root, 1 mm at the tip.
       double thinnest = 1., thickest = 0.;
-      for (const auto &face : mesh.faces)
+      for (const auto &face : mesh.boundary)
         if (face.id == 2)
           for (unsigned int k = 0; k < 4; ++k)
             {

@@ -1,15 +1,12 @@
 #include "../structure/blade_case.h"
+#include "temporary_mesh.h"
 
 #include <birdstrike/core/errors.h>
-#include <birdstrike/mesh/shell_mesh.h>
+#include <birdstrike/mesh/blade_mesh.h>
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <numeric>
 
 namespace birdstrike
@@ -20,43 +17,13 @@ namespace birdstrike
 
     ShellMesh::Mass mass_of(const BladeParameters::Mesh &parameters, const ThicknessLaw &thickness)
     {
-      ShellMesh mesh(parameters);
-      mesh.distribute_dofs();
+      ShellMesh mesh({parameters});
       return mesh.compute_mass(4430., thickness);
     }
 
-    /// Writes a Gmsh 2.2 file of these nodes and quadrilaterals (or triangles) and reads it.
-    void read(const std::vector<std::array<double, 3>> &nodes, const std::vector<std::vector<int>> &cells)
+    ShellMesh read(const test::TemporaryMesh::Places &nodes, const test::TemporaryMesh::Cells &cells)
     {
-      const auto path =
-        std::filesystem::temp_directory_path() / ("birdstrike-mesh-" + std::to_string(getpid()) + ".msh");
-      std::ofstream out(path);
-      out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << nodes.size() << '\n';
-      for (std::size_t n = 0; n < nodes.size(); ++n)
-        out << n + 1 << ' ' << nodes[n][0] << ' ' << nodes[n][1] << ' ' << nodes[n][2] << '\n';
-      out << "$EndNodes\n$Elements\n" << cells.size() << '\n';
-      for (std::size_t c = 0; c < cells.size(); ++c)
-        {
-          out << c + 1 << (cells[c].size() == 4 ? " 3" : " 2") << " 2 1 1";
-          for (const int n : cells[c])
-            out << ' ' << n + 1;
-          out << '\n';
-        }
-      out << "$EndElements\n";
-      out.close();
-      BladeParameters::Mesh parameters;
-      parameters.generator = "file";
-      parameters.file      = path;
-      try
-        {
-          ShellMesh mesh(parameters);
-        }
-      catch (...)
-        {
-          std::filesystem::remove(path);
-          throw;
-        }
-      std::filesystem::remove(path);
+      return ShellMesh({test::TemporaryMesh(nodes, cells).parameters()});
     }
 
     // Round-off of some hundred additions: 1e-14.
@@ -99,8 +66,8 @@ namespace birdstrike
       p.n_span       = 10;
       p.n_chord      = 1;
       p.span_grading = 10.;
-      const ShellMesh mesh(p);
-      const auto     &s     = mesh.surface();
+      const ShellMesh mesh({p});
+      const auto     &s     = mesh;
       const double    first = s.area_vector(0).norm(), last = s.area_vector(9).norm();
       EXPECT_NEAR(last / first, 10., 1e-9);
     }
@@ -110,36 +77,32 @@ namespace birdstrike
       BladeParameters::Mesh from_file;
       from_file.generator = "file";
       from_file.file      = plate_file;
-      ShellMesh file(from_file), built((BladeParameters::Mesh()));
-      EXPECT_EQ(file.surface().nodes.size(), built.surface().nodes.size());
-      EXPECT_EQ(file.surface().boundary_ids(), (std::vector<unsigned int>{1, 2, 3, 4}));
-      EXPECT_EQ(built.surface().boundary_ids(), (std::vector<unsigned int>{0, 1, 2, 3}));
-      EXPECT_EQ(file.surface().rim_nodes({1}).size(), 9u);
-      EXPECT_EQ(file.surface().rim_nodes({4}).size(), 29u);
-      EXPECT_GT(file.surface().area_vector(0)[2], 0.);
-      EXPECT_EQ(file.surface().material_ids[5], 1u);
+      ShellMesh file({from_file}), built({BladeParameters::Mesh()});
+      EXPECT_EQ(file.nodes.size(), built.nodes.size());
+      EXPECT_EQ(file.boundary_ids, (std::vector<unsigned int>{1, 2, 3, 4}));
+      EXPECT_EQ(built.boundary_ids, (std::vector<unsigned int>{0, 1, 2, 3}));
+      EXPECT_EQ(file.nodes_on({1}).size(), 9u);
+      EXPECT_EQ(file.nodes_on({4}).size(), 29u);
+      EXPECT_GT(file.area_vector(0)[2], 0.);
+      EXPECT_EQ(file.material_ids[5], 1u);
     }
 
     // Gmsh 4.1 names boundary ids by the physical tags of its entities; 'File scale' turns millimetres into metres.
     TEST(ShellMesh, ReadsGmshFour)
     {
-      const auto path =
-        std::filesystem::temp_directory_path() / ("birdstrike-gmsh4-" + std::to_string(getpid()) + ".msh");
-      std::ofstream(path) << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
-                             "$Entities\n0 1 1 0\n1 0 0 0 0 1 0 1 7 0\n1 0 0 0 2 1 0 1 3 0\n$EndEntities\n"
-                             "$Nodes\n1 6 1 6\n2 1 0 6\n1\n2\n3\n4\n5\n6\n"
-                             "0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n$EndNodes\n"
-                             "$Elements\n2 3 1 3\n1 1 1 1\n1 1 4\n2 1 3 2\n2 1 2 5 4\n3 2 3 6 5\n$EndElements\n";
-      BladeParameters::Mesh p;
-      p.generator  = "file";
-      p.file       = path;
+      const test::TemporaryMesh file(
+        ".msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
+                "$Entities\n0 1 1 0\n1 0 0 0 0 1 0 1 7 0\n1 0 0 0 2 1 0 1 3 0\n$EndEntities\n"
+                "$Nodes\n1 6 1 6\n2 1 0 6\n1\n2\n3\n4\n5\n6\n"
+                "0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n$EndNodes\n"
+                "$Elements\n2 3 1 3\n1 1 1 1\n1 1 4\n2 1 3 2\n2 1 2 5 4\n3 2 3 6 5\n$EndElements\n");
+      auto p       = file.parameters();
       p.file_scale = 1e-3;
-      const ShellMesh mesh(p);
-      std::filesystem::remove(path);
-      EXPECT_EQ(mesh.surface().boundary_ids(), (std::vector<unsigned int>{0, 7}));
-      EXPECT_EQ(mesh.surface().rim_nodes({7}).size(), 2u);
-      EXPECT_EQ(mesh.surface().material_ids[0], 3u);
-      EXPECT_NEAR(mesh.surface().area_vector(0)[2], 1e-6, 1e-18);
+      const ShellMesh mesh({p});
+      EXPECT_EQ(mesh.boundary_ids, (std::vector<unsigned int>{0, 7}));
+      EXPECT_EQ(mesh.nodes_on({7}).size(), 2u);
+      EXPECT_EQ(mesh.material_ids[0], 3u);
+      EXPECT_NEAR(mesh.area_vector(0)[2], 1e-6, 1e-18);
     }
 
     TEST(ShellMesh, KnowsNeighboursAcrossEdges)
@@ -147,8 +110,8 @@ namespace birdstrike
       BladeParameters::Mesh p;
       p.n_span  = 3;
       p.n_chord = 2;
-      const ShellMesh mesh(p);
-      const auto     &s      = mesh.surface();
+      const ShellMesh mesh({p});
+      const auto     &s      = mesh;
       unsigned int    n_free = 0;
       for (std::size_t cell = 0; cell < s.cells.size(); ++cell)
         for (unsigned int side = 0; side < 4; ++side)
@@ -171,11 +134,11 @@ namespace birdstrike
       BladeParameters::Mesh p;
       p.generator = "file";
       p.file      = "no-such.msh";
-      EXPECT_THROW(ShellMesh{p}, InputError);
+      EXPECT_THROW(ShellMesh({p}), InputError);
       p.file = "plate.stl";
-      EXPECT_THROW(ShellMesh{p}, InputError);
+      EXPECT_THROW(ShellMesh({p}), InputError);
       p.file = std::string(BIRDSTRIKE_SOURCE_DIR) + "/meshes/README.md";
-      EXPECT_THROW(ShellMesh{p}, InputError);
+      EXPECT_THROW(ShellMesh({p}), InputError);
     }
 
     TEST(ShellMesh, RefusesBadCells)
@@ -205,13 +168,11 @@ namespace birdstrike
     // A cell numbered the other way round is turned, not refused: neighbours then agree on the normal.
     TEST(ShellMesh, TurnsCellsThatDisagree)
     {
-      SurfaceMesh mesh;
-      mesh.nodes = {{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}, {{0, 1, 0}}, {{1, 1, 0}}, {{2, 1, 0}}};
-      mesh.cells = {{{0, 1, 4, 3}}, {{1, 4, 5, 2}}};
-      update_topology(mesh);
+      const ShellMesh mesh = read({{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}, {{0, 1, 0}}, {{1, 1, 0}}, {{2, 1, 0}}},
+                                  {{0, 1, 4, 3}, {1, 4, 5, 2}});
       EXPECT_GT(mesh.area_vector(0)[2], 0.);
       EXPECT_GT(mesh.area_vector(1)[2], 0.);
-      EXPECT_EQ(mesh.neighbors[1][3], 0);
+      EXPECT_EQ(std::count(mesh.neighbors[1].begin(), mesh.neighbors[1].end(), 0), 1);
     }
   } // namespace
 } // namespace birdstrike

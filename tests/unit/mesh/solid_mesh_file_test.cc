@@ -1,17 +1,13 @@
 #include "solid_mesh_harness.h"
+#include "temporary_mesh.h"
 
 #include <birdstrike/core/errors.h>
-#include <birdstrike/mesh/shell_mesh.h>
-
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <birdstrike/mesh/blade_mesh.h>
 
 namespace birdstrike
 {
   using namespace solid_mesh_harness;
+  using test::TemporaryMesh;
 
   namespace
   {
@@ -25,42 +21,7 @@ namespace birdstrike
       return p;
     }
 
-    /// A mesh file that lives as long as this object.
-    class TemporaryFile
-    {
-    public:
-      TemporaryFile(const std::string &ending, const std::string &text)
-        : path(std::filesystem::temp_directory_path() / ("birdstrike-solid-" + std::to_string(getpid()) + ending))
-      {
-        std::ofstream(path) << text;
-      }
-      ~TemporaryFile()
-      {
-        std::filesystem::remove(path);
-      }
-      const std::filesystem::path path;
-    };
-
-    using Places = std::vector<std::array<double, 3>>;
-
-    /// Gmsh 2.2 text of hexahedra, or of whatever has as many nodes.
-    std::string gmsh(const Places &nodes, const std::vector<std::vector<int>> &cells)
-    {
-      std::ostringstream out;
-      out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << nodes.size() << '\n';
-      for (std::size_t n = 0; n < nodes.size(); ++n)
-        out << n + 1 << ' ' << nodes[n][0] << ' ' << nodes[n][1] << ' ' << nodes[n][2] << '\n';
-      out << "$EndNodes\n$Elements\n" << cells.size() << '\n';
-      for (std::size_t c = 0; c < cells.size(); ++c)
-        {
-          out << c + 1 << (cells[c].size() == 8 ? " 5" : " 4") << " 2 1 1";
-          for (const int n : cells[c])
-            out << ' ' << n + 1;
-          out << '\n';
-        }
-      out << "$EndElements\n";
-      return out.str();
-    }
+    using Places = TemporaryMesh::Places;
 
     const Places           cube{{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}},
                       {{0, 0, 1}}, {{1, 0, 1}}, {{1, 1, 1}}, {{0, 1, 1}}};
@@ -84,7 +45,7 @@ namespace birdstrike
     /// The same of reading these cells.
     std::string complaint(const Places &nodes, const std::vector<std::vector<int>> &cells)
     {
-      const TemporaryFile file(".msh", gmsh(nodes, cells));
+      const TemporaryMesh file(nodes, cells, 3);
       return message([&] { const SolidMesh mesh(from_file(file.path)); });
     }
 
@@ -97,10 +58,10 @@ namespace birdstrike
     {
       SolidMesh         file(from_file(meshes + "plate-14x4x2.msh"));
       const SolidMesh   built(plate(14, 4, 2));
-      const VolumeMesh &a = file.volume(), &b = built.volume();
+      const VolumeMesh &a = file, &b = built;
       EXPECT_EQ(a.nodes.size(), b.nodes.size());
       EXPECT_EQ(a.n_skin_nodes, b.n_skin_nodes);
-      EXPECT_EQ(a.boundary_ids(), (Ids{1, 2, 3, 4, 5, 6}));
+      EXPECT_EQ(a.boundary_ids, (Ids{1, 2, 3, 4, 5, 6}));
       EXPECT_EQ(a.layers, 0u);
       EXPECT_EQ(a.material_ids[7], 1u);
       for (const auto &[of_file, of_plate] : {std::pair(1u, 0u), {2u, 1u}, {3u, 2u}, {4u, 3u}, {5u, 5u}, {6u, 6u}})
@@ -108,7 +69,6 @@ namespace birdstrike
       for (const auto n : a.nodes_on({6}))
         EXPECT_NEAR(a.nodes[n][2], 0.5 * 0.00427, 1e-12);
       EXPECT_EQ(expect_closed(a.skin), 0u);
-      file.distribute_dofs();
       EXPECT_NEAR(file.compute_mass(4430.).total / (4430. * 0.3112 * 0.0889 * 0.00427), 1., 1e-9) << "ten digits";
     }
 
@@ -132,16 +92,16 @@ namespace birdstrike
       for (const auto &[ending, text] :
            {std::pair(".msh", gmsh4), {".inp", ucd}, {".vtk", vtk}, {"-abaqus.inp", abaqus}})
         {
-          const TemporaryFile file(ending, text);
+          const TemporaryMesh file(ending, text);
           BladeParameters     p = from_file(file.path);
           p.mesh.file_scale     = 1e-3;
           const SolidMesh   solid(p);
-          const VolumeMesh &mesh = solid.volume();
+          const VolumeMesh &mesh = solid;
           ASSERT_EQ(mesh.cells.size(), 1u) << ending;
           EXPECT_EQ(mesh.n_skin_nodes, 8u) << ending;
-          EXPECT_NEAR(mesh.volume(0), 1e-9, 1e-21) << ending;
+          EXPECT_NEAR(solid.compute_mass(1.).total, 1e-9, 1e-21) << ending;
           EXPECT_EQ(mesh.material_ids[0], 3u) << ending;
-          EXPECT_EQ(mesh.boundary_ids(), (Ids{0, 7})) << ending;
+          EXPECT_EQ(mesh.boundary_ids, (Ids{0, 7})) << ending;
           for (const auto n : mesh.nodes_on({7}))
             EXPECT_EQ(mesh.nodes[n][0], 0.) << ending;
           EXPECT_EQ(mesh.nodes_on({7}).size(), 4u) << ending;
@@ -153,7 +113,7 @@ namespace birdstrike
       const auto solid = message([] { const SolidMesh mesh(from_file(meshes + "plate-28x8.msh")); });
       EXPECT_TRUE(says(solid, "holds 224 quadrilaterals, but hexahedra are needed")) << solid;
       EXPECT_TRUE(says(solid, "Set Blade/Kind = shell")) << solid;
-      const auto shell = message([] { const ShellMesh mesh(from_file(meshes + "plate-14x4x2.msh").mesh); });
+      const auto shell = message([] { const ShellMesh mesh(from_file(meshes + "plate-14x4x2.msh")); });
       EXPECT_TRUE(says(shell, "holds 112 hexahedra, but quadrilaterals of the mid-surface are needed")) << shell;
       EXPECT_TRUE(says(shell, "Set Blade/Kind = solid")) << shell;
     }
@@ -164,15 +124,15 @@ namespace birdstrike
                                   "7, 1, 1, 1\n8, 0, 1, 1\n";
       const std::string   brick = "*ELEMENT, TYPE=C3D8, ELSET=EB1\n1, 1, 2, 3, 4, 5, 6, 7, 8\n";
       const std::string   shell = "*ELEMENT, type=S4R, ELSET=EB1\n1, 1, 2, 3, 4\n";
-      const TemporaryFile bricks(".inp", "*HEADING\n" + nodes + brick);
+      const TemporaryMesh bricks(".inp", "*HEADING\n" + nodes + brick);
       EXPECT_NO_THROW(SolidMesh{from_file(bricks.path)});
-      const auto of_bricks = message([&] { const ShellMesh mesh(from_file(bricks.path).mesh); });
+      const auto of_bricks = message([&] { const ShellMesh mesh(from_file(bricks.path)); });
       EXPECT_TRUE(says(of_bricks, "holds 1 hexahedra")) << of_bricks;
-      const TemporaryFile shells("-s.inp", "*HEADING\n" + nodes.substr(0, nodes.find("5, 0")) + shell);
-      EXPECT_NO_THROW(ShellMesh{from_file(shells.path).mesh});
+      const TemporaryMesh shells("-s.inp", "*HEADING\n" + nodes.substr(0, nodes.find("5, 0")) + shell);
+      EXPECT_NO_THROW(ShellMesh{from_file(shells.path)});
       const auto of_shells = message([&] { const SolidMesh mesh(from_file(shells.path)); });
       EXPECT_TRUE(says(of_shells, "holds 1 quadrilaterals")) << of_shells;
-      const TemporaryFile both("-b.inp", "*HEADING\n" + nodes + shell + brick);
+      const TemporaryMesh both("-b.inp", "*HEADING\n" + nodes + shell + brick);
       EXPECT_TRUE(says(message([&] { const SolidMesh mesh(from_file(both.path)); }), "is not a mesh of hexahedra"));
     }
 
@@ -182,7 +142,7 @@ namespace birdstrike
       EXPECT_THROW(SolidMesh{from_file("no-such.inp")}, InputError);
       EXPECT_THROW(SolidMesh{from_file("plate.stl")}, InputError);
       EXPECT_THROW(SolidMesh{from_file(meshes + "README.md")}, InputError);
-      const TemporaryFile nonsense(".msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n");
+      const TemporaryMesh nonsense(".msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n");
       EXPECT_THROW(SolidMesh{from_file(nonsense.path)}, InputError);
     }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <birdstrike/core/contact_views.h>
-#include <birdstrike/mesh/solid_mesh.h>
+#include <birdstrike/mesh/blade_mesh.h>
 #include <birdstrike/structure/parameters.h>
 
 #include <gtest/gtest.h>

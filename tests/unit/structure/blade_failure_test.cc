@@ -50,8 +50,7 @@ namespace birdstrike
           mesh.nodes.push_back({{x, y, 0.}});
       for (const std::uint32_t i : {0u, 1u, 2u})
         mesh.cells.push_back({{i, i + 1, i + 5, i + 4}});
-      update_topology(mesh);
-      mesh.neighbors[2][0] = FacetsView::symmetry_edge;
+      mesh.neighbors = {{-1, 1, -1, -1}, {-1, 2, -1, 0}, {FacetsView::symmetry_edge, -1, -1, 1}};
       ContactSurface surface(mesh, {0.1, 0.2, 0.3});
       FacetsView     view;
       surface.offer(view);

@@ -1,5 +1,5 @@
 #include "structure/surface/eroding_skin.h"
-#include <birdstrike/mesh/solid_mesh.h>
+#include <birdstrike/mesh/blade_mesh.h>
 #include <birdstrike/structure/parameters.h>
 
 #include <gtest/gtest.h>
@@ -63,16 +63,16 @@ namespace birdstrike
     TEST(ErodingSkin, IsTheMeshsOwnUntilSomethingGoes)
     {
       const SolidMesh mesh(box(3, 2, 2));
-      ErodingSkin     skin(mesh.volume());
+      ErodingSkin     skin(mesh);
       FacetsView      view;
       skin.offer(view);
-      EXPECT_EQ(view.nodes, mesh.volume().skin.cells.data());
+      EXPECT_EQ(view.nodes, mesh.skin.cells.data());
       EXPECT_FALSE(view.two_sided);
       skin.remove([](const std::size_t) { return false; }); // made anew it is the same surface
       FacetsView again;
       skin.offer(again);
       ASSERT_EQ(again.n_facets, view.n_facets);
-      EXPECT_EQ(expect_closed(mesh.volume(), again), again.n_facets);
+      EXPECT_EQ(expect_closed(mesh, again), again.n_facets);
       std::map<std::set<std::uint32_t>, int> facets;
       for (std::size_t f = 0; f < view.n_facets; ++f)
         {
@@ -88,34 +88,34 @@ namespace birdstrike
     {
       // 3 x 1 x 1: the middle goes, two boxes are left
       const SolidMesh row(box(3, 1, 1));
-      ErodingSkin     skin(row.volume());
+      ErodingSkin     skin(row);
       FacetsView      view;
-      skin.remove([&](const std::size_t c) { return std::abs(row.volume().centroid(c)[0] - 0.025) < 1e-6; });
+      skin.remove([&](const std::size_t c) { return std::abs(row.centroid(c)[0] - 0.025) < 1e-6; });
       skin.offer(view);
       EXPECT_EQ(view.n_facets, 12u);
-      EXPECT_EQ(expect_closed(row.volume(), view), 6u);
+      EXPECT_EQ(expect_closed(row, view), 6u);
 
       // 3 x 3 x 3: the middle goes, a hollow is left whose six facets see only one another
       const SolidMesh cube(box(3, 3, 3));
-      ErodingSkin     hollow(cube.volume());
+      ErodingSkin     hollow(cube);
       const auto      is_middle = [&](const std::size_t c) {
-        return (cube.volume().centroid(c) - Point3(0.025, 0., 0.)).norm() < 1e-6;
+        return (cube.centroid(c) - Point3(0.025, 0., 0.)).norm() < 1e-6;
       };
       hollow.remove(is_middle);
       hollow.offer(view);
       EXPECT_EQ(view.n_facets, 54u + 6u);
-      EXPECT_EQ(expect_closed(cube.volume(), view) % 48, 6u) << "outer skin or hollow, not both";
+      EXPECT_EQ(expect_closed(cube, view) % 48, 6u) << "outer skin or hollow, not both";
 
       // 2 x 2 x 1, two diagonal ones go: those left touch at an edge only and stay apart
       const SolidMesh four(box(2, 2, 1));
-      ErodingSkin     diagonal(four.volume());
+      ErodingSkin     diagonal(four);
       diagonal.remove([&](const std::size_t c) {
-        const Point3 x = four.volume().centroid(c);
+        const Point3 x = four.centroid(c);
         return (x[0] < 0.025) == (x[1] < 0.);
       });
       diagonal.offer(view);
       EXPECT_EQ(view.n_facets, 12u);
-      EXPECT_EQ(expect_closed(four.volume(), view), 6u);
+      EXPECT_EQ(expect_closed(four, view), 6u);
     }
 
     TEST(ErodingSkin, FacesInThePlaneOfSymmetryAreNoFacets)
@@ -123,16 +123,16 @@ namespace birdstrike
       auto p      = box(3, 4, 1);
       p.is_halved = true;
       const SolidMesh half(p);
-      ErodingSkin     skin(half.volume());
+      ErodingSkin     skin(half);
       FacetsView      view;
-      skin.remove([&](const std::size_t c) { return std::abs(half.volume().centroid(c)[0] - 0.025) < 1e-6; });
+      skin.remove([&](const std::size_t c) { return std::abs(half.centroid(c)[0] - 0.025) < 1e-6; });
       skin.offer(view);
       std::size_t n_symmetry = 0;
       for (std::size_t f = 0; f < view.n_facets; ++f)
         for (unsigned int k = 0; k < 4; ++k)
           {
             const bool is_on_plane =
-              half.volume().node(view.nodes[f][k])[1] == 0. && half.volume().node(view.nodes[f][(k + 1) % 4])[1] == 0.;
+              half.node(view.nodes[f][k])[1] == 0. && half.node(view.nodes[f][(k + 1) % 4])[1] == 0.;
             EXPECT_EQ(view.neighbor[f][k] == FacetsView::symmetry_edge, is_on_plane);
             n_symmetry += is_on_plane;
           }

@@ -1,9 +1,10 @@
+#include "../mesh/temporary_mesh.h"
 #include "blade_case.h"
 #include "frequencies.h"
 
 #include "structure/rigid_plate.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/mesh/shell_mesh.h>
+#include <birdstrike/mesh/blade_mesh.h>
 #include <birdstrike/structure/make_blade.h>
 
 #include <gtest/gtest.h>
@@ -144,27 +145,27 @@ namespace birdstrike
   {
     BladeParameters::Mesh mesh;
     mesh.n_chord = 7;
-    EXPECT_THROW(ShellMesh(mesh, true), InputError);
+    EXPECT_THROW(ShellMesh({mesh, {}, true}), InputError);
     mesh.n_chord       = 8;
     mesh.chord_grading = 2.;
-    EXPECT_THROW(ShellMesh(mesh, true), InputError);
+    EXPECT_THROW(ShellMesh({mesh, {}, true}), InputError);
 
-    // a quadrilateral that reaches below the plane, one on it, one above it
+    // a plate of which a file has more than the half, the half, less than it
     for (const auto &[lowest, is_fine] : {std::pair(-0.1, false), std::pair(0., true), std::pair(0.1, false)})
       {
-        SurfaceMesh square;
-        square.nodes     = {{{0., lowest, 0.}}, {{1., lowest, 0.}}, {{1., 1., 0.}}, {{0., 1., 0.}}};
-        square.cells     = {{{0, 1, 2, 3}}};
-        square.neighbors = {{{-1, -1, -1, -1}}};
-        if (is_fine)
+        const test::TemporaryMesh file({{{0., lowest, 0.}}, {{1., lowest, 0.}}, {{1., 1., 0.}}, {{0., 1., 0.}}},
+                                       {{0, 1, 2, 3}});
+        if (!is_fine)
           {
-            cut_at_symmetry_plane(square);
-            EXPECT_EQ(square.symmetry_nodes, (std::vector<std::uint32_t>{0, 1}));
-            EXPECT_EQ(square.neighbors[0][0], FacetsView::symmetry_edge);
-            EXPECT_EQ(square.neighbors[0][1], FacetsView::free_edge);
+            EXPECT_THROW(ShellMesh({file.parameters(), {}, true}), InputError);
+            continue;
           }
-        else
-          EXPECT_THROW(cut_at_symmetry_plane(square), InputError);
+        const ShellMesh square({file.parameters(), {}, true});
+        ASSERT_EQ(square.symmetry_nodes.size(), 2u);
+        for (const auto n : square.symmetry_nodes)
+          EXPECT_EQ(square.nodes[n][1], 0.);
+        EXPECT_EQ(std::count(square.neighbors[0].begin(), square.neighbors[0].end(), FacetsView::symmetry_edge), 1);
+        EXPECT_EQ(std::count(square.neighbors[0].begin(), square.neighbors[0].end(), FacetsView::free_edge), 3);
       }
   }
 
