@@ -18,15 +18,7 @@ namespace birdstrike
       if (row.values.empty())
         return row.texts[run].empty() ? nothing : row.texts[run];
       const double value = row.values[run];
-      if (std::isnan(value))
-        return nothing;
-      if (row.unit == "count")
-        return format_count(static_cast<std::uint64_t>(std::llround(value)));
-      if (row.unit == "B")
-        return format_bytes(value);
-      if (row.unit == "share")
-        return format_share(value);
-      return format_quantity(value, row.unit);
+      return std::isnan(value) ? nothing : format_value(value, row.unit);
     }
 
     std::string show_difference(const ComparisonRow &row, const std::size_t run)

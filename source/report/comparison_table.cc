@@ -1,10 +1,10 @@
 #include "report/comparison_table.h"
 #include "report/curve_features.h"
+#include "report/quantities.h"
 #include <birdstrike/report/text.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace birdstrike
@@ -13,69 +13,42 @@ namespace birdstrike
   {
     constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
-    using Value = std::function<double(const RunRecord &)>;
-
-    Value number(const std::string &key)
+    bool is_rigid(const RunRecord &run)
     {
-      return [key](const RunRecord &run) { return run.number(key); };
+      return run.summary().text("blade/kind") == "rigid"; // as summary.json has it
     }
 
-    /// Of results that only a deformable blade has: a rigid one reports zeros.
-    Value of_deformable(const std::string &key)
+    /// Whether a run has what a quantity speaks of: a rigid blade, or no contact, reports zeros.
+    bool has(const RunRecord &run, const Subject subject)
     {
-      return [key](const RunRecord &run) {
-        return run.column("root_bending_moment").empty() || run.text("blade/kind") == "rigid" ? absent
-                                                                                              : run.number(key);
-      };
-    }
-
-    Value of_contact(const std::string &key)
-    {
-      return [key](const RunRecord &run) { return run.column("contact_force_x").empty() ? absent : run.number(key); };
+      return subject == Subject::blade     ? !run.column("root_bending_moment").empty() && !is_rigid(run)
+             : subject == Subject::contact ? !run.column("contact_force_x").empty()
+                                           : true;
     }
 
     double compute_impulse(const RunRecord &run)
     {
-      return run.column("contact_force_x").empty()
+      const Summary &summary = run.summary();
+      return !has(run, Subject::contact)
                ? absent
-               : std::hypot(run.number("contact/impulse/0"), run.number("contact/impulse/1"),
-                            run.number("contact/impulse/2"));
+               : std::hypot(summary.number("contact/impulse/0"), summary.number("contact/impulse/1"),
+                            summary.number("contact/impulse/2"));
     }
 
     /// What the blade has at the end, less what it had at the start: a spinning blade brings energy of its own.
     double compute_absorbed(const RunRecord &run)
     {
-      if (run.text("blade/kind") == "none" || run.column("blade_kinetic").empty())
+      if (run.summary().text("blade/kind") == "none" || run.column("blade_kinetic").empty() || !run.is_complete())
         return absent;
-      double initial = 0.;
-      for (const std::string part : {"kinetic", "elastic", "plastic", "hourglass", "viscous", "damped", "eroded"})
-        if (const auto &column = run.column("blade_" + part); !column.empty())
+      double initial = 0., final = 0.;
+      for (const LedgerEntry &entry : ledger)
+        if (const auto &column = run.column(std::string(entry.column));
+            entry.part == &SystemState::blade && entry.rules().account == Account::held && !column.empty())
           initial += column.front();
-      return run.sum("energy/parts/blade_") - initial;
-    }
-
-    ComparisonRow make_row(const std::string &group, const std::string &quantity, const std::string &unit,
-                           const std::vector<ComparedRun> &runs, const Value &value)
-    {
-      ComparisonRow row{group, quantity, unit, {}, {}};
-      for (const ComparedRun &run : runs)
-        row.values.push_back(value(run.record));
-      return row;
-    }
-
-    ComparisonRow make_text_row(const std::string &group, const std::string &property,
-                                const std::vector<ComparedRun>                      &runs,
-                                const std::function<std::string(const RunRecord &)> &text)
-    {
-      ComparisonRow row{group, property, "", {}, {}};
-      for (const ComparedRun &run : runs)
-        row.texts.push_back(text(run.record));
-      return row;
-    }
-
-    std::string describe_end(const RunRecord &run)
-    {
-      return run.is_complete() ? run.text("end/reason") : "lost";
+      for (const auto &[part, energy] : run.summary().json.at("energy").at("parts").items())
+        if (part.starts_with("blade_") && energy.is_number())
+          final += energy.get<double>();
+      return final - initial;
     }
   } // namespace
 
@@ -95,32 +68,52 @@ namespace birdstrike
                             "' was lost: " + (run.record.state().empty() ? "it left no state" : run.record.state()) +
                             ". Its curves go as far as it came.");
       }
-    add_row(make_text_row("Case", "blade", runs, [](const RunRecord &run) { return run.text("blade/kind"); }));
-    add_row(make_row("Case", "elements", "count", runs, number("blade/elements")));
-    add_row(make_row("Case", "particles", "count", runs, number("bird/particles")));
-    add_row(make_text_row("Case", "ended", runs, describe_end));
-    add_row(make_row("Case", "end time", "s", runs, number("end/time")));
-    add_blade(runs);
-    add_row(make_row("Contact", "peak force", "N", runs, of_contact("contact/peak_force")));
-    add_row(make_row("Contact", "impulse (norm)", "N s", runs, compute_impulse));
-    add_row(make_row("Contact", "largest penetration over spacing", "-", runs,
-                     of_contact("contact/max_penetration_over_spacing")));
-    add_cost(runs);
+    add_texts("Case", "blade/kind", runs);
+    add("Case", {"blade/elements", "bird/particles"}, runs);
+    add_texts("Case", "end/reason", runs, "lost");
+    add("Case", {"end/time"}, runs);
+    add("Tip", {"tip/peak", "tip/peak_time", "tip/final"}, runs);
+    add_permanent_deflection(runs);
+    add("Root", {"root/peak_force", "root/peak_moment", "root/peak_normal_stress", "root/peak_normal_stress_time"},
+        runs);
+    add("Plasticity", {"plastic/max_strain", "plastic/work"}, runs);
+    add_computed("Energy", "absorbed by the blade (end less start)", "J", runs, compute_absorbed);
+    add("Contact", {"contact/peak_force"}, runs);
+    add_computed("Contact", "impulse (norm)", "N s", runs, compute_impulse);
+    add("Contact", {"contact/max_penetration_over_spacing"}, runs);
+    add("Balance", {"energy/max_relative_error", "energy/max_hourglass_over_internal"}, runs);
+    add("Cost", {"steps/blade", "steps/bird", "cost/wall", "cost/threads", "cost/peak_memory"}, runs);
   }
 
-  void ComparisonTable::add_blade(const std::vector<ComparedRun> &runs)
+  void ComparisonTable::add(const std::string &group, const std::initializer_list<const char *> keys,
+                            const std::vector<ComparedRun> &runs)
   {
-    add_row(make_row("Tip", "peak (mid-chord)", "m", runs, of_deformable("tip/peak")));
-    add_row(make_row("Tip", "time of the peak", "s", runs, of_deformable("tip/peak_time")));
-    add_row(make_row("Tip", "deflection at the end", "m", runs, of_deformable("tip/final")));
-    add_permanent_deflection(runs);
-    add_row(make_row("Root", "peak force", "N", runs, of_deformable("root/peak_force")));
-    add_row(make_row("Root", "peak bending moment", "N m", runs, of_deformable("root/peak_moment")));
-    add_row(make_row("Root", "peak normal stress", "Pa", runs, of_deformable("root/peak_normal_stress")));
-    add_row(make_row("Root", "time of the peak stress", "s", runs, of_deformable("root/peak_normal_stress_time")));
-    add_row(make_row("Plasticity", "peak plastic strain", "-", runs, of_deformable("plastic/max_strain")));
-    add_row(make_row("Plasticity", "plastic work", "J", runs, of_deformable("plastic/work")));
-    add_row(make_row("Energy", "absorbed by the blade (end less start)", "J", runs, compute_absorbed));
+    for (const char *key : keys)
+      {
+        const Quantity &each = quantity(key);
+        add_computed(group, each.text, each.unit, runs, [&](const RunRecord &run) {
+          return has(run, each.subject) ? run.summary().number(each.key) : absent;
+        });
+      }
+  }
+
+  void ComparisonTable::add_computed(const std::string &group, const std::string &text, const std::string &unit,
+                                     const std::vector<ComparedRun>                 &runs,
+                                     const std::function<double(const RunRecord &)> &value)
+  {
+    ComparisonRow row{group, text, unit, {}, {}};
+    for (const ComparedRun &run : runs)
+      row.values.push_back(value(run.record));
+    add_row(std::move(row));
+  }
+
+  void ComparisonTable::add_texts(const std::string &group, const std::string &key,
+                                  const std::vector<ComparedRun> &runs, const std::string &of_lost)
+  {
+    ComparisonRow row{group, quantity(key).text, "", {}, {}};
+    for (const ComparedRun &run : runs)
+      row.texts.push_back(run.record.is_complete() ? run.record.summary().text(key) : of_lost);
+    add_row(std::move(row));
   }
 
   void ComparisonTable::add_permanent_deflection(const std::vector<ComparedRun> &runs)
@@ -137,8 +130,7 @@ namespace birdstrike
         if (mean)
           how += (how.empty() ? "" : "; ") + run.name + ": " + format_quantity(mean->period, "s") + " from " +
                  format_quantity(mean->begin, "s");
-        else if (record.is_complete() && !record.column("tip_mid_chord").empty() &&
-                 record.text("blade/kind") != "rigid")
+        else if (record.is_complete() && !record.column("tip_mid_chord").empty() && !is_rigid(record))
           without += (without.empty() ? "'" : ", '") + run.name + "'";
       }
     add_row(row);
@@ -148,18 +140,6 @@ namespace birdstrike
     if (!without.empty())
       remarks.push_back("Permanent deflection: none for " + without +
                         ", no whole period after the tip's peak; a later Time/End time gives it.");
-  }
-
-  void ComparisonTable::add_cost(const std::vector<ComparedRun> &runs)
-  {
-    add_row(make_row("Balance", "largest energy error", "share", runs, number("energy/max_relative_error")));
-    add_row(make_row("Balance", "hourglass over internal, at most", "share", runs,
-                     of_deformable("energy/max_hourglass_over_internal")));
-    add_row(make_row("Cost", "steps of the blade", "count", runs, number("steps/blade")));
-    add_row(make_row("Cost", "steps of the bird", "count", runs, number("steps/bird")));
-    add_row(make_row("Cost", "run time", "s", runs, number("cost/wall")));
-    add_row(make_row("Cost", "threads", "count", runs, number("cost/threads")));
-    add_row(make_row("Cost", "peak memory", "B", runs, number("cost/peak_memory")));
   }
 
   void ComparisonTable::add_row(ComparisonRow row)

@@ -2,6 +2,7 @@
 
 #include "report/run_record.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,9 +51,13 @@ namespace birdstrike
     std::vector<ComparisonRow> all;
     std::vector<std::string>   remarks;
 
-    void add_blade(const std::vector<ComparedRun> &runs);
+    /// Quantities of summary.json, in the words and units of quantities.h.
+    void add(const std::string &group, std::initializer_list<const char *> keys, const std::vector<ComparedRun> &runs);
+    void add_texts(const std::string &group, const std::string &key, const std::vector<ComparedRun> &runs,
+                   const std::string &of_lost = "");
+    void add_computed(const std::string &group, const std::string &text, const std::string &unit,
+                      const std::vector<ComparedRun> &runs, const std::function<double(const RunRecord &)> &value);
     void add_permanent_deflection(const std::vector<ComparedRun> &runs);
-    void add_cost(const std::vector<ComparedRun> &runs);
     void add_row(ComparisonRow row);
   };
 

@@ -1,10 +1,7 @@
 #include "report/run_record.h"
 
-#include <nlohmann/json.hpp>
-
 #include <charconv>
 #include <fstream>
-#include <limits>
 #include <stdexcept>
 
 #include "report/history_hdf5.h"
@@ -13,8 +10,6 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-
     /// The fields of a line of history.csv, which quotes nothing.
     std::vector<std::string> split(const std::string &line)
     {
@@ -59,16 +54,9 @@ namespace birdstrike
     std::ifstream in(file);
     if (!in)
       return;
-    const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
-    if (!json.is_object())
+    outcome.json = nlohmann::ordered_json::parse(in, nullptr, false);
+    if (!outcome.json.is_object())
       throw std::runtime_error("Cannot read " + file.string() + ": it is no JSON object.");
-    has_summary               = true;
-    const nlohmann::json flat = json.flatten();
-    for (const auto &[path, value] : flat.items())
-      if (const std::string key = path.substr(1); value.is_number())
-        numbers[key] = value.get<double>();
-      else if (value.is_string())
-        texts[key] = value.get<std::string>();
   }
 
   void RunRecord::read_history()
@@ -109,7 +97,7 @@ namespace birdstrike
 
   bool RunRecord::is_complete() const
   {
-    return has_summary;
+    return !outcome.json.is_null();
   }
 
   const std::string &RunRecord::state() const
@@ -117,24 +105,9 @@ namespace birdstrike
     return marker;
   }
 
-  double RunRecord::number(const std::string &key) const
+  const Summary &RunRecord::summary() const
   {
-    const auto found = numbers.find(key);
-    return found == numbers.end() ? absent : found->second;
-  }
-
-  std::string RunRecord::text(const std::string &key) const
-  {
-    const auto found = texts.find(key);
-    return found == texts.end() ? "" : found->second;
-  }
-
-  double RunRecord::sum(const std::string &key_begin) const
-  {
-    double total = absent;
-    for (auto at = numbers.lower_bound(key_begin); at != numbers.end() && at->first.starts_with(key_begin); ++at)
-      total = (total == total ? total : 0.) + at->second;
-    return total;
+    return outcome;
   }
 
   const std::vector<double> &RunRecord::column(const std::string &name) const

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/report/summary.h>
+
 #include <filesystem>
 #include <map>
 #include <string>
@@ -8,7 +10,7 @@
 namespace birdstrike
 {
   /// What a run has left in its folder, read back: summary.json, history.csv, results.h5. SI units, names and keys are
-  /// those of Summary and of the recorder's columns. A run that was lost has curves up to its end and no summary.
+  /// those of source/report/quantities.h. A run that was lost has curves up to its end and no summary.
   ///
   /// What is not there is absent (NaN, empty), never an error: runs differ in their parts. Raises std::runtime_error
   /// for a file that is there and cannot be read. Neither writes nor judges.
@@ -28,12 +30,8 @@ namespace birdstrike
     /// What the folder's marker says: "done", "failed: <first line of the message>", "running"; empty without one.
     const std::string &state() const;
 
-    /// A value of summary.json by its path, e.g. "tip/peak", "contact/impulse/2"; NaN if it is absent or null.
-    double number(const std::string &key) const;
-    /// The same for texts, e.g. "end/reason"; empty if it is absent.
-    std::string text(const std::string &key) const;
-    /// Sum of all numbers whose keys begin so, e.g. "energy/parts/blade_"; NaN if there is none.
-    double sum(const std::string &key_begin) const;
+    /// summary.json; without any key where there is none.
+    const Summary &summary() const;
 
     /// A column of history.csv [rows]; empty if it is absent.
     const std::vector<double> &column(const std::string &name) const;
@@ -46,9 +44,8 @@ namespace birdstrike
 
     std::filesystem::path                      directory;
     std::string                                marker;
-    bool                                       has_summary = false, has_files = true;
-    std::map<std::string, double>              numbers;
-    std::map<std::string, std::string>         texts;
+    bool                                       has_files = true;
+    Summary                                    outcome;
     std::map<std::string, std::vector<double>> columns;
 
     void read_summary();

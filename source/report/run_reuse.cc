@@ -23,7 +23,7 @@ namespace birdstrike
       for (std::size_t k = 0;; ++k)
         {
           const std::string key  = "inputs/" + std::to_string(k);
-          const InputFile   then = {run.text(key + "/name"), run.text(key + "/fingerprint")};
+          const InputFile   then = {run.summary().text(key + "/name"), run.summary().text(key + "/fingerprint")};
           if (k == now.size())
             return then.name;
           if (now[k] != then)
@@ -36,13 +36,13 @@ namespace birdstrike
     {
       if (!run.is_complete())
         return "there is no complete run";
-      if (run.text("program/version") != program_identity().version)
+      if (run.summary().text("program/version") != program_identity().version)
         return "another release of the program made it";
-      if (run.text("program/build") != program_identity().build)
+      if (run.summary().text("program/build") != program_identity().build)
         return "another build of the program made it";
-      if (run.text("end/reason") == stopped_by_signal)
+      if (run.summary().text("end/reason") == stopped_by_signal)
         return "a signal ended it";
-      if (run.text("end/reason") == stopped_by_clock)
+      if (run.summary().text("end/reason") == stopped_by_clock)
         return "Time/Maximum wall time ended it, which depends on the machine";
       if (run.state() != "done")
         return "its state is '" + run.state() + "'";

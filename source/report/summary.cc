@@ -1,78 +1,82 @@
+#include "report/quantities.h"
 #include <birdstrike/report/summary.h>
 
 #include <sys/resource.h>
 
-#include <nlohmann/json.hpp>
+#include <limits>
 
 namespace birdstrike
 {
   namespace
   {
-    /// Keys in the order of the members.
-    nlohmann::ordered_json make_json(const Summary &s)
+    using Json    = nlohmann::ordered_json;
+    using Pointer = Json::json_pointer;
+
+    Json value_of(const Quantity &quantity, const RunView &run)
     {
-      nlohmann::ordered_json json;
-      json["case"]    = s.case_name;
-      json["program"] = {{"version", s.program.version}, {"build", s.program.build}};
-      json["inputs"]  = nlohmann::ordered_json::array();
-      for (const InputFile &file : s.inputs)
-        json["inputs"].push_back({{"name", file.name}, {"fingerprint", file.fingerprint}});
-      json["end"]     = {{"time", s.end.time}, {"reason", s.end.reason}};
-      json["blade"]   = {{"kind", s.blade.kind},
-                         {"elements", s.blade.elements},
-                         {"nodes", s.blade.nodes},
-                         {"mass", s.blade.mass},
-                         {"added_rotary_inertia", s.blade.added_rotary_inertia}};
-      json["bird"]    = {{"particles", s.bird.particles},
-                         {"mass", s.bird.mass},
-                         {"kinetic_energy", s.bird.kinetic_energy},
-                         {"momentum", s.bird.momentum}};
-      json["steps"]   = {{"blade", s.steps.blade}, {"bird", s.steps.bird}};
-      json["tip"]     = {{"peak", s.tip.peak}, {"peak_time", s.tip.peak_time}, {"final", s.tip.final}};
-      json["root"]    = {{"peak_normal_stress", s.root.peak_normal_stress},
-                         {"peak_normal_stress_time", s.root.peak_normal_stress_time},
-                         {"peak_moment", s.root.peak_moment},
-                         {"peak_force", s.root.peak_force}};
-      json["contact"] = {{"impulse", s.contact.impulse},
-                         {"peak_force", s.contact.peak_force},
-                         {"peak_force_time", s.contact.peak_force_time},
-                         {"max_penetration", s.contact.max_penetration},
-                         {"max_penetration_over_spacing", s.contact.max_penetration_over_spacing}};
-      json["plastic"] = {
-        {"max_strain", s.plastic.max_strain}, {"position", s.plastic.position}, {"work", s.plastic.work}};
-      json["failed"]           = {{"elements", s.failed.elements},   {"collapsed", s.failed.collapsed},
-                                  {"at_root", s.failed.at_root},     {"mass", s.failed.mass},
-                                  {"free_mass", s.failed.free_mass}, {"energy", s.failed.energy}};
-      json["energy"]           = {{"initial", s.energy.initial},
-                                  {"final", s.energy.final},
-                                  {"max_relative_error", s.energy.max_relative_error},
-                                  {"max_hourglass_over_internal", s.energy.max_hourglass_over_internal},
-                                  {"bird_internal", s.energy.bird_internal},
-                                  {"parts", nlohmann::ordered_json(s.energy.parts)},
-                                  {"error_origins", nlohmann::ordered_json(s.energy.error_origins)}};
-      json["momentum"]         = {{"max_relative_error", s.momentum.max_relative_error}};
-      json["angular_momentum"] = {{"max_relative_error", s.angular_momentum.max_relative_error}};
-      json["retired"] = {{"particles", s.retired.particles}, {"mass", s.retired.mass}, {"energy", s.retired.energy}};
-      json["skipped"] = nlohmann::ordered_json::object();
-      for (const SkippedWork &work : s.skipped)
-        json["skipped"][work.what] = {{"count", work.count}, {"unit", work.unit}, {"saved", work.saved}};
-      json["cost"] = {{"wall", s.cost.wall},
-                      {"threads", s.cost.threads},
-                      {"ns_per_particle_step", s.cost.ns_per_particle_step},
-                      {"ns_per_element_step", s.cost.ns_per_element_step},
-                      {"peak_memory", s.cost.peak_memory}};
-      return json;
+      return std::visit(
+        [&](const auto &source) -> Json {
+          if constexpr (std::is_same_v<std::decay_t<decltype(source)>, const LedgerEntry *>)
+            return source->value(run.shown.state());
+          else
+            return source(run);
+        },
+        quantity.value);
+    }
+
+    /// A value by its path, or nullptr.
+    const Json *find(const Json &json, const std::string &key)
+    {
+      const Pointer pointer("/" + key);
+      return json.contains(pointer) ? &json.at(pointer) : nullptr;
     }
   } // namespace
 
-  void to_json(nlohmann::json &json, const Summary &summary)
+  Summary::Summary(const RunView &run)
   {
-    json = make_json(summary);
+    json["case"] = nullptr;
+    for (const char *object :
+         {"program", "inputs", "end", "blade", "bird", "steps", "tip", "root", "contact", "plastic", "failed", "energy",
+          "momentum", "angular_momentum", "retired", "skipped", "cost"})
+      json[object] = Json::object();
+    json["inputs"] = Json::array();
+
+    std::map<std::string, Json> parts; // by name
+    const std::string           of_part = "energy/parts/";
+    for (const Quantity &each : quantities())
+      if (each.key.starts_with(of_part))
+        parts[each.key.substr(of_part.size())] = value_of(each, run);
+      else if (!each.key.empty())
+        json[Pointer("/" + each.key)] = value_of(each, run);
+    json["energy"]["parts"]         = parts;
+    const Balance::Origins from     = run.balance.origins();
+    json["energy"]["error_origins"] = {
+      {"bird", from.bird}, {"blade", from.blade}, {"contact", from.contact}, {"steps", from.steps}};
+    for (const SkippedWork &work : run.skipped)
+      json["skipped"][work.what] = {{"count", work.count}, {"unit", work.unit}, {"saved", work.saved}};
+  }
+
+  void Summary::set_inputs(const std::vector<InputFile> &files)
+  {
+    for (const InputFile &file : files)
+      json["inputs"].push_back({{"name", file.name}, {"fingerprint", file.fingerprint}});
+  }
+
+  double Summary::number(const std::string &key) const
+  {
+    const Json *value = find(json, key);
+    return value && value->is_number() ? value->get<double>() : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  std::string Summary::text(const std::string &key) const
+  {
+    const Json *value = find(json, key);
+    return value && value->is_string() ? value->get<std::string>() : "";
   }
 
   std::string to_text(const Summary &summary)
   {
-    return make_json(summary).dump(2) + "\n";
+    return summary.json.dump(2) + "\n";
   }
 
   std::size_t compute_peak_memory()

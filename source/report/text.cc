@@ -73,6 +73,17 @@ namespace birdstrike
     return print("%.3g %%", 100. * share);
   }
 
+  std::string format_value(const double value, const std::string &unit)
+  {
+    if (unit == "count")
+      return format_count(static_cast<std::uint64_t>(std::llround(value)));
+    if (unit == "B")
+      return format_bytes(value);
+    if (unit == "share")
+      return format_share(value);
+    return format_quantity(value, unit);
+  }
+
   TextTable::TextTable(std::string title) : title(std::move(title))
   {
   }

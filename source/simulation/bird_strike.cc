@@ -4,7 +4,7 @@
 #include <birdstrike/core/allocation_guard.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/report/summary.h>
+#include <birdstrike/report/closing.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
@@ -51,12 +51,12 @@ namespace birdstrike
     , progress(parameters.time.end_time, parameters.output.console_interval)
   {
     if (!folder.empty())
-      recorder.emplace(scene, parameters, folder, observed, row_balance);
+      recorder.emplace(view(), folder);
     has_contact = scene.contact != nullptr;
     if (scene.bird)
       {
         n_particles_at_start = scene.bird->state().size();
-        bird_mass            = scene.symmetry.factor() * scene.bird->packing().mass();
+        bird_mass            = scene.symmetry.n_images() * scene.bird->packing().mass();
         bird_kinetic         = scene.state().bird.kinetic;
         bird_momentum        = scene.state().bird_momentum.momentum;
       }
@@ -82,7 +82,8 @@ namespace birdstrike
 
   void BirdStrike::start()
   {
-    observed.start(scene);
+    if (scene.blade)
+      observed.start(*scene.blade);
     plan();
     stepper.compute_initial_forces(schedule.bird_step());
     observe();
@@ -123,7 +124,8 @@ namespace birdstrike
   void BirdStrike::observe()
   {
     const Timings::Scope scope(timings, sections.output);
-    observed.update_peaks(scene, now);
+    if (scene.blade)
+      observed.update_peaks(*scene.blade, scene.contact != nullptr, now);
     const bool is_sample = n_steps % observation_stride == 0, is_due = recorder && recorder->is_due(now);
     if (!is_sample && !is_due)
       return;
@@ -142,8 +144,9 @@ namespace birdstrike
     if (recorder->is_due(now) || n_steps == 0)
       {
         row_balance.update(state, now, n_steps);
-        observed.update_present(scene);
-        if (recorder->record(now, n_steps))
+        if (scene.blade)
+          observed.update_present(*scene.blade);
+        if (recorder->record(view()))
           observed.contact.start_row();
       }
     recorder->flush_when_due(timings.wall());
@@ -201,10 +204,56 @@ namespace birdstrike
     balance.update(state, now, n_steps);
     row_balance.update(state, now, n_steps);
     observed.update_shares(balance, now);
-    observed.update_present(scene);
+    if (scene.blade)
+      observed.update_present(*scene.blade);
     if (recorder)
-      recorder->finish(now, n_steps);
+      recorder->finish(view());
     progress.finish();
+  }
+
+  RunView BirdStrike::view() const
+  {
+    RunView run{parameters,
+                observed,
+                balance,
+                row_balance,
+                scene.blade.get(),
+                scene.bird.get(),
+                scene.contact.get(),
+                scene.self_contact != nullptr,
+                scene.symmetry.n_images()};
+    run.time          = now;
+    run.n_steps       = n_steps;
+    run.bird_step     = scene.last_plan().bird_step();
+    run.blade_step    = scene.last_plan().blade_step();
+    run.bird_at_start = {scene.symmetry.n_images() * n_particles_at_start, bird_mass, bird_kinetic, bird_momentum};
+    run.n_retired     = scene.symmetry.n_images() * (n_retired + n_dropped);
+    run.end_reason    = why_ended;
+    run.n_blade_steps = stepper.counts().blade;
+    run.n_bird_steps  = stepper.counts().bird;
+    return run;
+  }
+
+  RunView BirdStrike::view_whole_run() const
+  {
+    RunView         run   = view();
+    const UnitCosts costs = compute_unit_costs();
+    run.wall              = timings.wall();
+    run.particle_step     = costs.particle_step;
+    run.element_step      = costs.element_step;
+    run.skipped           = compute_skipped();
+    return run;
+  }
+
+  Summary BirdStrike::compute_summary() const
+  {
+    return Summary(view_whole_run());
+  }
+
+  std::string BirdStrike::closing_report() const
+  {
+    const RunView run = view_whole_run();
+    return birdstrike::closing_report(run, Summary(run)) + "\n" + timings.table();
   }
 
   void BirdStrike::forget_stop_requests()
@@ -215,25 +264,5 @@ namespace birdstrike
   void BirdStrike::request_stop()
   {
     stop_requested = true;
-  }
-
-  double BirdStrike::time() const
-  {
-    return now;
-  }
-
-  const std::string &BirdStrike::end_reason() const
-  {
-    return why_ended;
-  }
-
-  const Balance &BirdStrike::get_balance() const
-  {
-    return balance;
-  }
-
-  const Observed &BirdStrike::get_observed() const
-  {
-    return observed;
   }
 } // namespace birdstrike

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "simulation/observed.h"
-#include "simulation/recorder.h"
 #include "simulation/scene.h"
 #include "simulation/stepper.h"
 #include <birdstrike/core/timing.h>
-#include <birdstrike/report/balance.h>
 #include <birdstrike/report/progress.h>
+#include <birdstrike/report/recorder.h>
+#include <birdstrike/report/summary.h>
 
 #include <atomic>
 #include <optional>
@@ -15,8 +14,6 @@
 namespace birdstrike
 {
   struct CaseParameters;
-  struct SkippedWork;
-  struct Summary;
 
   /// One strike from first touch to its end, on a scene that it is given. The members are the architecture: the scene
   /// (parts), the stepper (order of the step), the balance (ledger), what is observed, the recorder (files), the clock.
@@ -35,12 +32,8 @@ namespace birdstrike
     static void request_stop();
     static void forget_stop_requests();
 
-    double             time() const;
-    const std::string &end_reason() const;
-    const Balance     &get_balance() const;
-    const Observed    &get_observed() const;
-    Summary            compute_summary() const;
-    std::string        closing_report() const;
+    Summary     compute_summary() const;
+    std::string closing_report() const;
 
   private:
     void        start();
@@ -52,6 +45,8 @@ namespace birdstrike
     void        retire_particles();
     bool        is_bird_phase_over(double horizon);
     void        finish();
+    RunView     view() const;           ///< the present
+    RunView     view_whole_run() const; ///< with its costs and what it skipped
     std::string reason_to_stop() const;
 
     static constexpr const char *tip_peak_passed = "tip peak passed";

@@ -55,7 +55,7 @@ namespace birdstrike
         strike.run();
         log().info("{}", strike.closing_report());
         Summary summary = strike.compute_summary();
-        summary.inputs  = inputs;
+        summary.set_inputs(inputs);
         folder.finish(to_text(summary));
         log().info("Results in {}", folder.path().string());
       }

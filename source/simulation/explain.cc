@@ -123,7 +123,7 @@ namespace birdstrike
   std::string explain(const CaseParameters &parameters, const Scene &scene)
   {
     TextTable table(parameters.name + (parameters.description.empty() ? "" : ": " + parameters.description));
-    if (scene.symmetry.is_mirrored())
+    if (parameters.has_symmetry_plane())
       table.add_heading("Symmetry plane y = 0: this is the half that is computed.");
     if (scene.blade)
       add_blade(table, *scene.blade, parameters.blade);

@@ -152,7 +152,12 @@ namespace birdstrike
         state.self_contact.elastic    = self_contact->report().stored_energy;
         state.self_contact.dissipated = self_contact->report().dissipated_energy;
       }
-    return symmetry.whole(state);
+    for (const PartOfSystem part : parts_of_system)
+      state.*part = symmetry.whole(state.*part);
+    state.bird_momentum  = symmetry.whole(state.bird_momentum);
+    state.blade_momentum = symmetry.whole(state.blade_momentum);
+    state.contact_dissipation_fall *= symmetry.n_images();
+    return state;
   }
 
   std::size_t Scene::retire_particles(const double horizon)
@@ -174,7 +179,7 @@ namespace birdstrike
 
   double Scene::compute_reachable_impulse(const double horizon)
   {
-    return symmetry.factor() * birdstrike::compute_reachable_impulse(bird->points(), blade->facets(), horizon);
+    return symmetry.n_images() * birdstrike::compute_reachable_impulse(bird->points(), blade->facets(), horizon);
   }
 
   std::uint64_t Scene::n_list_changes() const

@@ -2,7 +2,6 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/io/case_parameters.h>
-#include <birdstrike/report/summary.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
@@ -99,7 +98,7 @@ namespace birdstrike
     if (why_ended == tip_peak_passed)
       add("time after the tip's peak", parameters.time.end_time - now, "s",
           (parameters.time.end_time - now) * estimate_seconds_per_time());
-    if (scene.symmetry.is_mirrored()) // the other half: as much again
+    if (parameters.has_symmetry_plane()) // the other half: as much again
       add("the mirrored half", 2., "times less work",
           costs.particle_step * static_cast<double>(counts.particle_steps) +
             costs.element_step * static_cast<double>(counts.element_steps) + stepper.seconds().contact);

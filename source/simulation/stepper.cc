@@ -1,9 +1,9 @@
 #include "simulation/stepper.h"
-#include "simulation/contact_watch.h"
 #include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/self_contact.h>
+#include <birdstrike/report/contact_watch.h>
 #include <birdstrike/structure/blade.h>
 
 namespace birdstrike

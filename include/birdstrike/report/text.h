@@ -17,6 +17,9 @@ namespace birdstrike
   std::string format_duration(double seconds); ///< "4.2 s", "3 min 20 s", "2 h 05 min"
   std::string format_share(double share);      ///< 0.0123 -> "1.23 %"
 
+  /// By its unit: "count", "B" and "share" as above, all else as a quantity.
+  std::string format_value(double value, const std::string &unit);
+
   /// Keys and values in two aligned columns under headings.
   class TextTable
   {

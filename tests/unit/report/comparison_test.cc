@@ -26,10 +26,9 @@ namespace
     {
       const std::string prm = scratch.write("plate.prm", "");
       RecordedRun       first, second;
-      first.summary.energy.max_relative_error = 0.;
-      first.summary.steps.blade               = 12345;
-      second.stays                            = 0.12;
-      second.peak                             = 0.18;
+      first.more   = {{"energy/max_relative_error", 0.}, {"steps/blade", 12345.}};
+      second.stays = 0.12;
+      second.peak  = 0.18;
       first.write(scratch.path() / "first", prm);
       second.write(scratch.path() / "second", prm);
       {

@@ -1,37 +1,47 @@
 #pragma once
 
-#include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/run_folder.h>
 #include <birdstrike/report/history.h>
 #include <birdstrike/report/summary.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
 
+/// The summary of a run that has not begun.
+inline birdstrike::Summary make_empty_summary(const std::string &name)
+{
+  birdstrike::CaseParameters parameters;
+  parameters.name = name;
+  const birdstrike::Observed observed{birdstrike::SymmetryPlane(false)};
+  const birdstrike::Balance  balance(1.);
+  return birdstrike::Summary({parameters, observed, balance, balance, nullptr, nullptr, nullptr, false, 1});
+}
+
 /// A run folder as a run leaves it, without the run: a blade that vibrates about `stays` (m) with a period of 10 ms.
 struct RecordedRun
 {
-  double                   stays   = 0.1;
-  double                   peak    = 0.15;
-  std::string              reason  = "end time reached";
-  birdstrike::Summary      summary = {};
-  std::vector<std::string> overrides;
+  double                        stays  = 0.1;
+  double                        peak   = 0.15;
+  std::string                   reason = "end time reached";
+  std::map<std::string, double> more   = {}; ///< further values by their keys
+  std::vector<std::string>      overrides;
 
   birdstrike::Summary make_summary(const std::string &name) const
   {
-    birdstrike::Summary made     = summary;
-    made.case_name               = name;
-    made.program.version         = birdstrike::program_identity().version;
-    made.program.build           = birdstrike::program_identity().build;
-    made.end.reason              = reason;
-    made.blade.kind              = "shell";
-    made.tip.peak                = peak;
-    made.contact.impulse         = {{3., 0., -4.}};
-    made.energy.parts            = {{"blade_elastic", 2.}, {"blade_plastic", 40.}, {"bird_kinetic", 1000.}};
-    made.root.peak_normal_stress = 9e8;
+    birdstrike::Summary made           = make_empty_summary(name);
+    auto               &json           = made.json;
+    json["end"]["reason"]              = reason;
+    json["blade"]["kind"]              = "shell";
+    json["tip"]["peak"]                = peak;
+    json["contact"]["impulse"]         = {3., 0., -4.};
+    json["energy"]["parts"]            = {{"blade_elastic", 2.}, {"blade_plastic", 40.}, {"bird_kinetic", 1000.}};
+    json["root"]["peak_normal_stress"] = 9e8;
+    for (const auto &[key, value] : more)
+      json[nlohmann::ordered_json::json_pointer("/" + key)] = value;
     return made;
   }
 
@@ -66,7 +76,7 @@ struct RecordedRun
     run.write_text("parameters.prm", parameters.file.as_prm());
     write_history(folder);
     birdstrike::Summary made = make_summary(parameters.name);
-    made.inputs              = list_input_files(parameters);
+    made.set_inputs(list_input_files(parameters));
     run.finish(to_text(made));
   }
 };

@@ -1,16 +1,19 @@
+#include "report/quantities.h"
 #include <birdstrike/report/summary.h>
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include <cmath>
 #include <limits>
+#include <set>
 
-using birdstrike::Summary;
+#include "recorded_run.h"
+
+using namespace birdstrike;
 
 TEST(Summary, HasTheStableKeys)
 {
-  const nlohmann::json                                                json = Summary();
+  const nlohmann::json json = nlohmann::json::parse(to_text(make_empty_summary("")));
   const std::vector<std::pair<std::string, std::vector<std::string>>> keys{
     {"case", {}},
     {"program", {"version", "build"}},
@@ -45,11 +48,28 @@ TEST(Summary, HasTheStableKeys)
   EXPECT_EQ(json["bird"]["momentum"].size(), 3u);
 }
 
+namespace
+{
+  /// Where a run stands that has computed nothing but what a test gives it.
+  struct SomeRun
+  {
+    CaseParameters parameters;
+    Observed       observed{SymmetryPlane(false)};
+    Balance        balance{1e9};
+
+    RunView view() const
+    {
+      return {parameters, observed, balance, balance, nullptr, nullptr, nullptr, false, 1};
+    }
+  };
+} // namespace
+
 TEST(Summary, NamesSkippedWork)
 {
-  Summary summary;
-  summary.skipped = {{"flight", 2e-3, "s", 0.25}, {"bird", 1., "part", std::numeric_limits<double>::quiet_NaN()}};
-  const auto json = nlohmann::json::parse(to_text(summary))["skipped"];
+  const SomeRun some;
+  RunView       run = some.view();
+  run.skipped       = {{"flight", 2e-3, "s", 0.25}, {"bird", 1., "part", std::numeric_limits<double>::quiet_NaN()}};
+  const auto json   = nlohmann::json::parse(to_text(Summary(run)))["skipped"];
   EXPECT_EQ(json["flight"]["count"], 2e-3);
   EXPECT_EQ(json["flight"]["saved"], 0.25);
   EXPECT_TRUE(json["bird"]["saved"].is_null());
@@ -57,25 +77,54 @@ TEST(Summary, NamesSkippedWork)
 
 TEST(Summary, KeepsEveryDigitAndTurnsNanIntoNull)
 {
-  Summary summary;
-  summary.case_name                     = "frontal \"strike\"";
-  summary.tip.peak                      = 0.1 + 0.2;
-  summary.root.peak_moment              = std::numeric_limits<double>::quiet_NaN();
-  summary.contact.impulse               = {{1., 2., -3.}};
-  summary.energy.parts["blade_plastic"] = 12.5;
-  summary.steps.blade                   = 1234567890123;
-  const auto json                       = nlohmann::json::parse(to_text(summary));
+  SomeRun     some;
+  SystemState state;
+  state.blade.plastic                  = 12.5;
+  state.blade_momentum.contact_impulse = {{1., 2., -3.}};
+  some.balance.update(state, 0., 0);
+  some.parameters.name = "frontal \"strike\"";
+  some.observed.tip_peak.update(1e-3, 0.1 + 0.2);
+  some.observed.root_moment.update(0., std::numeric_limits<double>::quiet_NaN());
+  RunView run       = some.view();
+  run.n_blade_steps = 1234567890123;
+  const auto json   = nlohmann::json::parse(to_text(Summary(run)));
   EXPECT_EQ(json["case"], "frontal \"strike\"");
   EXPECT_EQ(json["tip"]["peak"].get<double>(), 0.1 + 0.2);
   EXPECT_TRUE(json["root"]["peak_moment"].is_null());
   EXPECT_EQ(json["contact"]["impulse"], (std::vector<double>{1., 2., -3.}));
   EXPECT_EQ(json["energy"]["parts"]["blade_plastic"], 12.5);
+  EXPECT_EQ(json["plastic"]["work"], 12.5) << "the same energy by another key";
   EXPECT_EQ(json["steps"]["blade"], 1234567890123);
+}
+
+TEST(Summary, ReadsWhatItHoldsByPaths)
+{
+  Summary summary                    = make_empty_summary("plate");
+  summary.json["contact"]["impulse"] = {3., 0., -4.};
+  EXPECT_EQ(summary.number("contact/impulse/2"), -4.);
+  EXPECT_EQ(summary.text("case"), "plate");
+  EXPECT_TRUE(std::isnan(summary.number("tip/none")));
+  EXPECT_TRUE(std::isnan(summary.number("case"))) << "no number";
+  EXPECT_EQ(Summary().text("case"), "");
+}
+
+// Each quantity once: a name in history.csv or a key of summary.json belongs to one row of the table.
+TEST(Quantities, HaveNamesOfTheirOwn)
+{
+  std::set<std::string> columns, keys;
+  for (const Quantity &each : quantities())
+    {
+      EXPECT_TRUE(!each.column.empty() || !each.key.empty());
+      EXPECT_TRUE(each.column.empty() || columns.insert(each.column).second) << each.column;
+      EXPECT_TRUE(each.key.empty() || keys.insert(each.key).second) << each.key;
+    }
+  for (const LedgerEntry &entry : ledger)
+    EXPECT_TRUE(columns.contains(std::string(entry.column))) << entry.name << " is in the ledger and nowhere shown";
 }
 
 TEST(Summary, PeakMemoryGrowsWithWhatIsTouched)
 {
-  const std::size_t       before = birdstrike::compute_peak_memory();
+  const std::size_t       before = compute_peak_memory();
   const std::vector<char> block(2 * before, 'x');
-  EXPECT_GE(birdstrike::compute_peak_memory(), 2 * before) << block.back();
+  EXPECT_GE(compute_peak_memory(), 2 * before) << block.back();
 }

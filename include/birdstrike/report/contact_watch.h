@@ -1,7 +1,7 @@
 #pragma once
 
-#include "simulation/symmetry.h"
 #include <birdstrike/contact/report.h>
+#include <birdstrike/core/symmetry_plane.h>
 #include <birdstrike/time_control/peak.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace birdstrike
   class ContactWatch
   {
   public:
-    explicit ContactWatch(const Symmetry &symmetry) : symmetry(symmetry)
+    explicit ContactWatch(const SymmetryPlane &plane) : plane(plane)
     {
     }
 
@@ -22,7 +22,7 @@ namespace birdstrike
     {
       clock += is_first ? 0. : step;
       is_first         = false;
-      const auto force = symmetry.whole(report.force);
+      const auto force = plane.whole(report.force);
       present          = std::hypot(force[0], force[1], force[2]);
       penetration      = report.max_penetration;
       whole_run.update(clock, present);
@@ -52,9 +52,9 @@ namespace birdstrike
     }
 
   private:
-    Symmetry symmetry;
-    Peak     whole_run, this_row;
-    double   present = 0., penetration = 0., clock = 0.;
-    bool     is_first = true;
+    SymmetryPlane plane;
+    Peak          whole_run, this_row;
+    double        present = 0., penetration = 0., clock = 0.;
+    bool          is_first = true;
   };
 } // namespace birdstrike

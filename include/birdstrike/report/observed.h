@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulation/contact_watch.h"
+#include <birdstrike/report/contact_watch.h>
 #include <birdstrike/structure/probes/mid_chord.h>
 #include <birdstrike/structure/reports.h>
 #include <birdstrike/time_control/peak.h>
@@ -12,16 +12,18 @@
 namespace birdstrike
 {
   class Balance;
-  struct Scene;
+  class Blade;
 
   /// What is watched of a run between its steps: present values, for rows of the history, and peaks, for the summary.
   /// Peaks of the contact force are over every evaluation of contact, those of tip and root over every macro step,
   /// those of energies over a fixed stride of steps: none depends on when output is due.
   struct Observed
   {
-    explicit Observed(const Symmetry &symmetry) : contact(symmetry)
+    explicit Observed(const SymmetryPlane &plane) : plane(plane), contact(plane)
     {
     }
+
+    SymmetryPlane plane;
 
     RootSectionReport        root;
     TipDeflection            tip;
@@ -43,15 +45,15 @@ namespace birdstrike
     std::vector<double>     mid_chord_at_peak; ///< m, per station, when the tip peaks
 
     /// Before the first step, while the blade is undeformed.
-    void start(const Scene &scene);
+    void start(const Blade &blade);
 
     /// After each macro step: what is cheap, a few nodes and elements.
-    void update_peaks(const Scene &scene, double time);
+    void update_peaks(const Blade &blade, bool has_contact, double time);
 
     /// After each update of the balance that judges the run.
     void update_shares(const Balance &balance, double time);
 
     /// Before a row, and at the end: what asks all elements.
-    void update_present(const Scene &scene);
+    void update_present(const Blade &blade);
   };
 } // namespace birdstrike

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <birdstrike/io/field_writer.h>
+#include <birdstrike/io/fields.h>
+#include <birdstrike/report/history.h>
+#include <birdstrike/report/run_view.h>
+#include <birdstrike/time_control/ticks.h>
+
+#include <optional>
+
+namespace birdstrike
+{
+  /// Turns a run into curves and fields: history.csv and results.h5, blade.pvd and bird.pvd. It looks at parts and
+  /// never acts on them. Columns of parts that the scene lacks do not exist.
+  class Recorder
+  {
+  public:
+    /// Opens the files in `folder`. What the view refers to must outlive the recorder, parts apart.
+    Recorder(const RunView &run, const std::filesystem::path &folder);
+
+    /// Whether a row of the history or a field file is due.
+    bool is_due(double time) const;
+
+    /// Writes what is due; whether that was a row of the history.
+    bool record(const RunView &run);
+
+    /// Writes the last state whatever the intervals say, and waits until all is on disk.
+    void finish(const RunView &run);
+
+    /// Brings history.csv up to date where the flush interval has passed on the clock.
+    void flush_when_due(double wall);
+
+    /// For a run that ends badly: what is known so far. Fields that are queued are written by the destructor.
+    void flush();
+
+  private:
+    void add_columns(const RunView &run, bool of_blade);
+    void add_column(const std::string &name, const std::string &unit, std::function<double(const RunView &)> value);
+    void add_pressures(const RunView &run);
+    void add_probes(const RunView &run);
+    void add_root_profile(const RunView &run);
+    void append_row(const RunView &run);
+    void set_mid_chord_lines(const Observed &observed);
+    void write_fields(const RunView &run);
+
+    const RunView             *present = nullptr; ///< while a row is made
+    History                    history;
+    std::optional<FieldSeries> blade_fields, bird_fields;
+    FieldWriter                writer; // after what it writes to: it ends first
+    Ticks                      history_ticks, field_ticks;
+    double                     last_row = -1., last_field = -1.;
+    double                     flush_interval, last_flush = 0.; // s, on the clock
+  };
+} // namespace birdstrike

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <birdstrike/report/balance.h>
+#include <birdstrike/report/observed.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  struct CaseParameters;
+  class Bird;
+  class Blade;
+  class Contact;
+
+  /// Work that a run did not do: what, how much of it, and the share of the run time that it would have been (NaN: no
+  /// estimate).
+  struct SkippedWork
+  {
+    std::string what;
+    double      count = 0.;
+    std::string unit;
+    double      saved = 0.;
+  };
+
+  /// All that is known of a run at one instant: what every quantity (source/report/quantities.h) is taken from. Parts
+  /// that the case lacks, or that have gone, are null. What is said of the whole run is known at its end only.
+  struct RunView
+  {
+    const CaseParameters &parameters;
+    const Observed       &observed;
+    const Balance        &balance; ///< that judges the run
+    const Balance        &shown;   ///< of the present state
+    const Blade          *blade;
+    const Bird           *bird;
+    const Contact        *contact;
+    bool                  has_self_contact;
+    unsigned int          n_images; ///< 2 where a half is computed of a scene with a plane of symmetry
+
+    double        time      = 0.; ///< s, since first touch
+    unsigned long n_steps   = 0;
+    double        bird_step = 0., blade_step = 0.; ///< s
+
+    struct
+    {
+      std::size_t           particles = 0;
+      double                mass = 0., kinetic_energy = 0.; ///< kg, J
+      std::array<double, 3> momentum{};                     ///< N s
+    } bird_at_start{};
+    std::size_t n_retired = 0; ///< particles that the computation has let go
+
+    std::string end_reason    = {};
+    std::size_t n_blade_steps = 0, n_bird_steps = 0;
+    double      wall = 0., particle_step = 0., element_step = 0.; ///< s of run time: in all, per step of an entity
+
+    std::vector<SkippedWork> skipped = {};
+  };
+} // namespace birdstrike

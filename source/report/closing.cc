@@ -1,0 +1,162 @@
+#include "report/quantities.h"
+#include <birdstrike/report/closing.h>
+#include <birdstrike/report/summary.h>
+#include <birdstrike/report/text.h>
+#include <birdstrike/structure/blade.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// The lines of the table: keys of the summary with their units, in the words of quantities.cc where a line has
+    /// none of its own.
+    class Closing
+    {
+    public:
+      Closing(const RunView &run, const Summary &summary)
+        : run(run), summary(summary), table("Ended at t = " + format_quantity(run.time, "s") + ": " + run.end_reason)
+      {
+        if (run.n_images == 2)
+          table.add_heading("Symmetry plane y = 0: half of the scene is computed; energies, momenta, forces, masses "
+                            "and counts are those of the whole.");
+        if (run.blade && run.blade->is_deformable())
+          add_blade();
+        if (run.observed.failure.can_fail)
+          add_failure();
+        if (run.bird_at_start.particles > 0 && value("contact/peak_force") > 0.)
+          add_contact();
+        add_balance();
+        add_skipped();
+        add_cost();
+      }
+
+      std::string text() const
+      {
+        return table.text();
+      }
+
+    private:
+      double value(const std::string &key) const
+      {
+        return summary.number(key);
+      }
+      std::string shown(const std::string &key) const
+      {
+        return format_value(value(key), quantity(key).unit);
+      }
+      std::string shown_vector(const std::string &key) const
+      {
+        return fmt::format("({:.4g}, {:.4g}, {:.4g}) {}", value(key + "/0"), value(key + "/1"), value(key + "/2"),
+                           quantity(key).unit);
+      }
+      void add(const std::string &key, const std::string &text)
+      {
+        table.add(quantity(key).text, text);
+      }
+      void add(const std::string &key)
+      {
+        add(key, shown(key));
+      }
+      std::string with_time(const std::string &key) const
+      {
+        return shown(key) + " at " + shown(key + "_time");
+      }
+
+      void add_blade()
+      {
+        table.add_heading("Blade");
+        table.add("tip peak (mid-chord)", with_time("tip/peak"));
+        table.add("tip at the end", shown("tip/final"));
+        table.add("root peak normal stress", with_time("root/peak_normal_stress"));
+        table.add("root peak moment", shown("root/peak_moment"));
+        add("plastic/max_strain",
+            fmt::format("{:.4f} at {}", value("plastic/max_strain"), shown_vector("plastic/position")));
+      }
+
+      void add_failure()
+      {
+        table.add_heading("Failure");
+        add("failed/elements",
+            count("failed/elements") + " of " + count("blade/elements") + ", " + shown("failed/mass"));
+        if (value("failed/collapsed") > 0)
+          add("failed/collapsed", shown("failed/collapsed") + ": below the smallest step");
+        add("failed/free_mass");
+        add("failed/energy");
+        if (value("failed/at_root") > 0)
+          add("failed/at_root", shown("failed/at_root") + ": their stress is zero");
+        if (run.observed.failure.has_lost_tip)
+          table.add("tip deflection", "of nodes that fly free");
+      }
+
+      void add_contact()
+      {
+        table.add_heading("Contact");
+        add("contact/impulse", shown_vector("contact/impulse"));
+        add("contact/peak_force", with_time("contact/peak_force"));
+        add("contact/max_penetration",
+            fmt::format("{} ({:.3f} of the particle spacing)", shown("contact/max_penetration"),
+                        value("contact/max_penetration_over_spacing")));
+      }
+
+      void add_balance()
+      {
+        const double initial = std::abs(value("energy/initial"));
+        table.add_heading("Balance");
+        add("energy/initial");
+        for (const auto &[part, energy] : summary.json.at("energy").at("parts").items())
+          if (const double joule = energy; joule != 0.)
+            table.add("  " + part,
+                      format_quantity(joule, "J") + " (" + format_share(joule / std::max(1e-300, initial)) + ")");
+        add("energy/max_relative_error");
+        for (const auto &[origin, energy] : summary.json.at("energy").at("error_origins").items())
+          if (const double joule = energy; std::abs(joule) > 1e-3 * initial)
+            table.add("  at the end, from " + origin,
+                      format_quantity(joule, "J") + " (" + format_share(joule / initial) + ")");
+        for (const char *key : {"momentum/max_relative_error", "angular_momentum/max_relative_error"})
+          add(key, fmt::format("{:.2e}", value(key)));
+        add("energy/max_hourglass_over_internal");
+      }
+
+      void add_skipped()
+      {
+        table.add_heading("Skipped");
+        for (const SkippedWork &work : run.skipped)
+          {
+            const std::string much = work.unit == "s" ? format_quantity(work.count, "s")
+                                                      : format_count(std::llround(work.count)) + " " + work.unit;
+            table.add("skipped: " + work.what,
+                      much + (std::isnan(work.saved) ? "" : ", saved about " + format_share(work.saved)));
+          }
+        table.add("retired particles", shown("retired/particles") + " of " + shown("bird/particles"));
+      }
+
+      void add_cost()
+      {
+        table.add_heading("Cost");
+        table.add("steps", format_count(run.n_steps) + " macro, " + shown("steps/bird") + " bird, " +
+                             shown("steps/blade") + " blade");
+        table.add("per particle-step", fmt::format("{:.0f} ns", value("cost/ns_per_particle_step")));
+        table.add("per element-step", fmt::format("{:.0f} ns", value("cost/ns_per_element_step")));
+        add("cost/peak_memory");
+      }
+
+      std::string count(const std::string &key) const
+      {
+        return format_value(value(key), "count");
+      }
+
+      const RunView &run;
+      const Summary &summary;
+      TextTable      table;
+    };
+  } // namespace
+
+  std::string closing_report(const RunView &run, const Summary &summary)
+  {
+    return Closing(run, summary).text();
+  }
+} // namespace birdstrike

@@ -1,0 +1,67 @@
+#include <birdstrike/report/balance.h>
+#include <birdstrike/report/observed.h>
+#include <birdstrike/structure/blade.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    RootSectionReport whole(RootSectionReport root, const unsigned int n_images)
+    {
+      for (double *part : {&root.normal_force, &root.bending_moment, &root.transverse_force})
+        *part *= n_images;
+      return root;
+    }
+
+    FailureReport whole(FailureReport failure, const unsigned int n_images)
+    {
+      for (std::size_t *count : {&failure.n_elements, &failure.n_collapsed, &failure.n_at_root, &failure.n_free_nodes})
+        *count *= n_images;
+      for (double *mass : {&failure.mass, &failure.free_mass})
+        *mass *= n_images;
+      return failure;
+    }
+  } // namespace
+
+  void Observed::start(const Blade &blade)
+  {
+    if (const std::optional<SpanLine> line = blade.span_line())
+      mid_chord.emplace(blade.facets(), *line);
+  }
+
+  void Observed::update_peaks(const Blade &blade, const bool has_contact, const double time)
+  {
+    tip = blade.tip_deflection();
+    if (tip_peak.update(time, tip.mid_chord) && mid_chord)
+      mid_chord->compute_deflection(mid_chord_at_peak);
+    first_tip_peak.update(time, tip.mid_chord, has_contact ? contact.force() : 0.);
+
+    root                = whole(blade.root_section(), plane.n_images());
+    const double stress = root.peak_stress();
+    if (stress > root_stress.value())
+      root_at_peak_stress = root;
+    root_stress.update(time, stress);
+    root_moment.update(time, std::abs(root.bending_moment));
+    root_force.update(time, std::hypot(root.normal_force, root.transverse_force));
+  }
+
+  void Observed::update_shares(const Balance &balance, const double time)
+  {
+    // Until a hundredth of all energy has reached the blade, a ratio of two small numbers says nothing.
+    const EnergyReport &energy   = balance.state().blade;
+    const double        internal = energy.elastic + energy.plastic + energy.hourglass + energy.viscous;
+    if (internal > 1e-2 * balance.initial_energy())
+      hourglass_share.update(time, energy.hourglass / internal);
+  }
+
+  void Observed::update_present(const Blade &blade)
+  {
+    plastic = blade.peak_plastic_strain();
+    failure = whole(blade.failure(), plane.n_images());
+    probes  = blade.probes();
+    force   = plane.whole(blade.contact_force());
+  }
+} // namespace birdstrike

@@ -1,0 +1,203 @@
+#include "report/quantities.h"
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/report/recorder.h>
+#include <birdstrike/structure/blade.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr std::array<const char *, 3> axis_names{{"x", "y", "z"}};
+
+    /// A user's name as part of a column's: what separates columns becomes an underscore.
+    std::string column_name(std::string name)
+    {
+      for (char &letter : name)
+        if (letter == ' ' || letter == ',' || letter == '/' || letter == '\t')
+          letter = '_';
+      return name;
+    }
+
+    /// Intervals of zero mean "first and last state only".
+    Ticks field_ticks_of(const double interval)
+    {
+      return Ticks(interval > 0. ? interval : 1e300);
+    }
+
+    bool has_columns(const RunView &run, const Subject subject)
+    {
+      switch (subject)
+        {
+        case Subject::run:
+          return true;
+        case Subject::bird:
+          return run.bird != nullptr;
+        case Subject::contact:
+          return run.contact != nullptr;
+        case Subject::blade:
+          return run.blade != nullptr;
+        case Subject::self_contact:
+          return run.has_self_contact;
+        case Subject::failure:
+          return run.blade != nullptr && run.blade->failure().can_fail;
+        }
+      return false;
+    }
+
+    std::vector<History::Axis> root_axes(const RootSectionReport &root)
+    {
+      return {{"face", "-", {-1., 1.}}, {"chord", "m", root.chord_position}};
+    }
+  } // namespace
+
+  Recorder::Recorder(const RunView &run, const std::filesystem::path &folder)
+    : history(folder, run.parameters.output.hdf5)
+    , history_ticks(run.parameters.output.history_interval)
+    , field_ticks(field_ticks_of(run.parameters.output.field_interval))
+    , flush_interval(run.parameters.output.flush_interval)
+  {
+    add_columns(run, false);
+    if (run.contact)
+      add_pressures(run);
+    add_columns(run, true);
+    if (run.blade)
+      {
+        add_probes(run);
+        add_root_profile(run);
+      }
+    if (run.blade && run.parameters.output.blade_fields)
+      blade_fields.emplace(folder, "blade");
+    if (run.bird && run.parameters.output.bird_fields)
+      bird_fields.emplace(folder, "bird");
+  }
+
+  void Recorder::add_columns(const RunView &run, const bool of_blade)
+  {
+    for (const Quantity &each : quantities())
+      if (!each.column.empty() && has_columns(run, each.subject) && (each.subject >= Subject::blade) == of_blade)
+        for (unsigned int c = 0; c < (each.is_vector() ? 3 : 1); ++c)
+          add_column(each.column + (each.is_vector() ? std::string("_") + axis_names[c] : ""), each.unit,
+                     [&each, c](const RunView &now) { return each.number(now, c); });
+  }
+
+  void Recorder::add_column(const std::string &name, const std::string &unit,
+                            std::function<double(const RunView &)> value)
+  {
+    history.add_column(name, unit, [this, value = std::move(value)] { return value(*present); });
+  }
+
+  void Recorder::add_pressures(const RunView &run)
+  {
+    const auto patches = run.parameters.contact.pressure_patches();
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      {
+        // half of a disc about a point of the symmetry plane carries half of its force
+        const double share = patches[p].centre[1] == 0. ? run.n_images : 1.;
+        add_column("pressure_" + column_name(patches[p].name), "Pa", [p, share](const RunView &now) {
+          return now.contact && !now.contact->report().patch_pressures.empty()
+                   ? share * now.contact->report().patch_pressures[p]
+                   : 0.;
+        });
+      }
+  }
+
+  void Recorder::add_probes(const RunView &run)
+  {
+    const auto probes = run.blade->probes();
+    for (std::size_t p = 0; p < probes.size(); ++p)
+      for (unsigned int c = 0; c < 3; ++c)
+        add_column("probe_" + column_name(probes[p].name) + "_u" + axis_names[c], "m",
+                   [p, c](const RunView &now) { return now.observed.probes[p].displacement[c]; });
+  }
+
+  void Recorder::add_root_profile(const RunView &run)
+  {
+    const RootSectionReport root = run.blade->root_section();
+    const std::size_t       n    = root.chord_position.size();
+    if (n > 0)
+      history.add_profile("root_normal_stress", "Pa", root_axes(root), [this, n](const std::span<double> values) {
+        const RootSectionReport &now = present->observed.root;
+        std::copy_n(now.stress_struck.begin(), n, values.begin());
+        std::copy_n(now.stress_rear.begin(), n, values.begin() + n);
+      });
+  }
+
+  void Recorder::append_row(const RunView &run)
+  {
+    present = &run;
+    history.append_row();
+    present  = nullptr;
+    last_row = run.time;
+  }
+
+  void Recorder::write_fields(const RunView &run)
+  {
+    if (blade_fields)
+      writer.write(*blade_fields, run.blade->snapshot(), run.time);
+    if (bird_fields && run.bird)
+      writer.write(*bird_fields, run.bird->snapshot(), run.time);
+    last_field = run.time;
+  }
+
+  bool Recorder::is_due(const double time) const
+  {
+    return history_ticks.would_be_due(time) || field_ticks.would_be_due(time);
+  }
+
+  bool Recorder::record(const RunView &run)
+  {
+    const bool is_row = history_ticks.is_due(run.time);
+    if (is_row)
+      append_row(run);
+    if (field_ticks.is_due(run.time))
+      write_fields(run);
+    return is_row;
+  }
+
+  void Recorder::finish(const RunView &run)
+  {
+    if (last_row < run.time)
+      append_row(run);
+    if (last_field < run.time)
+      write_fields(run);
+    const RootSectionReport &root = run.observed.root_at_peak_stress;
+    if (!root.chord_position.empty())
+      {
+        std::vector<double> values = root.stress_struck;
+        values.insert(values.end(), root.stress_rear.begin(), root.stress_rear.end());
+        history.set_constant("root_normal_stress_at_peak", "Pa", root_axes(root), std::move(values));
+      }
+    set_mid_chord_lines(run.observed);
+    history.flush();
+    writer.flush();
+  }
+
+  void Recorder::set_mid_chord_lines(const Observed &observed)
+  {
+    if (!observed.mid_chord)
+      return;
+    const std::vector<History::Axis> span{{"span", "m", observed.mid_chord->span_position()}};
+    if (!observed.mid_chord_at_peak.empty())
+      history.set_constant("mid_chord_deflection_at_peak", "m", span, observed.mid_chord_at_peak);
+    std::vector<double> now_deflected;
+    observed.mid_chord->compute_deflection(now_deflected);
+    history.set_constant("mid_chord_deflection_at_end", "m", span, std::move(now_deflected));
+  }
+
+  void Recorder::flush_when_due(const double wall)
+  {
+    if (wall - last_flush < flush_interval)
+      return;
+    history.flush_table();
+    last_flush = wall;
+  }
+
+  void Recorder::flush()
+  {
+    history.flush();
+  }
+} // namespace birdstrike
