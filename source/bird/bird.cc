@@ -265,13 +265,12 @@ namespace birdstrike
     contact_work += dt * sums[3];
   }
 
-  std::size_t Bird::retire(const Box3 &blade_box)
+  std::size_t Bird::retire(const Box &blade_box)
   {
     if (!parameters.retire)
       return 0;
-    const Point3       margin = Point3::Constant(parameters.retirement_margin);
-    const RetiredShare share  = retire_particles(particles, {blade_box.lower - margin, blade_box.upper + margin},
-                                                 [this](const double mu) { return stored_energy(mu); });
+    const RetiredShare share = retire_particles(particles, blade_box.widened(parameters.retirement_margin),
+                                                [this](const double mu) { return stored_energy(mu); });
     if (share.particles == 0)
       return 0;
     retired_share.add(share);

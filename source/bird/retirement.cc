@@ -1,7 +1,6 @@
 #include <birdstrike/bird/retirement.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace birdstrike
@@ -17,25 +16,7 @@ namespace birdstrike
     }
   } // namespace
 
-  bool meets_box(const Point3 &x, const Point3 &v, const Box3 &box)
-  {
-    double enters = 0., leaves = std::numeric_limits<double>::infinity();
-    for (int d = 0; d < 3; ++d)
-      if (v[d] == 0.)
-        {
-          if (x[d] < box.lower[d] || x[d] > box.upper[d])
-            return false;
-        }
-      else
-        {
-          const double a = (box.lower[d] - x[d]) / v[d], b = (box.upper[d] - x[d]) / v[d];
-          enters = std::max(enters, std::min(a, b));
-          leaves = std::min(leaves, std::max(a, b));
-        }
-    return enters <= leaves;
-  }
-
-  RetiredShare retire_particles(Particles &particles, const Box3 &box,
+  RetiredShare retire_particles(Particles &particles, const Box &box,
                                 const std::function<double(double mu)> &specific_energy)
   {
     RetiredShare             share;
@@ -44,7 +25,7 @@ namespace birdstrike
       {
         const bool   is_loose = particles.signal_speed[p] == 0. || particles.largest_mu[p] < cavitated;
         const Point3 v        = at(particles.v, p);
-        if (!is_loose || meets_box(at(particles.x, p), v, box))
+        if (!is_loose || !box.passage(at(particles.x, p), v).is_empty())
           {
             kept.push_back(p);
             continue;

@@ -19,6 +19,10 @@ namespace birdstrike
       Point3 origin, velocity;
       double half_size; // m
 
+      TimeSpan passage(const Box &box) const
+      {
+        return box.passage(origin, velocity);
+      }
       Point3 at(const double time) const
       {
         return origin + time * velocity;
@@ -29,30 +33,6 @@ namespace birdstrike
     {
       const auto vector = [i](const auto &v) { return Point3(v[0][i], v[1][i], v[2][i]); };
       return {vector(points.position), vector(points.velocity), 0.5 * std::cbrt(points.volume[i])};
-    }
-
-    /// Times at which the ray is inside a box widened by `margin`; empty (first > last) if it passes by.
-    struct Interval
-    {
-      double first = 0., last = never;
-    };
-    Interval crossing(const Box &box, const double margin, const Ray &ray)
-    {
-      Interval inside;
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          const double low = box.low[d] - margin - ray.origin[d], high = box.high[d] + margin - ray.origin[d];
-          if (ray.velocity[d] == 0.)
-            {
-              if (low > 0. || high < 0.)
-                inside.last = -1.;
-              continue;
-            }
-          const double a = low / ray.velocity[d], b = high / ray.velocity[d];
-          inside.first = std::max(inside.first, std::min(a, b));
-          inside.last  = std::min(inside.last, std::max(a, b));
-        }
-      return inside;
     }
 
     class Surface
@@ -87,7 +67,7 @@ namespace birdstrike
       }
 
       /// First touch of one facet within the interval, or never.
-      double touch(const Ray &ray, const std::size_t f, const Interval &interval) const
+      double touch(const Ray &ray, const std::size_t f, const TimeSpan &interval) const
       {
         const double tolerance =
           1e-13 * (ray.half_size + topology.max_half_thickness() + (ray.at(interval.first) - ray.origin).norm());
@@ -117,7 +97,7 @@ namespace birdstrike
         result.overlap = -never;
         for (std::uint32_t f = 0; f < facets.n_facets; ++f)
           {
-            if (crossing(boxes[f], 2. * margin, resting).last < 0.)
+            if (resting.passage(boxes[f].widened(2. * margin)).is_empty())
               continue;
             const auto   x        = facet_nodes(facets, f);
             const auto   closest  = compute_closest_point(p, x);
@@ -179,13 +159,13 @@ namespace birdstrike
       double touch(const Ray &ray, const double limit) const
       {
         const double   margin = ray.half_size + topology.max_half_thickness();
-        const Interval whole  = crossing(all, margin, ray);
+        const TimeSpan whole  = ray.passage(all.widened(margin));
         if (whole.first > std::min(whole.last, limit))
           return limit;
         double first = limit;
         for (std::size_t f = 0; f < facets.n_facets; ++f)
           {
-            Interval interval = crossing(boxes[f], margin, ray);
+            TimeSpan interval = ray.passage(boxes[f].widened(margin));
             interval.last     = std::min(interval.last * (1. + 1e-12), first);
             if (interval.first <= interval.last)
               first = std::min(first, touch(ray, f, interval));
@@ -197,7 +177,7 @@ namespace birdstrike
       {
         const Ray    resting{ray.origin, Point3::Zero(), 0.};
         const double margin = ray.half_size + topology.max_half_thickness();
-        if (crossing(all, margin, resting).last < 0.)
+        if (resting.passage(all.widened(margin)).is_empty())
           return {};
         Point3       normal;
         const double found = depth(ray.origin, ray.half_size, normal);

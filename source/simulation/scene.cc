@@ -163,7 +163,7 @@ namespace birdstrike
   std::size_t Scene::retire_particles(const double horizon)
   {
     const FacetsView facets = blade->facets();
-    Box3             box{Point3::Constant(INFINITY), Point3::Constant(-INFINITY)};
+    Box              box;
     if (facets.n_facets == 0)
       return 0; // nothing is left to meet: the bird's phase ends by itself
     for (std::size_t f = 0; f < facets.n_facets; ++f)
@@ -171,8 +171,8 @@ namespace birdstrike
         {
           const Point3 now(facets.position + 3 * n);
           const Point3 then = now + horizon * Point3(facets.velocity + facets.velocity_stride * n);
-          box.lower         = box.lower.cwiseMin(now).cwiseMin(then);
-          box.upper         = box.upper.cwiseMax(now).cwiseMax(then);
+          box.add(now.data());
+          box.add(then.data());
         }
     return bird->retire(box);
   }

@@ -73,7 +73,7 @@ namespace birdstrike
     StepLimit step_limit() const;
 
     /// Removes loose particles whose path misses the box grown by the margin of the parameters; returns their number.
-    std::size_t retire(const Box3 &blade_box);
+    std::size_t retire(const Box &blade_box);
 
     PointsView     points() const;
     EnergyReport   energies() const;

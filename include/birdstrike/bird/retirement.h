@@ -1,18 +1,13 @@
 #pragma once
 
 #include <birdstrike/bird/particles.h>
+#include <birdstrike/core/box.h>
 
 #include <cstddef>
 #include <functional>
 
 namespace birdstrike
 {
-  /// Axis-parallel box, m.
-  struct Box3
-  {
-    Point3 lower, upper;
-  };
-
   /// What particles that left the computation took with them.
   struct RetiredShare
   {
@@ -44,13 +39,10 @@ namespace birdstrike
     }
   };
 
-  /// Whether the straight path x + v t, t >= 0, meets the box.
-  bool meets_box(const Point3 &x, const Point3 &v, const Box3 &box);
-
   /// Removes particles whose ballistic path misses `box` and that are loose: alone within their support, or cavitated
   /// (mu < -0.01) with only cavitated neighbours. Unstrained liquid never counts as loose, so that a release wave from
   /// the strike still finds it. Columns are compacted in order; neighbour lists made before become invalid.
   /// `specific_energy` is what the liquid stores (J/kg) at a compression mu; without it, the energy equation's.
-  RetiredShare retire_particles(Particles &particles, const Box3 &box,
+  RetiredShare retire_particles(Particles &particles, const Box &box,
                                 const std::function<double(double mu)> &specific_energy = {});
 } // namespace birdstrike

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <birdstrike/core/box.h>
 #include <birdstrike/core/contact_views.h>
-#include <birdstrike/core/number.h>
 
 #include <array>
 #include <cstdint>
@@ -9,33 +9,6 @@
 
 namespace birdstrike
 {
-  /// An axis-aligned box; empty until it has been extended.
-  struct Box
-  {
-    std::array<double, 3> low{{1e300, 1e300, 1e300}}, high{{-1e300, -1e300, -1e300}};
-
-    void add(const double *p, double margin = 0.);
-    bool contains(const Point3 &p) const
-    {
-      return p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] && p[1] <= high[1] && p[2] >= low[2] &&
-             p[2] <= high[2];
-    }
-    bool is_empty() const
-    {
-      return low[0] > high[0];
-    }
-
-    /// Largest axis-wise distance to another box, m: a lower bound of the distance, negative where they overlap.
-    double separation(const Box &other) const;
-
-    void add(const Box &other);
-
-    static Box everything()
-    {
-      return {{{-1e300, -1e300, -1e300}}, {{1e300, 1e300, 1e300}}};
-    }
-  };
-
   /// The four nodes of a facet.
   std::array<Point3, 4> facet_nodes(const FacetsView &facets, std::size_t facet);
 

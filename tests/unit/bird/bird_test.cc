@@ -204,9 +204,9 @@ TEST(Bird, OnlyLooseParticlesThatMissTheBladeRetire)
 {
   ThreadPool   pool(1);
   Bird         bird(small_bird(), EosParameters(), pool);
-  const double z      = bird.packing().centre[2];
-  const Box3   ahead  = {Point3(-0.1, -0.1, z + 0.3), Point3(0.1, 0.1, z + 0.31)};
-  const Box3   behind = {Point3(-0.1, -0.1, z - 0.31), Point3(0.1, 0.1, z - 0.3)};
+  const double z = bird.packing().centre[2];
+  const Box    ahead{{{-0.1, -0.1, z + 0.3}}, {{0.1, 0.1, z + 0.31}}};
+  const Box    behind{{{-0.1, -0.1, z - 0.31}}, {{0.1, 0.1, z - 0.3}}};
   EXPECT_EQ(bird.retire(behind), 0u) << "unstrained liquid holds together";
   bird.set_state([](Point3 &, Point3 &, double &mu) { mu = -0.05; });
   EXPECT_EQ(bird.retire(ahead), 0u) << "its path meets the blade";

@@ -62,18 +62,3 @@ TEST(FacetGrid, OnlyFacetsThatMeetTheRegionAreEntered)
   grid.update(scene.facets(), 1e-3, nowhere);
   EXPECT_TRUE(grid.box().is_empty());
 }
-
-TEST(FacetGrid, BoxesKnowHowFarApartTheyAre)
-{
-  Box          a, b;
-  const double origin[3] = {0., 0., 0.}, corner[3] = {1., 1., 1.}, far[3] = {3., 0.5, 1.5};
-  EXPECT_TRUE(a.is_empty());
-  a.add(origin);
-  a.add(corner);
-  b.add(far);
-  EXPECT_DOUBLE_EQ(a.separation(b), 2.);
-  EXPECT_DOUBLE_EQ(b.separation(a), 2.);
-  b.add(origin, 0.1);
-  EXPECT_LT(a.separation(b), 0.);
-  EXPECT_DOUBLE_EQ(b.low[0], -0.1);
-}
