@@ -1,96 +1,60 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
 
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <stdexcept>
 
 namespace birdstrike
 {
   namespace
   {
-    std::string trimmed(const std::string &text)
-    {
-      const auto first = text.find_first_not_of(" \t\n");
-      if (first == std::string::npos)
-        return "";
-      return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
-    }
+    namespace Patterns = dealii::Patterns;
+    using dealii::Utilities::trim;
 
     [[noreturn]] void refuse(const std::string &entry, const std::string &piece, const std::string &allowed)
     {
       throw InputError("Blade/" + entry + ": cannot read '" + piece + "'.\nAllowed: " + allowed + ".");
     }
 
-    /// Words between blanks or commas.
-    std::vector<std::string> words(const std::string &text)
+    /// Without surrounding blanks and without empty ones.
+    std::vector<std::string> split(const std::string &text, const char separator)
     {
-      std::vector<std::string> found;
-      std::string              word;
-      for (const char c : text + " ")
-        if (std::isspace(static_cast<unsigned char>(c)) || c == ',')
-          {
-            if (!word.empty())
-              found.push_back(word);
-            word.clear();
-          }
-        else
-          word += c;
-      return found;
+      auto pieces = dealii::Utilities::split_string_list(text, separator);
+      std::erase(pieces, "");
+      return pieces;
     }
 
-    double parse_number(const std::string &word, const std::string &entry)
+    /// Values between blanks or commas.
+    template <class Value>
+    std::vector<Value> parse_words(std::string text, const Patterns::PatternBase &pattern, const std::string &entry,
+                                   const std::string &allowed)
     {
-      std::size_t used  = 0;
-      double      value = 0.;
-      try
+      std::replace_if(
+        text.begin(), text.end(), [](const unsigned char c) { return c == ',' || std::isspace(c); }, ' ');
+      std::vector<Value> values;
+      for (const std::string &word : split(text, ' '))
         {
-          value = std::stod(word, &used);
+          if (!pattern.match(word))
+            refuse(entry, word, allowed);
+          values.push_back(Patterns::Tools::Convert<Value>::to_value(word, pattern));
         }
-      catch (const std::logic_error &)
-        {
-        }
-      if (used != word.size() || !std::isfinite(value))
-        refuse(entry, word, "a number such as 0.0889 or 1e-3");
-      return value;
+      return values;
     }
   } // namespace
 
-  std::vector<std::string> split(const std::string &text, const char separator)
-  {
-    std::vector<std::string> pieces;
-    std::size_t              begin = 0;
-    while (begin <= text.size())
-      {
-        const std::size_t end   = std::min(text.find(separator, begin), text.size());
-        const std::string piece = trimmed(text.substr(begin, end - begin));
-        if (!piece.empty())
-          pieces.push_back(piece);
-        begin = end + 1;
-      }
-    return pieces;
-  }
-
   std::vector<unsigned int> parse_ids(const std::string &text, const std::string &entry)
   {
-    std::vector<unsigned int> ids;
-    for (const auto &word : words(text))
-      {
-        if (word.find_first_not_of("0123456789") != std::string::npos || word.size() > 9)
-          refuse(entry, word, "boundary ids, e.g. '0, 2'");
-        ids.push_back(std::stoul(word));
-      }
-    return ids;
+    return parse_words<unsigned int>(text, Patterns::Integer(0), entry, "boundary ids, e.g. '0, 2'");
   }
 
   std::vector<double> parse_numbers(const std::string &text, const std::size_t count, const std::string &entry)
   {
-    const auto found = words(text);
-    if (found.size() != count)
+    auto numbers = parse_words<double>(text, Patterns::Double(), entry, "a number such as 0.0889 or 1e-3");
+    if (numbers.size() != count)
       refuse(entry, text, std::to_string(count) + " numbers separated by blanks");
-    std::vector<double> numbers;
-    for (const auto &word : found)
-      numbers.push_back(parse_number(word, entry));
     return numbers;
   }
 
@@ -100,11 +64,10 @@ namespace birdstrike
     std::vector<std::pair<std::string, std::string>> pairs;
     for (const auto &piece : split(text, separator))
       {
-        const std::size_t colon = piece.find(':');
-        if (colon == std::string::npos || trimmed(piece.substr(0, colon)).empty() ||
-            trimmed(piece.substr(colon + 1)).empty())
+        const std::size_t colon = std::min(piece.find(':'), piece.size() - 1);
+        pairs.emplace_back(trim(piece.substr(0, colon)), trim(piece.substr(colon + 1)));
+        if (pairs.back().first.empty() || pairs.back().second.empty())
           refuse(entry, piece, std::string("'what: value' pairs separated by '") + separator + "'");
-        pairs.emplace_back(trimmed(piece.substr(0, colon)), trimmed(piece.substr(colon + 1)));
       }
     return pairs;
   }
@@ -113,15 +76,10 @@ namespace birdstrike
   {
     static const std::array<std::string, 6> names{{"ux", "uy", "uz", "rx", "ry", "rz"}};
     std::array<bool, 6>                     held{};
-    for (const auto &word : words(text))
-      {
-        bool known = word == "clamped" || word == "hinged";
-        for (unsigned int c = 0; c < 6; ++c)
-          if (word == names[c] || word == "clamped" || (word == "hinged" && c < 3))
-            held[c] = known = true;
-        if (!known)
-          refuse(entry, word, "ux uy uz rx ry rz, clamped (all six), hinged (ux uy uz)");
-      }
+    for (const auto &word : parse_words<std::string>(text, Patterns::Selection("ux|uy|uz|rx|ry|rz|clamped|hinged"),
+                                                     entry, "ux uy uz rx ry rz, clamped (all six), hinged (ux uy uz)"))
+      for (unsigned int c = 0; c < 6; ++c)
+        held[c] = held[c] || word == names[c] || word == "clamped" || (word == "hinged" && c < 3);
     return held;
   }
 } // namespace birdstrike

@@ -2,8 +2,9 @@
 
 #include <birdstrike/core/errors.h>
 
-#include <cmath>
-#include <cstdlib>
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
 #include <string>
 
 namespace birdstrike
@@ -14,11 +15,9 @@ namespace birdstrike
   {
     if (text == "table")
       return;
-    char        *end    = nullptr;
-    const double number = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(number) || number < lowest || number > highest)
+    if (!dealii::Patterns::Double(lowest, highest).match(text))
       throw InputError("Blade/Material/" + entry + ": '" + text + "' was read.\nAllowed: 'table' or a number from " +
                        std::to_string(lowest) + " to " + std::to_string(highest) + ".");
-    value = number;
+    value = dealii::Utilities::string_to_double(text);
   }
 } // namespace birdstrike

@@ -5,13 +5,10 @@
 #include <utility>
 #include <vector>
 
-/// The small grammars of list entries in section "Blade". Each throws InputError that names the entry, the piece of
-/// text that could not be read and what is allowed.
+/// The small grammars of list entries in section "Blade", whose items are deal.II's Patterns. Each throws InputError
+/// that names the entry, the piece of text that could not be read and what is allowed.
 namespace birdstrike
 {
-  /// Pieces of a text between separators, without surrounding blanks; empty pieces are dropped.
-  std::vector<std::string> split(const std::string &text, char separator);
-
   /// "0, 1, 7" -> boundary or material ids.
   std::vector<unsigned int> parse_ids(const std::string &text, const std::string &entry);
 
