@@ -15,38 +15,6 @@ namespace birdstrike
 {
   namespace
   {
-    /// What an exception of deal.II says, without its frame and stack, on one line.
-    std::string short_text(const std::exception &error)
-    {
-      std::ostringstream text;
-      if (const auto *of_library = dynamic_cast<const dealii::ExceptionBase *>(&error))
-        of_library->print_info(text);
-      else
-        text << error.what();
-      std::istringstream words(text.str());
-      std::string        word, line;
-      while (words >> word && line.size() < 160)
-        line += (line.empty() ? "" : " ") + word;
-      return line;
-    }
-
-    void assign(dealii::ParameterHandler &prm, const Assignment &assignment)
-    {
-      for (const std::string &name : assignment.section)
-        prm.enter_subsection(name);
-      try
-        {
-          prm.set(assignment.name, assignment.value);
-        }
-      catch (const std::exception &error)
-        {
-          throw InputError(assignment.where.text() + ", section '" + to_string(assignment.section) + "': '" +
-                           assignment.name + "' cannot be '" + assignment.value + "'.\n  Reason: " + short_text(error));
-        }
-      for (std::size_t i = 0; i < assignment.section.size(); ++i)
-        prm.leave_subsection();
-    }
-
     /// Appends text as comment lines of at most 100 columns.
     void add_comment(std::string &out, const std::string &indent, const std::string &text)
     {
@@ -118,13 +86,12 @@ namespace birdstrike
 
   void ParameterFile::read(const std::string &path, const std::vector<std::string> &overrides)
   {
-    const ParameterTree     known       = tree();
-    std::vector<Assignment> assignments = scan_parameter_file(path, known);
-    for (const std::string &text : overrides)
-      assignments.push_back(scan_override(text, known));
+    const ParameterTree known = tree();
+    std::string         text  = scan_parameter_file(path, known);
+    for (const std::string &override_text : overrides)
+      text += scan_override(override_text, known);
     original_text = read_text(path);
-    for (const Assignment &assignment : assignments)
-      assign(*prm, assignment);
+    prm->parse_input_from_string(text);
     for (const ParameterGroup &group : groups)
       try
         {
@@ -138,7 +105,7 @@ namespace birdstrike
 
   void ParameterFile::set(const std::string &override_text)
   {
-    assign(*prm, scan_override(override_text, tree()));
+    prm->parse_input_from_string(scan_override(override_text, tree()));
   }
 
   const std::string &ParameterFile::original() const

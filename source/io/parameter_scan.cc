@@ -40,7 +40,20 @@ namespace birdstrike
       return value == "off" || value == "no" ? "false" : value;
     }
 
-    Assignment make_assignment(const SectionPath &section, const std::string &statement, const SourceLine &where,
+    /// One `set Entry = value`.
+    struct Assignment
+    {
+      SectionPath  section;
+      std::string  name, value;
+      unsigned int line;
+
+      std::string text() const
+      {
+        return "set " + name + " = " + value + "\n";
+      }
+    };
+
+    Assignment read_assignment(const SectionPath &section, const std::string &statement, const SourceLine &where,
                                const ParameterTree &known)
     {
       const std::size_t equals = statement.find('=');
@@ -54,7 +67,7 @@ namespace birdstrike
       const std::string value = normalise_value(normalise(statement.substr(equals + 1)), *entry);
       if (!entry->allows(value))
         throw InputError(describe_bad_value(where, *entry, value));
-      return {section, name, value, where};
+      return {section, name, value, where.line};
     }
 
     /// One file: the state between its lines.
@@ -66,7 +79,7 @@ namespace birdstrike
       {
       }
 
-      std::vector<Assignment> scan()
+      std::string scan()
       {
         std::ifstream in(path);
         if (!in || fs::is_directory(path))
@@ -90,7 +103,7 @@ namespace birdstrike
           throw InputError(message({path.string() + ": subsection '" + section.back() + "', opened in line " +
                                       std::to_string(opened_at.back()) + ", has no 'end'.",
                                     "  Action: close every 'subsection NAME' with a line 'end'."}));
-        return std::move(assignments);
+        return text;
       }
 
       SourceLine includer; ///< the line that named this file; line 0 for the outermost
@@ -102,8 +115,9 @@ namespace birdstrike
       SectionPath               start;
       SectionPath               section;
       std::vector<unsigned int> opened_at;
-      std::vector<Assignment>   assignments;
+      std::vector<Assignment>   assignments; ///< of this file alone
       SourceLine                where;
+      std::string               text;
 
       static bool is_continued(const std::string &line)
       {
@@ -126,7 +140,7 @@ namespace birdstrike
         else if (keyword == "end" && rest.empty())
           leave();
         else if (keyword == "set" && !rest.empty())
-          add(make_assignment(section, rest, where, known));
+          add(read_assignment(section, rest, where, known));
         else if (keyword == "include" && !rest.empty())
           include(rest);
         else
@@ -142,6 +156,7 @@ namespace birdstrike
             describe_unknown_section(where, section, opened_at.empty() ? 0 : opened_at.back(), name, known));
         section = inner;
         opened_at.push_back(where.line);
+        text += "subsection " + name + "\n";
       }
 
       void leave()
@@ -151,19 +166,20 @@ namespace birdstrike
                                     "  Action: remove the line, or open the section that it closes."}));
         opened_at.pop_back();
         section.pop_back();
+        text += "end\n";
       }
 
       void add(const Assignment &assignment)
       {
         for (const Assignment &earlier : assignments)
-          if (earlier.section == assignment.section && earlier.name == assignment.name &&
-              earlier.where.file == where.file)
+          if (earlier.section == assignment.section && earlier.name == assignment.name)
             throw InputError(message(
               {where.text() + ", " + describe_section(section) + ": '" + assignment.name + "' is set a second time.",
-               "  Read: " + quote(earlier.value) + " in line " + std::to_string(earlier.where.line) + ", now " +
+               "  Read: " + quote(earlier.value) + " in line " + std::to_string(earlier.line) + ", now " +
                  quote(assignment.value) + ".",
                "  Action: remove one of the two lines."}));
         assignments.push_back(assignment);
+        text += assignment.text();
       }
 
       void include(const std::string &name)
@@ -174,8 +190,7 @@ namespace birdstrike
             message({where.text() + ": files include each other without end.", "  Read: include " + name}));
         FileScanner inner(path.parent_path() / name, section, known, depth + 1);
         inner.includer = where;
-        for (Assignment &assignment : inner.scan())
-          assignments.push_back(std::move(assignment));
+        text += inner.scan();
       }
     };
   } // namespace
@@ -185,12 +200,12 @@ namespace birdstrike
     return line > 0 ? file + ", line " + std::to_string(line) : file;
   }
 
-  std::vector<Assignment> scan_parameter_file(const std::string &path, const ParameterTree &known)
+  std::string scan_parameter_file(const std::string &path, const ParameterTree &known)
   {
     return FileScanner(path, {}, known, 0).scan();
   }
 
-  Assignment scan_override(const std::string &text, const ParameterTree &known)
+  std::string scan_override(const std::string &text, const ParameterTree &known)
   {
     const SourceLine  where{"--set " + quote(text), 0};
     const std::size_t equals = text.find('=');
@@ -202,6 +217,7 @@ namespace birdstrike
       throw InputError(message(
         {where.text() + ": '#', '\\' and line breaks cannot stand in a parameter file.", "  Action: leave them out."}));
     SectionPath        section;
+    std::string        opening, closing;
     std::istringstream in(text.substr(0, slash));
     for (std::string name; std::getline(in, name, '/');)
       {
@@ -211,7 +227,9 @@ namespace birdstrike
         if (!known.has_section(inner))
           throw InputError(describe_unknown_section(where, section, 0, name, known));
         section = inner;
+        opening += "subsection " + name + "\n";
+        closing += "end\n";
       }
-    return make_assignment(section, text.substr(slash + 1), where, known);
+    return opening + read_assignment(section, text.substr(slash + 1), where, known).text() + closing;
   }
 } // namespace birdstrike

@@ -17,21 +17,14 @@ namespace birdstrike
     std::string text() const;
   };
 
-  /// One `set Entry = value`.
-  struct Assignment
-  {
-    SectionPath section;
-    std::string name;
-    std::string value;
-    SourceLine  where;
-  };
+  /// The text of a parameter file as deal.II's ParameterHandler parses it: with the included files in their places,
+  /// which are looked for beside the file that includes them, and switches (on, off, yes, no) as true and false.
+  ///
+  /// deal.II 9.4 answers a misspelt entry with a dump of its internals: so the first fault is located here. Raises
+  /// InputError, at most six lines, with file, line and nearest name. An entry set twice in one file is refused; a file
+  /// may set again what it included.
+  std::string scan_parameter_file(const std::string &path, const ParameterTree &known);
 
-  /// Reads deal.II's prm language (subsection, end, set, include, comments, lines continued with a backslash) and
-  /// checks every name and value against the known tree. It exists because deal.II 9.4 answers a misspelt entry with a
-  /// dump of its internals. Files named by `include` are looked for beside the file that includes them. An entry set
-  /// twice in one file is refused; a file may set again what it included. Raises InputError, at most six lines.
-  std::vector<Assignment> scan_parameter_file(const std::string &path, const ParameterTree &known);
-
-  /// One override "Section/Sub section/Entry=value"; blanks around '/' and '=' do not count.
-  Assignment scan_override(const std::string &text, const ParameterTree &known);
+  /// The same of one override "Section/Sub section/Entry=value"; blanks around '/' and '=' do not count.
+  std::string scan_override(const std::string &text, const ParameterTree &known);
 } // namespace birdstrike
