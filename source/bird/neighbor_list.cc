@@ -1,13 +1,9 @@
 #include <birdstrike/bird/neighbor_list.h>
+#include <birdstrike/core/simd/compress.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
-
-#if defined(__AVX512F__)
-#  include <immintrin.h>
-#endif
 
 namespace birdstrike
 {
@@ -52,34 +48,6 @@ namespace birdstrike
               }
       return runs;
     }
-
-    /// Bit k is set where lane k is.
-    std::uint32_t to_bits(const FloatLanes::mask_type &mask)
-    {
-#if defined(__AVX512F__)
-      if constexpr (sizeof(mask) == sizeof(__mmask16)) // one bit per lane
-        return std::bit_cast<__mmask16>(mask);
-#endif
-      std::uint32_t bits = 0;
-      for (std::size_t k = 0; k < FloatLanes::size(); ++k)
-        bits |= static_cast<std::uint32_t>(mask[k]) << k;
-      return bits;
-    }
-
-    /// Appends j + k for each set bit k. May write as many entries as there are lanes, whatever the number kept.
-    std::uint32_t *append(std::uint32_t *out, const std::uint32_t j, std::uint32_t bits)
-    {
-#if defined(__AVX512F__)
-      const __m512i step = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-      _mm512_storeu_si512(
-        out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), _mm512_add_epi32(step, _mm512_set1_epi32(j))));
-      return out + std::popcount(bits);
-#else
-      for (; bits != 0; bits &= bits - 1)
-        *out++ = j + std::countr_zero(bits);
-      return out;
-#endif
-    }
   } // namespace
 
   NeighborList::NeighborList(const double support, const double skin, const Period &period, const std::size_t padding)
@@ -116,6 +84,7 @@ namespace birdstrike
   std::uint32_t *NeighborList::list_run(std::uint32_t *out, const std::size_t p, const std::size_t begin,
                                         const std::size_t end) const
   {
+    using Numbers                = LaneNumbers<FloatLanes>;
     constexpr std::size_t width  = FloatLanes::size();
     const float           range2 = static_cast<float>(safe_range * safe_range);
     for (std::size_t j = begin; j < end; j += width)
@@ -134,7 +103,7 @@ namespace birdstrike
           bits &= ~(std::uint32_t(1) << (p - j));
         if (end - j < width)
           bits &= (std::uint32_t(1) << (end - j)) - 1;
-        out = append(out, j, bits);
+        out += compress_lanes(count_lanes<Numbers>() + static_cast<std::uint32_t>(j), bits, out);
       }
     return out;
   }

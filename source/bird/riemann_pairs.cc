@@ -1,6 +1,7 @@
 #include "bird/correction.h"
 #include "bird/riemann_rates.h"
 #include "bird/symmetric_tensor.h"
+#include <birdstrike/core/simd/inverse_root.h>
 
 #include <algorithm>
 
@@ -100,7 +101,7 @@ namespace birdstrike
             if (period[d] > 0)
               x[d] -= period[d] * stdx::nearbyint(x[d] * (1 / period[d]));
         const Number r2        = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + T(smallest_distance2);
-        const Number inverse_r = inverse_sqrt<T>(r2), r = r2 * inverse_r, t = max(one - r, zero);
+        const Number inverse_r = inverse_root(r2), r = r2 * inverse_r, t = max(one - r, zero);
         const Number w          = V * A[3] * t * t * t;
         const Number vx         = v[0] * x[0] + v[1] * x[1] + v[2] * x[2];
         Number       separation = vx; // r times the separation speed at the midpoint

@@ -2,7 +2,7 @@
 
 #include "bird/riemann_sums.h"
 #include <birdstrike/bird/rates.h>
-#include <birdstrike/core/records.h>
+#include <birdstrike/core/simd/records.h>
 
 namespace birdstrike
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bird/lane_sums.h"
+#include <birdstrike/core/simd/lane_sums.h>
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <birdstrike/bird/rates.h>
-#include <birdstrike/core/records.h>
+#include <birdstrike/core/simd/records.h>
 
 namespace birdstrike
 {

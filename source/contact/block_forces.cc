@@ -1,5 +1,4 @@
 #include "contact/block_forces.h"
-#include "contact/gather.h"
 #include <birdstrike/contact/dissipation.h>
 #include <birdstrike/contact/facet_grid.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <birdstrike/core/records.h>
+#include <birdstrike/core/simd/records.h>
 
 namespace birdstrike
 {

@@ -19,7 +19,8 @@
 ///
 /// `Lanes` is one SIMD register of doubles (8 with AVX-512, 4 with AVX2, 2 with SSE2). A formula is a template on
 /// `Number` and uses the functions below, which mean the same on both; branches become `select(mask, a, b)`.
-/// This is the only SIMD abstraction of the project (ISO/IEC TS 19570:2018, section 9, as shipped by GCC >= 11).
+/// This is the only SIMD abstraction of physics (ISO/IEC TS 19570:2018, section 9, as shipped by GCC >= 11); what moves
+/// data between registers and memory stands in core/simd.
 namespace birdstrike
 {
   namespace stdx = std::experimental;
@@ -136,6 +137,11 @@ namespace birdstrike
   inline Lanes load<Lanes>(const float *p)
   {
     return Lanes(p, stdx::element_aligned);
+  }
+  /// values[index[k]] for the lanes k of one register.
+  inline Lanes gather(const double *values, const std::uint32_t *index)
+  {
+    return Lanes([&](const auto k) { return values[index[k]]; });
   }
   inline void store(const double a, float *p)
   {

@@ -1,6 +1,5 @@
 #include "contact/search/pair_collector.h"
-#include "contact/search/append.h"
-#include <birdstrike/core/number.h>
+#include <birdstrike/core/simd/compress.h>
 
 #include <algorithm>
 
@@ -97,8 +96,10 @@ namespace birdstrike
             squared += outside * outside;
           }
         // the limit is a hair larger: rounding must not lose what is exactly at reach
-        const std::size_t n = append_below(sqrt(squared), limit, &chosen[b], &facet[n_pairs], &bound[n_pairs]);
-        n_pairs += n;
+        const Lanes         distance = sqrt(squared);
+        const std::uint32_t bits     = to_bits(distance < limit);
+        compress_lanes(LaneNumbers<Lanes>(&chosen[b], stdx::element_aligned), bits, &facet[n_pairs]);
+        n_pairs += compress_lanes(distance, bits, &bound[n_pairs]);
       }
     std::fill(near.begin() + static_cast<std::ptrdiff_t>(before), near.begin() + static_cast<std::ptrdiff_t>(n_pairs),
               number);

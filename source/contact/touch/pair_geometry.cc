@@ -1,7 +1,6 @@
-#include "contact/gather.h"
-#include "contact/search/append.h"
 #include <birdstrike/contact/pair_geometry.h>
 #include <birdstrike/core/closest_point.h>
+#include <birdstrike/core/simd/compress.h>
 
 #include <algorithm>
 
@@ -12,13 +11,10 @@ namespace birdstrike
     const double limit = reach + block.path;
     n_awake            = 0;
     pair.resize(std::max(pair.size(), block.pair_bound.size() + n_lanes));
-    std::array<std::uint32_t, n_lanes> number;
+    const auto lane = count_lanes<LaneNumbers<Lanes>>();
     for (std::size_t b = 0; b < block.pair_bound.size(); b += n_lanes)
-      {
-        for (std::size_t k = 0; k < n_lanes; ++k)
-          number[k] = static_cast<std::uint32_t>(b + k);
-        n_awake += append_below(load<Lanes>(&block.pair_bound[b]), limit, number.data(), &pair[n_awake], nullptr);
-      }
+      n_awake += compress_lanes(lane + static_cast<std::uint32_t>(b),
+                                to_bits(load<Lanes>(&block.pair_bound[b]) < limit), &pair[n_awake]);
     for (std::size_t a = n_awake; a % n_lanes != 0; ++a)
       pair[a] = pair[n_awake - 1];
   }
@@ -76,7 +72,9 @@ namespace birdstrike
         node[c] = load_records(nodes.data(), corner[c].data());
         x[c]    = {node[c][0], node[c][1], node[c][2]};
       }
-    const auto           q      = compute_closest_point(gather_points(points, point.data()), x);
+    const Vector3<Lanes> p(gather(points.position[0], point.data()), gather(points.position[1], point.data()),
+                           gather(points.position[2], point.data()));
+    const auto           q      = compute_closest_point(p, x);
     const Vector3<Lanes> normal = compute_area_vector(x);
     store(sqrt(q.distance_squared), &distance[begin]);
     store(q.offset.dot(normal) / sqrt(normal.dot(normal)), &height[begin]);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "structure/nodes/registers.h"
 #include "structure/nodes/scaled_nodes.h"
+#include <birdstrike/core/simd/registers.h>
 
 #include "structure/nodes/loads.h"
 #include "structure/nodes/node_arrays.h"

@@ -3,7 +3,7 @@
 
 #include "structure/elements/solid/law.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/core/lane_rows.h>
+#include <birdstrike/core/simd/records.h>
 
 #include <algorithm>
 #include <cstring>
@@ -153,8 +153,7 @@ namespace birdstrike::studies
         typename Brick::Nodes x, u, force;
         for (int i = 0; i < 27; ++i)
           {
-            Lanes a[8];
-            load_rows(records[0].value, batch.record[i], a);
+            const auto a = load_rows(records[0].value, batch.record[i]);
             x[i] << a[0], a[1], a[2];
             u[i] << a[3], a[4], a[5];
             force[i] = Vector3<Lanes>::Constant(Lanes(0.));
@@ -183,9 +182,7 @@ namespace birdstrike::studies
         const Lanes none = 0.;
         for (int i = 0; i < 27; i += 2)
           {
-            const int     next   = std::min(i + 1, 26);
-            const Lanes   row[8] = {force[i][0],    force[i][1],    force[i][2],    none,
-                                    force[next][0], force[next][1], force[next][2], none};
+            const int     next = std::min(i + 1, 26);
             Force         part[2 * n_lanes];
             std::uint32_t first[n_lanes], second[n_lanes];
             for (std::uint32_t k = 0; k < n_lanes; ++k)
@@ -193,7 +190,9 @@ namespace birdstrike::studies
                 first[k]  = 2 * k;
                 second[k] = 2 * k + 1;
               }
-            store_half_rows(row, first, second, part);
+            store_half_rows(
+              {force[i][0], force[i][1], force[i][2], none, force[next][0], force[next][1], force[next][2], none},
+              first, second, part);
             for (std::size_t k = 0; k < n_lanes; ++k)
               {
                 add(part[2 * k], node_force[batch.node[i][k]]);

@@ -1,4 +1,3 @@
-#include "contact/search/append.h"
 #include <birdstrike/contact/local_numbers.h>
 #include <birdstrike/contact/node_records.h>
 
@@ -28,23 +27,6 @@ TEST(LocalNumbers, EachKeyKeepsTheNumberOfItsFirstSight)
         }
       EXPECT_EQ(numbers.keys().size(), expected.size());
     }
-}
-
-TEST(AppendBelow, KeepsTheOrderOfWhatIsBelowTheLimit)
-{
-  std::array<std::uint32_t, n_lanes> number;
-  for (std::size_t k = 0; k < n_lanes; ++k)
-    number[k] = static_cast<std::uint32_t>(100 + k);
-  const Lanes                            value([](const auto k) { return k % 2 == 0 ? 1. + 0.1 * k : 9.; });
-  std::array<std::uint32_t, 2 * n_lanes> numbers{};
-  std::array<double, 2 * n_lanes>        values{};
-  EXPECT_EQ(append_below(value, 5., number.data(), numbers.data(), values.data()), n_lanes / 2);
-  for (std::size_t k = 0; k < n_lanes / 2; ++k)
-    {
-      EXPECT_EQ(numbers[k], 100 + 2 * k);
-      EXPECT_EQ(values[k], value[2 * k]);
-    }
-  EXPECT_EQ(append_below(value, 1., number.data(), numbers.data(), nullptr), 0u); // below, not at
 }
 
 TEST(NodeRecords, AreTransposedIntoLanes)

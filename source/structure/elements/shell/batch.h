@@ -18,9 +18,7 @@ namespace birdstrike
 #pragma GCC unroll 4
       for (int i = 0; i < 4; ++i)
         {
-          Lanes a[8], b[8];
-          load_rows(records, begin[i], a);
-          load_rows(records + 8, begin[i], b);
+          const auto a = load_rows(records, begin[i]), b = load_rows(records + 8, begin[i]);
           position[i] << a[0], a[1], a[2];
           increment[i] << a[3], a[4], a[5];
           rotation[i] << a[6], a[7], b[0];
@@ -46,8 +44,7 @@ namespace birdstrike
     for (int i = 0; i < 4; ++i)
       {
         const Vector3<Lanes> &f = force[0][i], &m = force[1][i];
-        const Lanes           row[8] = {f[0], f[1], f[2], m[0], m[1], m[2], zero, zero};
-        store_rows(row, corner[i], rows);
+        store_rows({f[0], f[1], f[2], m[0], m[1], m[2], zero, zero}, corner[i], rows);
       }
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <birdstrike/core/lane_rows.h>
+#include <birdstrike/core/simd/inverse_root.h>
 
 namespace birdstrike
 {

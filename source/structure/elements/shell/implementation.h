@@ -5,7 +5,7 @@
 #include "structure/elements/shell/section.h"
 #include "structure/elements/stored_energy.h"
 #include <birdstrike/core/aligned_vector.h>
-#include <birdstrike/core/lane_rows.h>
+#include <birdstrike/core/simd/records.h>
 
 namespace birdstrike
 {

@@ -1,4 +1,4 @@
-#include "structure/nodes/registers.h"
+#include <birdstrike/core/simd/registers.h>
 
 #include "structure/elements/shell/implementation.h"
 

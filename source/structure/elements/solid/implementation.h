@@ -5,7 +5,7 @@
 #include "structure/elements/solid/solid_shell.h"
 #include "structure/elements/solid/step_bound.h"
 #include "structure/elements/stored_energy.h"
-#include <birdstrike/core/aligned_vector.h>
+#include <birdstrike/core/simd/records.h>
 
 namespace birdstrike
 {

@@ -1,4 +1,4 @@
-#include "structure/nodes/registers.h"
+#include <birdstrike/core/simd/registers.h>
 
 #include "structure/elements/solid/b_bar.h"
 #include "structure/elements/solid/implementation.h"
@@ -20,8 +20,7 @@ namespace birdstrike
 #pragma GCC unroll 8
       for (int i = 0; i < 8; ++i)
         {
-          Lanes a[8];
-          load_rows(records, begin[i], a);
+          const auto a = load_rows(records, begin[i]);
           position[i] << a[0], a[1], a[2];
           increment[i] << a[3], a[4], a[5];
         }
@@ -35,8 +34,8 @@ namespace birdstrike
 #pragma GCC unroll 4
       for (int i = 0; i < 8; i += 2)
         {
-          const Lanes row[8] = {f[i][0], f[i][1], f[i][2], zero, f[i + 1][0], f[i + 1][1], f[i + 1][2], zero};
-          store_half_rows(row, corner[i], corner[i + 1], rows);
+          store_half_rows({f[i][0], f[i][1], f[i][2], zero, f[i + 1][0], f[i + 1][1], f[i + 1][2], zero}, corner[i],
+                          corner[i + 1], rows);
         }
     }
 

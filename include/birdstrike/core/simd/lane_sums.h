@@ -1,8 +1,6 @@
 #pragma once
 
-#include <birdstrike/core/records.h>
-
-#include <array>
+#include <birdstrike/core/simd/transpose.h>
 
 namespace birdstrike
 {
