@@ -7,10 +7,7 @@ namespace birdstrike
   EnergyReport DeformableBlade<Kind>::energies() const
   {
     EnergyReport report = motion.energies();
-    Kind::add_energies(elements, report);
-    report.plastic  = elements.plastic_work();
-    report.eroded   = elements.eroded_energy();
-    report.internal = elements.work();
+    elements.add_energies(report);
     return report;
   }
 

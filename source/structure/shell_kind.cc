@@ -93,12 +93,6 @@ namespace birdstrike
     return {};
   }
 
-  void ShellKind::add_energies(const Elements &elements, EnergyReport &report)
-  {
-    report.elastic   = elements.elastic_energy();
-    report.hourglass = elements.hourglass_energy();
-  }
-
   void ShellKind::add_fields(const Elements &elements, const std::vector<std::size_t> &cells,
                              std::vector<Field> &fields)
   {

@@ -39,7 +39,6 @@ namespace birdstrike
     static MassScalingReport finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &mass,
                                     Elements &elements, Nodes &nodes);
 
-    static void add_energies(const Elements &elements, EnergyReport &report);
     /// Of the elements in the list.
     static void add_fields(const Elements &elements, const std::vector<std::size_t> &cells, std::vector<Field> &fields);
     /// Nodes of a cell in the order of FieldSnapshot::cells.

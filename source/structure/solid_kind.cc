@@ -106,15 +106,6 @@ namespace birdstrike
     return chosen.report;
   }
 
-  void SolidKind::add_energies(const Elements &elements, EnergyReport &report)
-  {
-    // What stabilises a brick of one point is the strain of bending and torsion, exact for a plate of one layer:
-    // nothing in it is artificial, and counted as hourglass it would be most of what such a plate stores.
-    const auto stored = elements.stored_energy();
-    report.elastic    = stored[0] + stored[1];
-    report.viscous    = elements.viscous_energy();
-  }
-
   void SolidKind::add_fields(const Elements &elements, const std::vector<std::size_t> &cells,
                              std::vector<Field> &fields)
   {

@@ -43,7 +43,6 @@ namespace birdstrike
     static MassScalingReport finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &mass,
                                     Elements &elements, Nodes &nodes);
 
-    static void add_energies(const Elements &elements, EnergyReport &report);
     static void add_fields(const Elements &elements, const std::vector<std::size_t> &cells, std::vector<Field> &fields);
     static const std::array<std::uint32_t, 8> &nodes_of(const Mesh &mesh, std::size_t cell);
   };

@@ -23,27 +23,33 @@ namespace birdstrike
     }
   } // namespace
 
-  ElementBlocks::ElementBlocks(const std::span<const std::uint32_t> corners, const std::size_t n_corners,
-                               const std::size_t n_nodes, const std::size_t elements_per_block)
+  ElementBlocks::ElementBlocks(const std::span<const std::uint32_t> corners, const std::span<const std::uint32_t> chunk,
+                               const std::size_t n_nodes)
     : corner_row(corners.begin(), corners.end())
   {
-    const std::size_t          n_elements = corners.size() / n_corners;
-    const std::size_t          n_blocks   = (n_elements + elements_per_block - 1) / elements_per_block;
-    std::vector<std::uint32_t> first(n_nodes, 0), last(n_nodes, 0), count(n_nodes, 0), first_begin, last_begin;
-    for (std::size_t c = corners.size(); c-- > 0;)
-      first[corners[c]] = c / n_corners / elements_per_block;
+    const std::size_t          n_corners = corners.size() / chunk.size();
+    const std::uint32_t        n_chunks  = *std::max_element(chunk.begin(), chunk.end()) + 1;
+    const std::size_t          n_blocks  = (n_chunks + chunks_per_block - 1) / chunks_per_block;
+    std::vector<std::uint32_t> first(n_nodes, n_chunks), last(n_nodes, 0), count(n_nodes, 0), first_begin, last_begin;
     for (std::size_t c = 0; c < corners.size(); ++c)
       {
-        last[corners[c]] = c / n_corners / elements_per_block;
-        ++count[corners[c]];
+        const std::uint32_t block = chunk[c / n_corners] / chunks_per_block, n = corners[c];
+        first[n] = std::min(first[n], block);
+        last[n]  = std::max(last[n], block);
+        ++count[n];
       }
+    for (std::size_t n = 0; n < n_nodes; ++n)
+      first[n] = count[n] > 0 ? first[n] : 0;
     entering = sort_by_block(first, n_blocks, first_begin);
     for (const auto n : sort_by_block(last, n_blocks, last_begin))
       leaving.push_back({n, 0, count[n]});
     for (std::uint32_t b = 0; b < n_blocks; ++b)
-      blocks.push_back({std::uint32_t(b * elements_per_block),
-                        std::uint32_t(std::min(n_elements, (b + 1) * elements_per_block)), first_begin[b],
-                        first_begin[b + 1], last_begin[b], last_begin[b + 1]});
+      {
+        blocks.push_back({std::uint32_t(b * chunks_per_block),
+                          std::uint32_t(std::min<std::size_t>(n_chunks, (b + 1) * chunks_per_block)), first_begin[b],
+                          first_begin[b + 1], last_begin[b], last_begin[b + 1], std::uint32_t(n_sums)});
+        n_sums += (last_begin[b + 1] - last_begin[b] + nodes_per_chunk - 1) / nodes_per_chunk;
+      }
     assign_rows(count);
   }
 

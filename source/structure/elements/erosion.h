@@ -30,7 +30,6 @@ namespace birdstrike
     };
     AlignedVector<OfBatch>            batches;
     std::vector<AlignedVector<Lanes>> damage;           ///< [sections], D of their points; empty while elastic
-    std::vector<std::uint32_t>        n_left;           ///< [n_nodes], elements that have not failed
     unsigned int                      n_needed    = 1;  ///< failed points that make an element fail
     std::size_t                       n_failed    = 0;  ///< elements
     std::size_t                       n_collapsed = 0;  ///< of these
@@ -63,15 +62,12 @@ namespace birdstrike
       return sum;
     }
 
-    /// Counts an element out; its corners are `nodes`.
-    template <class Nodes>
-    void count_out(const Nodes &nodes, const double element_mass, const bool collapses)
+    /// Counts an element out.
+    void count_out(const double element_mass, const bool collapses)
     {
       ++n_failed;
       n_collapsed += collapses;
       mass += element_mass;
-      for (const auto n : nodes)
-        --n_left[n];
     }
 
     double largest_damage(const std::size_t element, const std::size_t n_sections) const
@@ -85,8 +81,7 @@ namespace birdstrike
 
     std::size_t bytes() const
     {
-      std::size_t sum = batches.capacity() * sizeof(OfBatch) + damage.capacity() * sizeof(damage[0]) +
-                        n_left.capacity() * sizeof(std::uint32_t);
+      std::size_t sum = batches.capacity() * sizeof(OfBatch) + damage.capacity() * sizeof(damage[0]);
       for (const auto &of_section : damage)
         sum += of_section.capacity() * sizeof(Lanes);
       return sum;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/elements/shell/elements.h"
+#include "structure/elements/shell/shell_section.h"
 #include "structure/elements/through_thickness.h"
 
 namespace birdstrike

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/elements/shell/implementation.h"
+#include "structure/elements/shell/group.h"
 
 namespace birdstrike
 {

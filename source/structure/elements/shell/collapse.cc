@@ -1,5 +1,5 @@
 #include "structure/elements/shell/failure.h"
-#include "structure/elements/shell/implementation.h"
+#include "structure/elements/shell/group.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,17 +23,17 @@ namespace birdstrike
     }
   } // namespace
 
-  bool ShellElements::Implementation::can_collapse() const
+  bool ShellGroup::can_collapse() const
   {
     return erosion && section.material.failure.smallest_step > 0.;
   }
 
   /// Whether neither stresses nor what they have dissipated has become infinite or NaN.
-  bool ShellElements::Implementation::has_finite_state(const std::size_t element) const
+  bool ShellGroup::has_finite_state(const std::size_t element) const
   {
-    const std::size_t b = element / n_lanes, k = element % n_lanes;
-    const Chunk      &chunk = chunks[b / batches_per_chunk];
-    double            sum   = lane(chunk.plastic, k) + lane(chunk.hourglass, k);
+    const std::size_t   b = element / n_lanes, k = element % n_lanes;
+    const ElementChunk &chunk = chunks[b / ElementBlocks::batches_per_chunk];
+    double              sum   = lane(chunk.plastic, k) + lane(chunk.hourglass, k);
     for (std::size_t i = 0; i < n_in_plane; ++i)
       {
         const SectionStress<Lanes> &s = section_of(b, i);
@@ -46,26 +46,25 @@ namespace birdstrike
 
   /// Half the work of the corner forces of lane k on the displacements of the step (J), which they do no more; 0 where
   /// they are not finite.
-  double ShellElements::Implementation::drop_forces(const std::size_t b, const std::size_t k)
+  double ShellGroup::drop_forces(const std::size_t b, const std::size_t k)
   {
     double work = 0.;
     for (int i = 0; i < 4; ++i)
       {
-        Row              &row    = corner_force[batches[b].corner[i][k]];
-        const NodeRecord &record = records[cells[b * n_lanes + k][i]];
+        ForceOnCorner     &row    = place.corner_force[batches[b].corner[i][k]];
+        const ShellRecord &record = place.records[place.cells[b * n_lanes + k][i]];
         for (int c = 0; c < 3; ++c)
           work += 0.5 * (row.value[c] * record.increment[c] + row.value[3 + c] * record.rotation[c]);
-        row = Row{};
+        row = ForceOnCorner{};
       }
     return std::isfinite(work) ? work : 0.;
   }
 
-  void ShellElements::Implementation::collapse(const std::size_t b, Chunk &chunk)
+  void ShellGroup::collapse(const std::size_t b, ElementChunk &chunk)
   {
-    const LanesMask    fails = mask_of(erosion->batches[b].collapsed);
-    const Lanes        zero  = 0., volume([&](const auto k) {
-      return mass[std::min(b * n_lanes + k, cells.size() - 1)] / section.material.density;
-    });
+    const LanesMask fails = mask_of(erosion->batches[b].collapsed);
+    const Lanes     zero  = 0.,
+                volume([&](const auto k) { return mass[element_of(b * n_lanes + k)] / section.material.density; });
     ShellVector<Lanes> none; // the forces' work is taken as a whole
     for (int c = 0; c < 3; ++c)
       none.membrane[c] = none.curvature[c] = zero;
@@ -94,18 +93,18 @@ namespace birdstrike
       if (fails[k])
         energy[k] -= drop_forces(b, k);
     erosion->book(b, n_elements_of(b), fails, select(fails, energy, zero));
-    batches[b].eigenvalue = select(fails, zero, batches[b].eigenvalue);
+    batches[b].bound = select(fails, zero, batches[b].bound);
   }
 
-  void ShellElements::Implementation::take_collapsed(const std::size_t c)
+  void ShellGroup::take_collapsed(const std::size_t c)
   {
-    Chunk            &chunk = chunks[c];
-    const std::size_t end   = std::min(batches.size(), (c + 1) * batches_per_chunk);
+    ElementChunk     &chunk = chunks[c];
+    const std::size_t end   = std::min(batches.size(), (c + 1) * ElementBlocks::batches_per_chunk);
     bool              has   = false;
-    for (std::size_t b = c * batches_per_chunk; b < end; ++b)
+    for (std::size_t b = c * ElementBlocks::batches_per_chunk; b < end; ++b)
       {
-        ShellErosion::OfBatch &of_batch = erosion->batches[b];
-        of_batch.collapsed |= bits_of(of_batch.alive > Lanes(0.) && batches[b].eigenvalue > of_batch.allowed);
+        Erosion::OfBatch &of_batch = erosion->batches[b];
+        of_batch.collapsed |= bits_of(of_batch.alive > Lanes(0.) && batches[b].bound > of_batch.allowed);
         if (of_batch.collapsed == 0)
           continue;
         has = true;
@@ -113,8 +112,8 @@ namespace birdstrike
       }
     if (!has)
       return;
-    chunk.eigenvalue = Lanes(0.);
-    for (std::size_t b = c * batches_per_chunk; b < end; ++b)
-      chunk.eigenvalue = max(chunk.eigenvalue, batches[b].eigenvalue);
+    chunk.bound = Lanes(0.);
+    for (std::size_t b = c * ElementBlocks::batches_per_chunk; b < end; ++b)
+      chunk.bound = max(chunk.bound, batches[b].bound);
   }
 } // namespace birdstrike

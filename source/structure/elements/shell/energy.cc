@@ -1,9 +1,9 @@
 #include "structure/elements/shell/batch.h"
 
 #include "structure/elements/shell/full_integration.h"
-#include "structure/elements/shell/implementation.h"
+#include "structure/elements/shell/group.h"
 
-// What shells store, from their stresses (StoredEnergy), and what their forces have done.
+// What shells store, from their stresses (StoredEnergy).
 namespace birdstrike
 {
   namespace
@@ -31,10 +31,10 @@ namespace birdstrike
     }
   } // namespace
 
-  StoredEnergy::State ShellElements::Implementation::stored(const std::size_t k) const
+  StoredEnergy::State ShellGroup::stored(const std::size_t k) const
   {
     const std::size_t           b = k / n_in_plane, point = k % n_in_plane;
-    const BatchNodes            nodes(records[0].position, batches[b].record);
+    const BatchNodes            nodes(place.records->position, batches[b].record);
     const auto                  geometry = ShellGeometry<Lanes>::of_corners(nodes.position, nodes.normal);
     const SectionStress<Lanes> &s        = section_of(b, point);
     Lanes                       area     = geometry.area;
@@ -48,31 +48,5 @@ namespace birdstrike
     const Lanes volume_strain = volume_compliance(law) * (s.mean[0] + s.mean[1]);
     const Lanes volume        = s.thickness * area * (1. - (1. / 3.) * volume_strain);
     return {{compute_density(law, s, points_of(b, point)), Lanes(0.)}, volume};
-  }
-
-  double ShellElements::elastic_energy() const
-  {
-    const Implementation &my = *implementation;
-    return StoredEnergy::compute(my.pool, my.points.size(),
-                                 [&my](const std::size_t section) { return my.stored(section); })[0];
-  }
-
-  double ShellElements::work() const
-  {
-    double work = 0.;
-    for (const Row &sum : implementation->work)
-      for (const double part : sum.value)
-        work += part;
-    return work;
-  }
-
-  double ShellElements::plastic_work() const
-  {
-    return implementation->sum(&Implementation::Chunk::plastic);
-  }
-
-  double ShellElements::hourglass_energy() const
-  {
-    return implementation->sum(&Implementation::Chunk::hourglass);
   }
 } // namespace birdstrike

@@ -11,9 +11,8 @@ namespace birdstrike
   constexpr int n_points = full_integration::n_points;
 
   // Apart, so that the elastic path has the registers for itself.
-  [[gnu::noinline, gnu::flatten]] Lanes
-  ShellElements::Implementation::update_section(const std::size_t k, const SectionVector<Lanes> &strain,
-                                                const double dt)
+  [[gnu::noinline, gnu::flatten]] Lanes ShellGroup::update_section(const std::size_t           k,
+                                                                   const SectionVector<Lanes> &strain, const double dt)
   {
     if (points[k].empty())
       promote(k);
@@ -25,11 +24,10 @@ namespace birdstrike
   // One body and `flatten`, as in the loop of the one-point elements (shell_loops.cc). Strains and resultants of the
   // points lie in memory between the three passes, which costs less than the geometry of the end held beside that of
   // the midpoint.
-  [[gnu::flatten]] void ShellElements::Implementation::update_fully_integrated(const std::size_t b, const double dt,
-                                                                               Chunk &chunk)
+  [[gnu::flatten]] void ShellGroup::update_fully_integrated(const std::size_t b, const double dt, ElementChunk &chunk)
   {
     Batch           &batch = batches[b];
-    const BatchNodes nodes(records[0].position, batch.record);
+    const BatchNodes nodes(place.records->position, batch.record);
     const double     poisson = law.elasticity.poisson;
 
     const auto           x        = ShellModes<Lanes>::of_corners(nodes.position);
@@ -56,7 +54,7 @@ namespace birdstrike
         thickness           = max(thickness, state.thickness);
         section_of_point[k] = compute_resultants(state);
       }
-    if (erosion && erosion->has_new[b] != 0)
+    if (erosion && has_new_failed[b] != 0)
       {
         const Lanes area[n_points] = {plane.point[0].area, plane.point[1].area, plane.point[2].area,
                                       plane.point[3].area};
@@ -66,10 +64,10 @@ namespace birdstrike
       }
     chunk.plastic += b + 1 == batches.size() ? first_lanes(plastic, n_elements_of(b)) : plastic;
 
-    const auto end   = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
-    plane            = PlaneGeometry<Lanes>(end, poisson);
-    batch.eigenvalue = compute_eigenvalue_bound<true>(end, thickness, batch.inverse_mass, law);
-    chunk.eigenvalue = max(chunk.eigenvalue, batch.eigenvalue);
+    const auto end = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
+    plane          = PlaneGeometry<Lanes>(end, poisson);
+    batch.bound    = compute_eigenvalue_bound<true>(end, thickness, batch.inverse_mass, law);
+    chunk.bound    = max(chunk.bound, batch.bound);
     ShellModes<Lanes> f, fd;
     Corners           force[2];
     full_integration::compute_mode_forces(end, integrate_resultants(plane, section_of_point), f, fd);
@@ -77,9 +75,9 @@ namespace birdstrike
     fd.sum_at_corners(director);
     for (int i = 0; i < 4; ++i)
       force[1][i] = end.director[i].cross(director[i]);
-    store_corner_forces(force, batch.corner, corner_force.data());
+    store_corner_forces(force, batch.corner, place.corner_force);
 
-    if (!all(is_finite(force, batch.eigenvalue) && (end.area > Lanes(0.)) && (plane.smallest_jacobian > Lanes(0.))))
+    if (!all(is_finite(force, batch.bound) && (end.area > Lanes(0.)) && (plane.smallest_jacobian > Lanes(0.))))
       report_failure(b);
   }
 } // namespace birdstrike

@@ -1,7 +1,7 @@
 #include "structure/elements/shell/batch.h"
 
 #include "structure/elements/shell/belytschko_tsay.h"
-#include "structure/elements/shell/implementation.h"
+#include "structure/elements/shell/group.h"
 #include "structure/elements/shell/step_bound.h"
 
 namespace birdstrike
@@ -49,8 +49,7 @@ namespace birdstrike
 
   // Apart, so that the elastic path has the registers for itself.
   [[gnu::noinline, gnu::flatten]] ShellWork<Lanes>
-  ShellElements::Implementation::update_points(const std::size_t b, const ShellVector<Lanes> &strain, const Lanes &area,
-                                               const double dt)
+  ShellGroup::update_points(const std::size_t b, const ShellVector<Lanes> &strain, const Lanes &area, const double dt)
   {
     if (points[b].empty())
       promote(b);
@@ -62,11 +61,11 @@ namespace birdstrike
   // One body, although long: all of it works on the same registers. Without `flatten` GCC leaves the vector operations
   // of Eigen as calls with their operands in memory, at three times the cost.
   template <bool physical>
-  [[gnu::flatten]] void ShellElements::Implementation::update_batch(const std::size_t b, const double dt, Chunk &chunk)
+  [[gnu::flatten]] void ShellGroup::update_batch(const std::size_t b, const double dt, ElementChunk &chunk)
   {
     Batch              &batch = batches[b];
     ShellStress<Lanes> &state = stress[b];
-    const BatchNodes    nodes(records[0].position, batch.record);
+    const BatchNodes    nodes(place.records->position, batch.record);
 
     const auto x        = ShellModes<Lanes>::of_corners(nodes.position);
     const auto u        = ShellModes<Lanes>::of_corners(nodes.increment);
@@ -78,29 +77,29 @@ namespace birdstrike
     if (!points[b].empty() || !law.update_elastic(strain, initial_yield, state, work))
       work = update_points(b, strain, area, dt);
 
-    const auto end   = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
-    batch.eigenvalue = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, law);
-    chunk.eigenvalue = max(chunk.eigenvalue, batch.eigenvalue);
+    const auto end = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
+    batch.bound    = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, law);
+    chunk.bound    = max(chunk.bound, batch.bound);
     Corners force[2];
     compute_corner_forces<physical>(end, state, section.hourglass_coefficient, nodes.normal, force);
-    store_corner_forces(force, batch.corner, corner_force.data());
+    store_corner_forces(force, batch.corner, place.corner_force);
 
     if (b + 1 == batches.size())
       area = first_lanes(area, n_elements_of(b));
     chunk.plastic += area * work.plastic;
     chunk.hourglass += area * work.hourglass;
 
-    if (!all(is_finite(force, batch.eigenvalue) && (end.area > Lanes(0.))))
+    if (!all(is_finite(force, batch.bound) && (end.area > Lanes(0.))))
       report_failure(b);
   }
 
-  void ShellElements::Implementation::update_chunk(const std::size_t c, const double dt)
+  void ShellGroup::update_chunk(const std::size_t c, const double dt)
   {
-    const std::size_t end   = std::min(batches.size(), (c + 1) * batches_per_chunk);
-    Chunk            &chunk = chunks[c];
-    chunk.eigenvalue        = Lanes(0.);
+    const std::size_t end   = std::min(batches.size(), (c + 1) * ElementBlocks::batches_per_chunk);
+    ElementChunk     &chunk = chunks[c];
+    chunk.bound             = Lanes(0.);
     const auto for_batches  = [&](const auto &update) {
-      for (std::size_t b = c * batches_per_chunk; b < end; ++b)
+      for (std::size_t b = c * ElementBlocks::batches_per_chunk; b < end; ++b)
         update(b);
       if (can_collapse())
         take_collapsed(c);

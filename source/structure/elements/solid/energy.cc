@@ -1,6 +1,6 @@
-#include "structure/elements/solid/implementation.h"
+#include "structure/elements/solid/group.h"
 
-// What bricks store, from their stresses (StoredEnergy), and what their forces have done.
+// What bricks store, from their stresses (StoredEnergy).
 namespace birdstrike
 {
   namespace
@@ -23,7 +23,7 @@ namespace birdstrike
     }
   } // namespace
 
-  StoredEnergy::State SolidElements::Implementation::stored(const std::size_t k) const
+  StoredEnergy::State SolidGroup::stored(const std::size_t k) const
   {
     const std::size_t   b = k / n_points();
     StoredEnergy::State state{{compute_elastic_energy(law.elasticity, points[k].stress), Lanes(0.)}, Lanes(0.)};
@@ -41,41 +41,5 @@ namespace birdstrike
       if (l >= n || (erosion && erosion->batches[b].alive[l] == 0.))
         state.volume[l] = 0.;
     return state;
-  }
-
-  StoredEnergy::Sums SolidElements::stored_energy() const
-  {
-    const Implementation &my = *implementation;
-    return StoredEnergy::compute(my.pool, my.points.size(),
-                                 [&my](const std::size_t section) { return my.stored(section); });
-  }
-
-  double SolidElements::elastic_energy() const
-  {
-    return stored_energy()[0];
-  }
-
-  double SolidElements::hourglass_energy() const
-  {
-    return stored_energy()[1];
-  }
-
-  double SolidElements::work() const
-  {
-    double total = 0.;
-    for (const auto &sum : implementation->work)
-      for (const double part : sum.value)
-        total += part;
-    return total;
-  }
-
-  double SolidElements::plastic_work() const
-  {
-    return implementation->sum(&Implementation::Chunk::plastic);
-  }
-
-  double SolidElements::viscous_energy() const
-  {
-    return implementation->sum(&Implementation::Chunk::viscous);
   }
 } // namespace birdstrike

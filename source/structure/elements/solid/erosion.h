@@ -19,10 +19,9 @@ namespace birdstrike
   {
     struct OfElements
     {
-      SolidModes<Lanes> force;          ///< N, of the last step, on the modes
-      Lanes             held      = 0.; ///< J
-      Lanes             hourglass = 0.; ///< J, of that: what the elements have booked as hourglass energy
-      Lanes             inverted  = 0.; ///< 1 where turned inside out in the present step
+      SolidModes<Lanes> force;         ///< N, of the last step, on the modes
+      Lanes             held     = 0.; ///< J
+      Lanes             inverted = 0.; ///< 1 where turned inside out in the present step
     };
     AlignedVector<OfElements> elements; ///< [batches]
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "structure/elements/solid/elements.h"
 #include "structure/elements/solid/flow.h"
 #include "structure/elements/solid/point.h"
+#include "structure/elements/solid/solid_section.h"
 #include "structure/elements/solid/stabilisation.h"
 
 namespace birdstrike
@@ -49,22 +49,19 @@ namespace birdstrike
       return flow(q2, dt, point);
     }
 
-    /// A step of a one-point element.
+    /// A step of a one-point element; returns the plastic work per volume (J/m^3).
     template <class Number>
-    [[gnu::always_inline]] SolidWork<Number>
+    [[gnu::always_inline]] Number
     update_one_point(const Matrix3<Number> &gradient, const one_point_solid::Stabilisation<Number> &strain,
                      const double dt, SolidPoint<Number> &point, one_point_solid::Stabilisation<Number> &s) const
     {
       point.rotate_and_strain(elasticity, gradient);
-      const Number half = 0.5, before = compute_work(s, strain);
       add_stress(elasticity, strain, s);
       const one_point_solid::FlowSquares<Number> squares(s);
       const Number mean = von_mises_squared(point.stress), q2 = mean + squares.trace + squares.shear + squares.last;
-      SolidWork<Number> work{Number(0.), Number(0.)};
-      if (any(q2 > point.yield * point.yield))
-        work = flow_together({mean, squares.trace, squares.shear, squares.last}, dt, point, s);
-      work.hourglass += half * (before + compute_work(s, strain));
-      return work;
+      if (!any(q2 > point.yield * point.yield))
+        return Number(0.);
+      return flow_together({mean, squares.trace, squares.shear, squares.last}, dt, point, s);
     }
 
     /// Artificial pressure (Pa) against dilatation at a rate (1/s): rho l (b1 c |rate| + b2^2 l rate^2), the square in
@@ -112,11 +109,10 @@ namespace birdstrike
       return work;
     }
 
-    /// Of a one-point element. What the stabilisation does of the plastic work is none of its own energy.
+    /// Of a one-point element; returns the plastic work per volume.
     template <class Number>
-    [[gnu::noinline]] SolidWork<Number> flow_together(const Number (&squares)[4], const double dt,
-                                                      SolidPoint<Number>                     &point,
-                                                      one_point_solid::Stabilisation<Number> &s) const
+    [[gnu::noinline]] Number flow_together(const Number (&squares)[4], const double dt, SolidPoint<Number> &point,
+                                           one_point_solid::Stabilisation<Number> &s) const
     {
       const SolidFlow<Number> step(elasticity, hardening, point.plastic_strain, point.yield,
                                    compute_softening(point.plastic_work), dt, squares);
@@ -124,7 +120,7 @@ namespace birdstrike
       add_flow(step.strain, work, dt, point);
       scale_deviator(step.mean_factor, point.stress);
       scale_back(step.trace_factor, step.shear_factor, step.last_factor, s);
-      return {work, -work * step.rest};
+      return work;
     }
   };
 } // namespace birdstrike

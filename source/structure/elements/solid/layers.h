@@ -8,6 +8,14 @@ namespace birdstrike
 {
   namespace solid_shell
   {
+    /// Work per volume (J/m^3) of one step: plastic work of the points without what varies in the plane, and minus what
+    /// flow takes of the elastic energy of the latter.
+    template <class Number>
+    struct LayerWork
+    {
+      Number plastic, varying;
+    };
+
     /// One step of the points through the thickness of a solid-shell; theory: solid_shell.h.
     template <class Number>
     struct Layers
@@ -27,10 +35,8 @@ namespace birdstrike
           }
       }
 
-      /// `mean` and `s`: of the elastic trial in, admissible out; `axes` and `x` of the end of the step. Returns the
-      /// plastic work of the points without what varies in the plane, and minus what flow takes of the elastic energy
-      /// of the latter, both per volume.
-      SolidWork<Number> update(const SolidModes<Number> &x, const one_point_solid::Axes<Number> &axes, const double dt,
+      /// `mean` and `s`: of the elastic trial in, admissible out; `axes` and `x` of the end of the step.
+      LayerWork<Number> update(const SolidModes<Number> &x, const one_point_solid::Axes<Number> &axes, const double dt,
                                SolidPoint<Number> &mean, one_point_solid::Stabilisation<Number> &s,
                                LayerPoint<Number> *points) const
       {
@@ -62,14 +68,14 @@ namespace birdstrike
             section.point[k].softening      = law.compute_softening(points[k].plastic_work);
           }
         section.solve(dt);
-        const SolidWork<Number> work = flow(section, dt, stress, s, points);
+        const LayerWork<Number> work = flow(section, dt, stress, s, points);
         store(frame, section.shift, of_mean, stress, mean, s, points);
         return work;
       }
 
     private:
       /// Stresses, strains and work of the points after the return.
-      SolidWork<Number> flow(const SolidShellReturn<Number> &section, const double dt, Number (&stress)[7][5],
+      LayerWork<Number> flow(const SolidShellReturn<Number> &section, const double dt, Number (&stress)[7][5],
                              one_point_solid::Stabilisation<Number> &s, LayerPoint<Number> *points) const
       {
         Number plastic = 0., mean_factor = 0., moment_factor = 0.;

@@ -1,11 +1,7 @@
-#include <birdstrike/core/simd/registers.h>
-
 #include "structure/elements/solid/b_bar.h"
-#include "structure/elements/solid/implementation.h"
+#include "structure/elements/solid/group.h"
 #include "structure/elements/solid/step_bound.h"
 
-#include <cstring>
-#include <functional>
 #include <type_traits>
 
 namespace birdstrike
@@ -46,9 +42,9 @@ namespace birdstrike
     }
   } // namespace
 
-  [[gnu::always_inline]] inline void
-  SolidElements::Implementation::update_viscosity(const SolidGeometry<Lanes> &midpoint, const Matrix3<Lanes> &gradient,
-                                                  const double dt, Step &step)
+  [[gnu::always_inline]] inline void SolidGroup::update_viscosity(const SolidGeometry<Lanes> &midpoint,
+                                                                  const Matrix3<Lanes> &gradient, const double dt,
+                                                                  Step &step)
   {
     step.midpoint_volume = midpoint.volume();
     step.dilatation      = gradient(0, 0) + gradient(1, 1) + gradient(2, 2);
@@ -57,39 +53,32 @@ namespace birdstrike
   }
 
   /// Of a solid-shell; `end` is the geometry of the end of the step.
-  [[gnu::always_inline]] inline SolidWork<Lanes>
-  SolidElements::Implementation::update_section(const std::size_t b, const Matrix3<Lanes> &gradient,
-                                                const Stabilisation &strain, const double dt,
-                                                const SolidModes<Lanes> &end)
+  [[gnu::always_inline]] inline Lanes SolidGroup::update_section(const std::size_t b, const Matrix3<Lanes> &gradient,
+                                                                 const Stabilisation &strain, const double dt,
+                                                                 const SolidModes<Lanes> &end)
   {
     using namespace solid_shell;
     SolidPoint<Lanes> &mean = points[b];
     Stabilisation     &s    = stabilisation[b];
     mean.rotate_and_strain(law.elasticity, gradient);
-    const Lanes before = compute_varying_work(s, strain);
     add_stress(law.elasticity, strain, s);
-    const Lanes      trial = compute_varying_work(s, strain);
-    SolidWork<Lanes> work{Lanes(0.), Lanes(0.)};
-    const Lanes      bound = Squares<Lanes>(s).compute_bound(von_mises_squared(mean.stress));
-    if (!layers[b].empty() || any(bound > mean.yield * mean.yield))
-      {
-        work = update_layers(b, dt, end);
-        // what flow took of the energy of the trial, and of the work on it
-        work.plastic += 0.5 * (compute_varying_work(s, strain) - trial) - work.hourglass;
-      }
-    work.hourglass += 0.5 * (before + trial);
-    return work;
+    const Lanes bound = Squares<Lanes>(s).compute_bound(von_mises_squared(mean.stress));
+    if (layers[b].empty() && !any(bound > mean.yield * mean.yield))
+      return Lanes(0.);
+    const Lanes                         trial = compute_varying_work(s, strain);
+    const solid_shell::LayerWork<Lanes> work  = update_layers(b, dt, end);
+    // less what flow took of the energy of the trial, and of the work on it
+    return work.plastic + (0.5 * (compute_varying_work(s, strain) - trial) - work.varying);
   }
 
   // One body each, although long: all of it works on the same registers. Without `flatten` GCC leaves the vector
   // operations of Eigen as calls with their operands in memory.
   template <bool has_layers, bool can_fail>
-  [[gnu::flatten]] void SolidElements::Implementation::update_one_point(const std::size_t b, const double dt,
-                                                                        Chunk &chunk)
+  [[gnu::flatten]] void SolidGroup::update_one_point(const std::size_t b, const double dt, ElementChunk &chunk)
   {
     using namespace one_point_solid;
     Corners corner[2];
-    load_nodes(records[0].value, batches[b].record, corner[0], corner[1]);
+    load_nodes(place.records->position, batches[b].record, corner[0], corner[1]);
     if constexpr (can_fail)
       begin_failing(b, corner);
     const SolidModes<Lanes>    x(corner[0]), u(corner[1]), middle = compute_midpoint_modes(x, u);
@@ -104,14 +93,13 @@ namespace birdstrike
     if constexpr (can_fail)
       plastic_strain = points[b].plastic_strain;
     if constexpr (has_layers)
-      step.work = update_section(b, gradient, strain, dt, x);
+      step.plastic = update_section(b, gradient, strain, dt, x);
     else
-      step.work = law.update_one_point(gradient, strain, dt, points[b], stabilisation[b]);
+      step.plastic = law.update_one_point(gradient, strain, dt, points[b], stabilisation[b]);
     if constexpr (can_fail)
       add_damage(b, plastic_strain, dt);
     step.stiff_det = batches[b].rest_det;
-    step.work.plastic *= (1. / 64.) * step.stiff_det;
-    step.work.hourglass *= (1. / 64.) * step.stiff_det;
+    step.plastic *= (1. / 64.) * step.stiff_det;
 
     const SolidGeometry<Lanes> end(x);
     const Lanes                inverse_ratio = step.stiff_det * end.inverse_det;
@@ -126,11 +114,11 @@ namespace birdstrike
   }
 
   template <bool can_fail>
-  [[gnu::flatten]] void SolidElements::Implementation::update_b_bar(const std::size_t b, const double dt, Chunk &chunk)
+  [[gnu::flatten]] void SolidGroup::update_b_bar(const std::size_t b, const double dt, ElementChunk &chunk)
   {
     using namespace b_bar_solid;
     Corners corner[2];
-    load_nodes(records[0].value, batches[b].record, corner[0], corner[1]);
+    load_nodes(place.records->position, batches[b].record, corner[0], corner[1]);
     if constexpr (can_fail)
       begin_failing(b, corner);
     const SolidModes<Lanes>    x(corner[0]), u(corner[1]), middle = compute_midpoint_modes(x, u);
@@ -138,7 +126,7 @@ namespace birdstrike
 
     Step step;
     update_viscosity(midpoint, midpoint.compute_mean_gradient(u), dt, step);
-    step.work              = {Lanes(0.), Lanes(0.)};
+    step.plastic           = 0.;
     const auto        zero = Vector3<Lanes>::Constant(Lanes(0.));
     SolidModes<Lanes> force;
     for (int k = 0; k < 3; ++k)
@@ -157,7 +145,7 @@ namespace birdstrike
           work = update_failing_point(b, p, gradient, volume, dt);
         else
           work = law.update_point(gradient, dt, point);
-        step.work.plastic += volume * work;
+        step.plastic += volume * work;
         const Lanes stretch = rest_det[k] / at_end.det;
         add_point_forces(at_end, rest_det[k], stretch, point.stress, p, force, pressure);
         stiffest = max(stiffest, stretch);
@@ -174,48 +162,45 @@ namespace birdstrike
     finish(b, end, force, step, chunk);
   }
 
-  [[gnu::always_inline]] inline void SolidElements::Implementation::finish(const std::size_t           b,
-                                                                           const SolidGeometry<Lanes> &end,
-                                                                           const SolidModes<Lanes>    &force,
-                                                                           const Step &step, Chunk &chunk)
+  [[gnu::always_inline]] inline void SolidGroup::finish(const std::size_t b, const SolidGeometry<Lanes> &end,
+                                                        const SolidModes<Lanes> &force, const Step &step,
+                                                        ElementChunk &chunk)
   {
     Batch &batch = batches[b];
     if (mass_factors.empty())
-      batch.frequency =
+      batch.bound =
         compute_frequency_bound(end, step.stiff_det, batch.inverse_mass, step.drag, law, section.formulation);
     else
       {
         const SolidModes<Lanes> copy = end.x; // only this goes to memory
-        batch.frequency =
-          compute_scaled_frequency(copy, step.stiff_det, batch.inverse_mass, step.drag, mass_factors[b]);
+        batch.bound = compute_scaled_frequency(copy, step.stiff_det, batch.inverse_mass, step.drag, mass_factors[b]);
       }
-    chunk.frequency = max(chunk.frequency, batch.frequency);
+    chunk.bound = max(chunk.bound, batch.bound);
     Corners corner;
     force.sum_at_corners(corner);
-    store_corner_forces(corner, batch.corner, corner_force.data());
+    store_corner_forces(corner, batch.corner, place.corner_force);
 
     Lanes counts = 1.;
     if (b + 1 == batches.size()) // copies of the last element do not count
       counts =
         select(Lanes([](const auto k) { return double(k); }) < Lanes(double(n_elements_of(b))), counts, Lanes(0.));
-    chunk.plastic += counts * step.work.plastic;
-    chunk.hourglass += counts * step.work.hourglass;
+    chunk.plastic += counts * step.plastic;
     chunk.viscous -= counts * (0.5 * (batch.viscous_pressure + step.pressure) * step.dilatation * step.midpoint_volume);
     batch.viscous_pressure = step.pressure;
 
     const Lanes total =
-      force.linear[0].sum() + force.linear[1].sum() + force.linear[2].sum() + force.last.sum() + batch.frequency;
+      force.linear[0].sum() + force.linear[1].sum() + force.linear[2].sum() + force.last.sum() + batch.bound;
     if (!all((total - total == Lanes(0.)) && (end.det > Lanes(0.))))
       report_failure(b);
   }
 
-  void SolidElements::Implementation::update_chunk(const std::size_t c, const double dt)
+  void SolidGroup::update_chunk(const std::size_t c, const double dt)
   {
-    const std::size_t last  = std::min(batches.size(), (c + 1) * batches_per_chunk);
-    Chunk            &chunk = chunks[c];
-    chunk.frequency         = Lanes(0.);
+    const std::size_t last  = std::min(batches.size(), (c + 1) * ElementBlocks::batches_per_chunk);
+    ElementChunk     &chunk = chunks[c];
+    chunk.bound             = Lanes(0.);
     const auto update       = [&]<bool can_fail>(std::bool_constant<can_fail>) {
-      for (std::size_t b = c * batches_per_chunk; b < last; ++b)
+      for (std::size_t b = c * ElementBlocks::batches_per_chunk; b < last; ++b)
         switch (section.formulation)
           {
           case SolidFormulation::one_point:
@@ -229,50 +214,5 @@ namespace birdstrike
           }
     };
     erosion ? update(std::true_type()) : update(std::false_type());
-  }
-
-  void SolidElements::Implementation::update_nodes(const ElementBlocks::Block &block, const double *position,
-                                                   const double *increment)
-  {
-    const auto body = [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t k = block.entering_begin + begin; k < block.entering_begin + end; ++k)
-        {
-          const std::size_t node = blocks.entering[k];
-          std::memcpy(records[node].value, position + 3 * node, 3 * sizeof(double));
-          std::memcpy(records[node].value + 3, increment + 3 * node, 3 * sizeof(double));
-        }
-    };
-    pool.parallel_for(block.entering_end - block.entering_begin, nodes_per_chunk, std::cref(body));
-  }
-
-  void SolidElements::Implementation::gather_forces(const ElementBlocks::Block &block, double *force)
-  {
-    const std::size_t n     = block.leaving_end - block.leaving_begin;
-    const std::size_t first = work_begin[std::size_t(&block - blocks.blocks.data())];
-    const auto        body  = [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t chunk = begin; chunk < end; ++chunk)
-        {
-          Four sum;
-          read(work[first + chunk].value, sum);
-          for (std::size_t i = chunk * nodes_per_chunk; i < std::min(n, (chunk + 1) * nodes_per_chunk); ++i)
-            {
-              const auto [node, row, n_corners] = blocks.leaving[block.leaving_begin + i];
-              Four f{}, part, old, u;
-              for (std::size_t k = row; k < row + n_corners; ++k)
-                {
-                  read(corner_force[k].value, part);
-                  f += part;
-                }
-              read(node_force[node].value, old);
-              read(records[node].value + 3, u); // and a number that meets zeros
-              sum += 0.5 * (old + f) * u;
-              write(f, node_force[node].value);
-              f = -f;
-              std::memcpy(force + 3 * node, &f, 3 * sizeof(double));
-            }
-          write(sum, work[first + chunk].value);
-        }
-    };
-    pool.parallel_for((n + nodes_per_chunk - 1) / nodes_per_chunk, 1, std::cref(body));
   }
 } // namespace birdstrike

@@ -1,13 +1,12 @@
 #include "structure/elements/solid/b_bar.h"
-#include "structure/elements/solid/implementation.h"
+#include "structure/elements/solid/elements.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace birdstrike
 {
-  std::array<double, 6> SolidElements::Implementation::point_stress(const std::size_t element,
-                                                                    const std::size_t point) const
+  std::array<double, 6> SolidGroup::point_stress(const std::size_t element, const std::size_t point) const
   {
     const auto           &s = points[element / n_lanes * n_points() + point].stress;
     std::array<double, 6> result;
@@ -16,7 +15,7 @@ namespace birdstrike
     return result;
   }
 
-  double SolidElements::Implementation::compute_volume_ratio(const std::size_t element, const std::size_t point) const
+  double SolidGroup::compute_volume_ratio(const std::size_t element, const std::size_t point) const
   {
     const SolidModes<double> x = modes(element);
     const std::size_t        b = element / n_lanes, k = element % n_lanes;
@@ -27,8 +26,7 @@ namespace birdstrike
     return ratio > 0. ? ratio : 1.; // of what has failed and is turned inside out: no stress
   }
 
-  std::array<double, 6> SolidElements::Implementation::stabilised_stress(const std::size_t            element,
-                                                                         const std::array<double, 3> &xi) const
+  std::array<double, 6> SolidGroup::stabilised_stress(const std::size_t element, const std::array<double, 3> &xi) const
   {
     const std::size_t                      b = element / n_lanes, lane_of = element % n_lanes;
     const SolidModes<double>               x = modes(element);
@@ -65,64 +63,69 @@ namespace birdstrike
     return result;
   }
 
+  bool SolidGroup::has_points(const std::size_t batch) const
+  {
+    return layers.empty() || !layers[batch].empty();
+  }
+
+  double SolidGroup::largest_plastic_strain(const std::size_t element) const
+  {
+    const std::size_t b = element / n_lanes, k = element % n_lanes;
+    double            largest = 0.;
+    for (std::size_t p = 0; p < n_points(); ++p)
+      largest = std::max(largest, lane(points[b * n_points() + p].plastic_strain, k));
+    if (!layers.empty())
+      for (const LayerPoint &point : layers[b])
+        largest = std::max(largest, lane(point.plastic_strain, k));
+    return largest;
+  }
+
+  std::size_t SolidGroup::bytes() const
+  {
+    std::size_t sum = bytes_of_group() + bytes_of(mass_factors) + bytes_of(points) + bytes_of(layers) +
+                      bytes_of(thickness_axis) + bytes_of(rest_det) + bytes_of(stabilisation);
+    for (const auto &of_batch : layers)
+      sum += bytes_of(of_batch);
+    return sum;
+  }
+
   SolidState SolidElements::state(const std::size_t element) const
   {
-    const Implementation       &my = *implementation;
-    const SolidModes<double>    x  = my.modes(element);
+    const auto [group, e]         = find(element);
+    const SolidModes<double>    x = group.modes(e);
     const SolidGeometry<double> g(x);
-    SolidState                  state{{}, 0., 0., g.volume()};
-    for (std::size_t p = 0; p < my.n_points(); ++p)
+    SolidState                  state{{}, 0., group.largest_plastic_strain(e), g.volume()};
+    for (std::size_t p = 0; p < group.n_points(); ++p)
       {
         double share = 1.;
-        if (my.n_points() > 1)
+        if (group.n_points() > 1)
           share = b_bar_solid::Jacobian<double>(b_bar_solid::Derivatives<double>(x, int(p))).det / (8. * g.det);
-        const double strain = lane(my.points[element / n_lanes * my.n_points() + p].plastic_strain, element % n_lanes);
-        const auto   stress = my.point_stress(element, p);
-        const double ratio  = my.compute_volume_ratio(element, p);
+        const double strain = lane(group.points[e / n_lanes * group.n_points() + p].plastic_strain, e % n_lanes);
+        const auto   stress = group.point_stress(e, p);
+        const double ratio  = group.compute_volume_ratio(e, p);
         for (int c = 0; c < 6; ++c)
           state.stress[c] += share / ratio * stress[c];
         state.plastic_strain += share * strain;
-        state.max_plastic_strain = std::max(state.max_plastic_strain, strain);
       }
-    if (!my.layers.empty())
-      for (const auto &point : my.layers[element / n_lanes])
-        state.max_plastic_strain = std::max(state.max_plastic_strain, lane(point.plastic_strain, element % n_lanes));
     return state;
   }
 
   std::array<double, 6> SolidElements::corner_stress(const std::size_t element, const unsigned corner) const
   {
-    const Implementation       &my = *implementation;
+    const auto [group, e]          = find(element);
     const std::array<double, 3> xi = {corner & 1 ? 1. : -1., corner & 2 ? 1. : -1., corner & 4 ? 1. : -1.};
     std::array<double, 6>       result{};
-    if (my.section.formulation != SolidFormulation::b_bar)
-      return my.stabilised_stress(element, xi);
+    if (group.section.formulation != SolidFormulation::b_bar)
+      return group.stabilised_stress(e, xi);
     // the trilinear field through the points, which lie at 1/sqrt(3)
     for (int p = 0; p < b_bar_solid::n_points; ++p)
       {
         double shape = 1.;
         for (int k = 0; k < 3; ++k)
           shape *= 0.5 * (1. + 3. * xi[k] * b_bar_solid::coordinate(p, k));
-        const auto stress = my.point_stress(element, std::size_t(p));
+        const auto stress = group.point_stress(e, std::size_t(p));
         for (int c = 0; c < 6; ++c)
-          result[c] += shape / my.compute_volume_ratio(element, std::size_t(p)) * stress[c];
-      }
-    return result;
-  }
-
-  SolidElements::MaxPlasticStrain SolidElements::max_plastic_strain() const
-  {
-    const Implementation &my = *implementation;
-    MaxPlasticStrain      result;
-    for (std::size_t e = 0; e < n_elements(); ++e)
-      {
-        const auto look = [&](const auto &point) {
-          if (const double strain = lane(point.plastic_strain, e % n_lanes); strain > result.value)
-            result = {strain, e};
-        };
-        std::for_each_n(my.points.begin() + std::ptrdiff_t(e / n_lanes * my.n_points()), my.n_points(), look);
-        if (!my.layers.empty())
-          std::for_each(my.layers[e / n_lanes].begin(), my.layers[e / n_lanes].end(), look);
+          result[c] += shape / group.compute_volume_ratio(e, std::size_t(p)) * stress[c];
       }
     return result;
   }

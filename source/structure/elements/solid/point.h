@@ -22,11 +22,4 @@ namespace birdstrike
       add_elastic_stress(elasticity, strain, stress);
     }
   };
-
-  /// Work per volume (J/m^3) of one step.
-  template <class Number>
-  struct SolidWork
-  {
-    Number plastic, hourglass;
-  };
 } // namespace birdstrike

@@ -1,11 +1,10 @@
-#include "structure/elements/solid/implementation.h"
-#include "structure/elements/solid/layers.h"
+#include "structure/elements/solid/group.h"
 
 namespace birdstrike
 {
   // Apart, so that the elastic path has the registers for itself.
-  [[gnu::flatten]] SolidWork<Lanes> SolidElements::Implementation::update_layers(const std::size_t b, const double dt,
-                                                                                 const SolidModes<Lanes> &end)
+  [[gnu::flatten]] solid_shell::LayerWork<Lanes> SolidGroup::update_layers(const std::size_t b, const double dt,
+                                                                           const SolidModes<Lanes> &end)
   {
     const solid_shell::Layers<Lanes> section{law, rule};
     if (layers[b].empty())

@@ -1,8 +1,6 @@
 #include "structure/elements/solid/b_bar.h"
-#include "structure/elements/solid/implementation.h"
+#include "structure/elements/solid/group.h"
 #include "structure/elements/solid/step_bound.h"
-
-#include <algorithm>
 
 namespace birdstrike
 {
@@ -38,35 +36,19 @@ namespace birdstrike
     }
   } // namespace
 
-  void SolidElements::Implementation::build_erosion()
+  void SolidGroup::build_erosion()
   {
     erosion           = std::make_unique<SolidErosion>();
     erosion->n_needed = n_points_to_fail(section.material.failure, n_points());
     erosion->batches.resize(batches.size());
     erosion->damage.assign(batches.size(), AlignedVector<Lanes>(n_points(), Lanes(0.)));
-    erosion->n_left.assign(n_nodes, 0);
-    for (const auto &cell : cells)
-      for (const auto n : cell)
-        ++erosion->n_left[n];
     SolidErosion::OfElements at_rest{};
     clear(LanesMask(true), at_rest.force);
     erosion->elements.assign(batches.size(), at_rest);
-    // a cube of 1 m, at rest
-    for (std::size_t i = 0; i < n_resting_records; ++i)
-      {
-        records[n_nodes + i] = NodeRecord{};
-        for (int d = 0; d < 3; ++d)
-          records[n_nodes + i].value[d] = (i >> d & 1u) != 0 ? 1. : 0.;
-      }
-  }
-
-  bool SolidElements::Implementation::is_failed(const std::size_t element) const
-  {
-    return erosion && erosion->is_failed(element);
   }
 
   // What is turned inside out goes on as a cube at rest, so that nothing in this step is NaN, to fail at its end.
-  [[gnu::noinline]] void SolidElements::Implementation::begin_failing(const std::size_t b, Corners (&corner)[2])
+  [[gnu::noinline]] void SolidGroup::begin_failing(const std::size_t b, Corners (&corner)[2])
   {
     SolidErosion::OfElements &own = erosion->elements[b];
     const SolidModes<Lanes>   x(corner[0]), u(corner[1]);
@@ -90,8 +72,8 @@ namespace birdstrike
         }
   }
 
-  Lanes SolidElements::Implementation::compute_damage(const SolidPoint<Lanes> &point, const Lanes &strain,
-                                                      const Lanes &von_mises, const double dt) const
+  Lanes SolidGroup::compute_damage(const SolidPoint<Lanes> &point, const Lanes &strain, const Lanes &von_mises,
+                                   const double dt) const
   {
     const Hardening &h = section.material.hardening;
     return compute_damage_increment(section.material.failure, h,
@@ -99,8 +81,7 @@ namespace birdstrike
                                                        adiabatic_temperature(h, point.plastic_work), dt});
   }
 
-  [[gnu::noinline]] void SolidElements::Implementation::add_damage(const std::size_t b, const Lanes &plastic_strain,
-                                                                   const double dt)
+  [[gnu::noinline]] void SolidGroup::add_damage(const std::size_t b, const Lanes &plastic_strain, const double dt)
   {
     const SolidPoint<Lanes> &point  = points[b];
     const Lanes              strain = point.plastic_strain - plastic_strain;
@@ -112,9 +93,9 @@ namespace birdstrike
   }
 
   // A step of a point unless it has failed; of one that fails the energy is taken. Returns the plastic work per volume.
-  [[gnu::noinline, gnu::flatten]] Lanes
-  SolidElements::Implementation::update_failing_point(const std::size_t b, const int p, const Matrix3<Lanes> &gradient,
-                                                      const Lanes &volume, const double dt)
+  [[gnu::noinline, gnu::flatten]] Lanes SolidGroup::update_failing_point(const std::size_t b, const int p,
+                                                                         const Matrix3<Lanes> &gradient,
+                                                                         const Lanes &volume, const double dt)
   {
     SolidPoint<Lanes> &point          = points[b * b_bar_solid::n_points + std::size_t(p)];
     Lanes             &damage         = erosion->damage[b][std::size_t(p)];
@@ -141,9 +122,8 @@ namespace birdstrike
     return work;
   }
 
-  [[gnu::noinline]] void SolidElements::Implementation::release(const std::size_t b, const SolidGeometry<Lanes> &end,
-                                                                const SolidModes<Lanes> &u, SolidModes<Lanes> &force,
-                                                                Step &step)
+  [[gnu::noinline]] void SolidGroup::release(const std::size_t b, const SolidGeometry<Lanes> &end,
+                                             const SolidModes<Lanes> &u, SolidModes<Lanes> &force, Step &step)
   {
     Erosion::OfBatch         &of_batch = erosion->batches[b];
     SolidErosion::OfElements &own      = erosion->elements[b];
@@ -157,7 +137,6 @@ namespace birdstrike
                                                     section.formulation) > of_batch.allowed);
     const LanesMask fails =
       alive && (collapses || count_failed(damage.data(), damage.size()) >= Lanes(double(erosion->n_needed)));
-    own.hourglass += step.work.hourglass;
     if (any(fails))
       {
         for (std::size_t p = 0; p < n_points(); ++p)
@@ -174,11 +153,9 @@ namespace birdstrike
         clear(fails, force);
         clear(fails, step.pressure);
         clear(fails, batch.inverse_mass); // no vote
-        step.work.hourglass -= select(fails, own.hourglass, Lanes(0.));
-        clear(fails, own.hourglass);
       }
     // with what `finish` books as viscous
-    own.held += 0.5 * dot(force, u) - step.work.plastic +
+    own.held += 0.5 * dot(force, u) - step.plastic +
                 0.5 * (batch.viscous_pressure + step.pressure) * step.dilatation * step.midpoint_volume;
     own.force = force;
     if (!any(fails))
@@ -187,62 +164,5 @@ namespace birdstrike
     clear(fails, own.held);
     for (std::size_t k = 0; k < n_lanes; ++k)
       of_batch.collapsed |= std::uint32_t(fails[k] && collapses[k]) << k;
-  }
-
-  void SolidElements::Implementation::take_out(const std::size_t b, const std::size_t k)
-  {
-    erosion->batches[b].alive[k] = 0.;
-    for (std::uint32_t i = 0; i < 8; ++i)
-      batches[b].record[i][k] = static_cast<std::uint32_t>((n_nodes + i) * (sizeof(NodeRecord) / sizeof(double)));
-    if (k < n_elements_of(b))
-      erosion->count_out(cells[b * n_lanes + k], mass[b * n_lanes + k], (erosion->batches[b].collapsed >> k & 1u) != 0);
-  }
-
-  // Serial and in the order of the elements, so that it does not depend on the number of threads.
-  void SolidElements::Implementation::erode()
-  {
-    for (std::size_t b = 0; b < batches.size(); ++b)
-      if (Erosion::OfBatch &of_batch = erosion->batches[b]; of_batch.dying != 0)
-        {
-          for (std::size_t k = 0; k < n_lanes; ++k)
-            if ((of_batch.dying >> k & 1u) != 0)
-              take_out(b, k);
-          of_batch.dying = of_batch.collapsed = 0;
-        }
-  }
-
-  double SolidElements::eroded_energy() const
-  {
-    return implementation->erosion ? implementation->erosion->energy() : 0.;
-  }
-
-  std::size_t SolidElements::n_failed() const
-  {
-    return implementation->erosion ? implementation->erosion->n_failed : 0;
-  }
-
-  std::size_t SolidElements::n_collapsed() const
-  {
-    return implementation->erosion ? implementation->erosion->n_collapsed : 0;
-  }
-
-  bool SolidElements::is_failed(const std::size_t element) const
-  {
-    return implementation->is_failed(element);
-  }
-
-  double SolidElements::failed_mass() const
-  {
-    return implementation->erosion ? implementation->erosion->mass : 0.;
-  }
-
-  bool SolidElements::is_free(const std::size_t node) const
-  {
-    return implementation->erosion && implementation->erosion->n_left[node] == 0;
-  }
-
-  double SolidElements::damage(const std::size_t element) const
-  {
-    return implementation->erosion ? implementation->erosion->largest_damage(element, 1) : 0.;
   }
 } // namespace birdstrike

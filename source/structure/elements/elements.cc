@@ -1,0 +1,437 @@
+#include "structure/elements/shell/group.h"
+#include "structure/elements/solid/group.h"
+#include <birdstrike/core/simd/registers.h>
+
+#include <birdstrike/core/energy_report.h>
+#include <birdstrike/core/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <type_traits>
+
+namespace birdstrike
+{
+  std::string text_of(const double value)
+  {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.6g", value);
+    return buffer;
+  }
+
+  namespace
+  {
+    template <class Section>
+    bool has_failure(const Sections<Section> &sections)
+    {
+      return std::any_of(sections.all.begin(), sections.all.end(),
+                         [](const Section &section) { return section.material.failure.can_fail(); });
+    }
+  } // namespace
+
+  template <class Group>
+  const std::vector<typename Group::Cell> &Elements<Group>::checked(const std::vector<Cell> &cells,
+                                                                    const std::size_t        n_nodes)
+  {
+    if (cells.empty())
+      throw InputError(std::string(Group::names) + ": no elements; at least one is needed.");
+    for (const auto &cell : cells)
+      for (const auto node : cell)
+        if (node >= n_nodes)
+          throw InputError(std::string(Group::names) + ": a cell names node " + std::to_string(node) + " of " +
+                           std::to_string(n_nodes) + ".");
+    return cells;
+  }
+
+  /// Fills `place` and `chunks`, a section after the other; returns the chunk of every element.
+  template <class Group>
+  std::vector<std::uint32_t> Elements<Group>::order(const Sections<Section> &sections, const std::size_t n_elements)
+  {
+    constexpr std::size_t      per_chunk = ElementBlocks::batches_per_chunk * n_lanes;
+    std::vector<std::uint32_t> chunk_of(n_elements), first(sections.all.size(), 0), n(sections.all.size(), 0);
+    place.resize(n_elements);
+    for (std::size_t e = 0; e < n_elements; ++e)
+      {
+        const std::uint32_t group = sections.of_element.empty() ? 0 : sections.of_element[e];
+        place[e]                  = {group, n.at(group)++};
+      }
+    for (std::uint32_t group = 0; group < n.size(); ++group)
+      {
+        if (n[group] == 0)
+          throw InputError(std::string(Group::names) + ": section " + std::to_string(group) + " has no element.");
+        first[group] = chunks.size();
+        for (std::uint32_t c = 0; c < (n[group] + per_chunk - 1) / per_chunk; ++c)
+          chunks.push_back({group, c});
+      }
+    for (std::size_t e = 0; e < n_elements; ++e)
+      chunk_of[e] = first[place[e].group] + place[e].number / per_chunk;
+    return chunk_of;
+  }
+
+  template <class Group>
+  Elements<Group>::Elements(const std::vector<Point3> &points, const std::vector<Cell> &cells,
+                            const std::vector<Extra> &extra, const Sections<Section> &sections, ThreadPool &pool)
+    : pool(pool)
+    , n_nodes(points.size())
+    , blocks({checked(cells, n_nodes)[0].data(), Group::n_corners * cells.size()}, order(sections, cells.size()),
+             n_nodes)
+    , corner_force(blocks.n_rows + 1)
+    , node_force(n_nodes)
+    , node_work(blocks.n_sums, Row{})
+    , n_left(has_failure(sections) ? n_nodes : 0, 0)
+    , nodes(points, cells, blocks, pool)
+  {
+    groups.reserve(sections.all.size());
+    for (std::uint32_t group = 0; group < sections.all.size(); ++group)
+      {
+        typename Group::Place of_group{{}, {}, nodes.records.data(), corner_force.data(), n_nodes};
+        std::vector<Extra>    of_elements;
+        for (std::uint32_t e = 0; e < cells.size(); ++e)
+          if (place[e].group == group)
+            {
+              of_group.number.push_back(e);
+              of_group.cells.push_back(cells[e]);
+              of_elements.push_back(extra[e]);
+            }
+        groups.emplace_back(sections.all[group], std::move(of_group), of_elements, blocks);
+      }
+    for (std::size_t e = 0; e < cells.size() && can_fail(); ++e)
+      for (const auto n : cells[e])
+        ++n_left[n];
+    set_inverse_masses({});
+  }
+
+  template <class Group>
+  void Elements<Group>::compute_internal_forces(const double *position, const double *increment, const double dt,
+                                                double *force)
+  {
+    for (const auto &block : blocks.blocks)
+      {
+        nodes.update(block, position, increment);
+        const auto body = [&](const std::size_t begin, const std::size_t end) {
+          for (std::size_t c = block.chunk_begin + begin; c < block.chunk_begin + end; ++c)
+            groups[chunks[c].group].update_chunk(chunks[c].number, dt);
+        };
+        pool.parallel_for(block.chunk_end - block.chunk_begin, 1, std::cref(body));
+        gather_forces(block, force);
+      }
+    if (can_fail())
+      erode(position);
+  }
+
+  template <class Group>
+  void Elements<Group>::gather_forces(const ElementBlocks::Block &block, double *force)
+  {
+    using Register                  = std::conditional_t<n_unknowns == 6, Eight, Four>;
+    constexpr std::size_t per_chunk = ElementBlocks::nodes_per_chunk;
+    const std::size_t     n         = block.leaving_end - block.leaving_begin;
+    const auto            body      = [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t chunk = begin; chunk < end; ++chunk)
+        {
+          Register sum;
+          read(node_work[block.sum_begin + chunk].value, sum);
+          for (std::size_t i = chunk * per_chunk; i < std::min(n, (chunk + 1) * per_chunk); ++i)
+            {
+              const auto [node, first, n_corners] = blocks.leaving[block.leaving_begin + i];
+              Register f{}, part, old, u;
+              for (std::size_t k = first; k < first + n_corners; ++k)
+                {
+                  read(corner_force[k].value, part);
+                  f += part;
+                }
+              read(node_force[node].value, old);
+              read(nodes.records[node].increment, u); // and rotation; what follows meets zeros
+              sum += 0.5 * (old + f) * u;
+              write(f, node_force[node].value);
+              f = -f;
+              std::memcpy(force + n_unknowns * node, &f, n_unknowns * sizeof(double));
+            }
+          write(sum, node_work[block.sum_begin + chunk].value);
+        }
+    };
+    pool.parallel_for((n + per_chunk - 1) / per_chunk, 1, std::cref(body));
+  }
+
+  // Serial and in the order of the elements, so that it does not depend on the number of threads.
+  template <class Group>
+  void Elements<Group>::erode(const double *position)
+  {
+    bool has_new = false;
+    for (Group &group : groups)
+      for (std::size_t b = 0; group.erosion && b < group.batches.size(); ++b)
+        if (Erosion::OfBatch &of_batch = group.erosion->batches[b]; of_batch.dying != 0)
+          {
+            has_new = true;
+            for (std::size_t k = 0; k < n_lanes; ++k)
+              if ((of_batch.dying >> k & 1u) != 0)
+                {
+                  group.take_out(b, k);
+                  if (k >= group.n_elements_of(b))
+                    continue;
+                  const Cell &cell = group.place.cells[b * n_lanes + k];
+                  group.erosion->count_out(group.mass[b * n_lanes + k], (of_batch.collapsed >> k & 1u) != 0);
+                  nodes.take_out(cell);
+                  for (const auto n : cell)
+                    --n_left[n];
+                }
+            of_batch.dying = of_batch.collapsed = 0;
+          }
+    if (has_new)
+      nodes.close(position);
+  }
+
+  template <class Group>
+  double Elements<Group>::largest_stable_step() const
+  {
+    Lanes largest = 0.;
+    for (const Group &group : groups)
+      for (const ElementChunk &chunk : group.chunks)
+        largest = max(largest, chunk.bound);
+    return Group::step_of(stdx::hmax(largest));
+  }
+
+  template <class Group>
+  StepLimit Elements<Group>::step_limit() const
+  {
+    double      largest = 0.;
+    std::size_t worst   = 0;
+    for (std::size_t e = 0; e < n_elements(); ++e)
+      {
+        const auto [group, k] = find(e);
+        if (const double value = lane(group.batches[k / n_lanes].bound, k % n_lanes); value > largest)
+          {
+            largest = value;
+            worst   = e;
+          }
+      }
+    const auto [group, k] = find(worst);
+    return {Group::step_of(largest), Group::reason, group.where(k)};
+  }
+
+  template <class Group>
+  void Elements<Group>::use_nodal_masses(const std::span<const double> mass)
+  {
+    if (mass.size() != n_nodes)
+      throw InputError(std::string(Group::names) + ": " + std::to_string(mass.size()) + " nodal masses for " +
+                       std::to_string(n_nodes) + " nodes.");
+    set_inverse_masses(mass);
+  }
+
+  template <class Group>
+  std::vector<double> Elements<Group>::compute_nodal_masses() const
+  {
+    std::vector<double> mass(n_nodes, 0.);
+    for (std::size_t e = 0; e < n_elements(); ++e)
+      {
+        const auto [group, k] = find(e);
+        for (const auto n : group.place.cells[k])
+          mass[n] += (1. / Group::n_corners) * group.mass[k];
+      }
+    return mass;
+  }
+
+  template <class Group>
+  void Elements<Group>::set_inverse_masses(const std::span<const double> nodal_masses)
+  {
+    const std::vector<double> equal = compute_nodal_masses();
+    for (Group &group : groups)
+      {
+        for (std::size_t slot = 0; slot < group.batches.size() * n_lanes; ++slot)
+          {
+            const std::size_t e     = group.element_of(slot);
+            double            share = nodal_masses.empty() ? 1. : Group::largest_share;
+            if (!nodal_masses.empty())
+              for (const auto n : group.place.cells[e])
+                share = std::min(share, nodal_masses[n] / equal[n]);
+            group.batches[slot / n_lanes].inverse_mass[slot % n_lanes] = 1. / (share * group.mass[e]);
+          }
+        group.update_bounds_at_rest();
+      }
+  }
+
+  template <class Group>
+  StoredEnergy::Sums Elements<Group>::stored_energy() const
+  {
+    StoredEnergy::Sums sums{};
+    for (const Group &group : groups)
+      {
+        const auto of_group =
+          StoredEnergy::compute(pool, group.points.size(), [&group](const std::size_t k) { return group.stored(k); });
+        for (std::size_t kind = 0; kind < sums.size(); ++kind)
+          sums[kind] += of_group[kind];
+      }
+    return sums;
+  }
+
+  template <class Group>
+  double Elements<Group>::sum(Lanes ElementChunk::*energy) const
+  {
+    double result = 0.;
+    for (const Group &group : groups)
+      result += group.sum(energy);
+    return result;
+  }
+
+  template <class Group>
+  double Elements<Group>::plastic_work() const
+  {
+    return sum(&ElementChunk::plastic);
+  }
+
+  template <class Group>
+  double Elements<Group>::viscous_energy() const
+  {
+    return sum(&ElementChunk::viscous);
+  }
+
+  template <class Group>
+  double Elements<Group>::work() const
+  {
+    double total = 0.;
+    for (const Row &row : node_work)
+      for (const double part : row.value)
+        total += part;
+    return total;
+  }
+
+  template <class Group>
+  double Elements<Group>::eroded_energy() const
+  {
+    double energy = 0.;
+    for (const Group &group : groups)
+      energy += group.erosion ? group.erosion->energy() : 0.;
+    return energy;
+  }
+
+  template <class Group>
+  void Elements<Group>::add_energies(EnergyReport &report) const
+  {
+    // What stabilises a brick of one point is the strain of bending and torsion, exact for a plate of one layer:
+    // nothing in it is artificial, and counted as hourglass it would be most of what such a plate stores.
+    const auto stored = stored_energy();
+    report.elastic    = stored[0] + stored[1];
+    report.plastic    = plastic_work();
+    report.hourglass  = sum(&ElementChunk::hourglass);
+    report.viscous    = viscous_energy();
+    report.eroded     = eroded_energy();
+    report.internal   = work();
+  }
+
+  template <class Group>
+  bool Elements<Group>::can_fail() const
+  {
+    return !n_left.empty();
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::n_failed() const
+  {
+    std::size_t n = 0;
+    for (const Group &group : groups)
+      n += group.erosion ? group.erosion->n_failed : 0;
+    return n;
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::n_collapsed() const
+  {
+    std::size_t n = 0;
+    for (const Group &group : groups)
+      n += group.erosion ? group.erosion->n_collapsed : 0;
+    return n;
+  }
+
+  template <class Group>
+  double Elements<Group>::failed_mass() const
+  {
+    double mass = 0.;
+    for (const Group &group : groups)
+      mass += group.erosion ? group.erosion->mass : 0.;
+    return mass;
+  }
+
+  template <class Group>
+  bool Elements<Group>::is_failed(const std::size_t element) const
+  {
+    const auto [group, k] = find(element);
+    return group.is_failed(k);
+  }
+
+  template <class Group>
+  bool Elements<Group>::is_free(const std::size_t node) const
+  {
+    return can_fail() && n_left[node] == 0;
+  }
+
+  template <class Group>
+  double Elements<Group>::damage(const std::size_t element) const
+  {
+    const auto [group, k] = find(element);
+    return group.erosion ? group.erosion->largest_damage(k, group.erosion->damage.size() / group.batches.size()) : 0.;
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::n_elements() const
+  {
+    return place.size();
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::n_promoted() const
+  {
+    std::size_t n = 0;
+    for (const Group &group : groups)
+      for (std::size_t b = 0; b < group.batches.size(); ++b)
+        n += group.has_points(b) ? group.n_elements_of(b) : 0;
+    return n;
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::bytes() const
+  {
+    std::size_t sum = bytes_of(place) + bytes_of(chunks) + blocks.bytes() + bytes_of(corner_force) +
+                      bytes_of(node_force) + bytes_of(node_work) + bytes_of(n_left) + nodes.bytes();
+    for (const Group &group : groups)
+      sum += group.bytes();
+    return sum;
+  }
+
+  template <class Group>
+  typename Elements<Group>::MaxPlasticStrain Elements<Group>::max_plastic_strain() const
+  {
+    MaxPlasticStrain result;
+    for (std::size_t e = 0; e < n_elements(); ++e)
+      {
+        const auto [group, k] = find(e);
+        if (const double strain = group.largest_plastic_strain(k); strain > result.value)
+          result = {strain, e};
+      }
+    return result;
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::n_sections() const
+  {
+    return groups.size();
+  }
+
+  template <class Group>
+  const typename Group::Section &Elements<Group>::section(const std::size_t element) const
+  {
+    return find(element).first.section;
+  }
+
+  template <class Group>
+  typename Elements<Group>::SectionSums Elements<Group>::section_sums(const std::size_t section) const
+  {
+    const Group &group = groups.at(section);
+    SectionSums  sums{group.n_elements(), 0., group.sum(&ElementChunk::plastic)};
+    for (const double mass : group.mass)
+      sums.mass += mass;
+    return sums;
+  }
+
+  template class Elements<ShellGroup>;
+  template class Elements<SolidGroup>;
+} // namespace birdstrike

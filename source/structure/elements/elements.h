@@ -1,0 +1,166 @@
+#pragma once
+
+#include "structure/elements/element_group.h"
+#include "structure/elements/stored_energy.h"
+#include <birdstrike/core/thread_pool.h>
+
+#include <span>
+#include <vector>
+
+namespace birdstrike
+{
+  struct EnergyReport;
+
+  /// Which section each element has: all sections, and their numbers by element; none: all have the first.
+  template <class Section>
+  struct Sections
+  {
+    Sections(const Section &only) : all{only}
+    {
+    }
+    Sections(std::vector<Section> all, std::vector<std::uint32_t> of_element)
+      : all(std::move(all)), of_element(std::move(of_element))
+    {
+    }
+
+    const Section &of(const std::size_t element) const
+    {
+      return all[of_element.empty() ? 0 : of_element[element]];
+    }
+
+    std::vector<Section>       all;
+    std::vector<std::uint32_t> of_element;
+  };
+
+  /// All elements of a blade, shells (ShellElements) or bricks (SolidElements): their strain increments, stresses,
+  /// internal forces and energies; one group for each section.
+  ///
+  /// A step is three loops, each writing only what it owns, so that nothing depends on the number of threads: nodes
+  /// (records), batches of elements (a row of force for every corner), nodes (sums over the corners, which lie side by
+  /// side in the order of the mesh's elements whatever their group, and their work); block by block, see ElementBlocks.
+  ///
+  /// Where the metal can fail (material/failure.h), a point with D >= 1 carries nothing from then on, and an element
+  /// whose stated share of points has failed, or which has collapsed, neither (erosion.h). Other metals pay nothing for
+  /// it.
+  ///
+  /// Not here: mass of nodes, supports, loads, time. Throws InputError for a degenerate element or an impossible
+  /// section, NumericalFailure when an element is turned inside out (unless Failure::smallest_step erodes it) or a
+  /// force is not finite.
+  template <class Group>
+  class Elements
+  {
+  public:
+    using Cell    = typename Group::Cell;
+    using Section = typename Group::Section;
+
+    static constexpr unsigned int n_unknowns = Group::n_unknowns;
+
+    /// position [n_nodes][3] at t^{n+1} (m); increment [n_nodes][n_unknowns] of displacement (m) and rotation (rad)
+    /// since the last call, which took dt (s); force, of the same shape, is overwritten with what the elements exert on
+    /// the nodes, -f_int (N, N m).
+    void compute_internal_forces(const double *position, const double *increment, double dt, double *force);
+
+    /// The largest dt for which central differences are stable: 2/omega_max by a bound on the largest eigenvalue of
+    /// every element, for nodal masses and inertias that are not smaller than those of the functions below; of bricks
+    /// shortened by the bulk viscosity. No safety factor.
+    StepLimit step_limit() const;
+    double    largest_stable_step() const; ///< s, the value of the same without its words: nothing is searched
+    /// Masses (kg) that the nodes really carry, [n_nodes]: the bound then allows for other shares of the elements'.
+    void use_nodal_masses(std::span<const double> mass);
+    /// An equal part of each element's mass to each of its nodes (kg), [n_nodes].
+    std::vector<double> compute_nodal_masses() const;
+
+    /// Energies (J). Stored ones are those of the present stresses (StoredEnergy): of the stress that elements are
+    /// integrated with, and of the stabilisation of bricks, which with one layer is the energy of bending, no error.
+    /// Plastic, viscous (bulk viscosity of bricks) and hourglass (all work on the stabilisation of shells, stored or
+    /// taken by its limits): cumulative, by their own rates; what the stabilisation of bricks dissipates is plastic
+    /// work. `work` is that of the nodal forces, trapezoidal in time: what it differs from the sum of the others (and
+    /// the eroded energy) is an error.
+    StoredEnergy::Sums stored_energy() const;
+    double             plastic_work() const;
+    double             viscous_energy() const;
+    double             work() const;
+    /// What elements and points stored when they failed; it has left the others.
+    double eroded_energy() const;
+    void   add_energies(EnergyReport &report) const; ///< all of these
+
+    /// Failed elements carry nothing and have no vote on the step; their nodes keep their masses. Once failed, always.
+    bool        can_fail() const;
+    std::size_t n_failed() const;
+    std::size_t n_collapsed() const; ///< of these, those taken away by Failure::smallest_step
+    bool        is_failed(std::size_t element) const;
+    double      failed_mass() const;               ///< kg
+    bool        is_free(std::size_t node) const;   ///< all its elements have failed
+    double      damage(std::size_t element) const; ///< largest D of its points; 1 and more: such a point failed
+
+    std::size_t n_elements() const;
+    std::size_t n_promoted() const; ///< elements that hold points through the thickness (bricks: or need none)
+    std::size_t bytes() const;      ///< counted, of all that these elements hold
+
+    struct MaxPlasticStrain
+    {
+      double      value   = 0.;
+      std::size_t element = 0;
+    };
+    MaxPlasticStrain max_plastic_strain() const;
+
+    std::size_t    n_sections() const;
+    const Section &section(std::size_t element) const;
+    /// Of one section: number of elements, their mass (kg) and plastic work (J).
+    struct SectionSums
+    {
+      std::size_t n_elements;
+      double      mass, plastic_work;
+    };
+    SectionSums section_sums(std::size_t section) const;
+
+  protected:
+    using Extra = typename Group::Extra; ///< what an element's group must know of it besides its nodes
+
+    /// Positions (m), nodes of the elements, what else is to be known of each, sections. The pool must outlive this.
+    Elements(const std::vector<Point3> &nodes, const std::vector<Cell> &cells, const std::vector<Extra> &extra,
+             const Sections<Section> &sections, ThreadPool &pool);
+
+    /// Throws InputError unless there are cells, of nodes that are there.
+    static const std::vector<Cell> &checked(const std::vector<Cell> &cells, std::size_t n_nodes);
+
+    /// The group of an element, and its number there.
+    std::pair<const Group &, std::size_t> find(std::size_t element) const
+    {
+      return {groups[place[element].group], place[element].number};
+    }
+
+    double sum(Lanes ElementChunk::*energy) const; ///< J
+
+    std::vector<Group> groups;
+
+  private:
+    struct Place
+    {
+      std::uint32_t group, number;
+    };
+    struct Chunk
+    {
+      std::uint32_t group, number;
+    };
+    using Row = typename Group::ForceOnCorner;
+
+    void gather_forces(const ElementBlocks::Block &block, double *force);
+    void erode(const double *position); ///< after all forces: takes out the elements that have failed
+    void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: equal parts
+    std::vector<std::uint32_t> order(const Sections<Section> &sections, std::size_t n_elements);
+
+    ThreadPool                &pool;
+    std::size_t                n_nodes;
+    std::vector<Place>         place;  ///< [n_elements]
+    std::vector<Chunk>         chunks; ///< of all groups, one after the other
+    ElementBlocks              blocks;
+    AlignedVector<Row>         corner_force; ///< a node's together; the last one takes what copies of elements write
+    AlignedVector<Row>         node_force;   ///< [n_nodes], of the last step
+    AlignedVector<Row>         node_work;    ///< [chunks of nodes], J by component, cumulative
+    std::vector<std::uint32_t> n_left;       ///< [n_nodes], elements that have not failed; none where none can
+
+  protected:
+    typename Group::Nodes nodes;
+  };
+} // namespace birdstrike

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "structure/elements/elements.h"
+#include "structure/elements/shell/nodes.h"
+#include "structure/elements/shell/section.h"
+
+namespace birdstrike
+{
+  /// Shells of one section: their state and kernels.
+  class ShellGroup : public ElementGroup<ElementBatch<4>, ShellRecord, Row, Erosion>
+  {
+  public:
+    using Section                               = ShellSection;
+    using Extra                                 = double; ///< thickness, m
+    using Nodes                                 = ShellNodes;
+    static constexpr unsigned int n_unknowns    = 6;
+    static constexpr double       largest_share = 1.; ///< of its own part of the mass that an element counts with
+    static constexpr const char  *names = "Shell elements", *reason = "shell element, largest eigenvalue";
+
+    ShellGroup(const ShellSection &section, Place place, const std::vector<double> &thickness,
+               const ElementBlocks &blocks);
+
+    static double step_of(const double bound) ///< s
+    {
+      return 2. / std::sqrt(bound);
+    }
+
+    void update_chunk(std::size_t chunk, double dt);
+    void update_bounds_at_rest();
+
+    bool                  has_points(std::size_t batch) const; ///< any of its sections
+    double                largest_plastic_strain(std::size_t element) const;
+    StoredEnergy::State   stored(std::size_t section) const;            ///< by number: [n_batches][n_in_plane]
+    double                largest_thickness(std::size_t element) const; ///< m, of its sections
+    ShellGeometry<double> geometry(std::size_t element) const;
+    std::size_t           bytes() const;
+
+    /// Section k of a batch, and its points through the thickness.
+    const SectionStress<Lanes>             &section_of(std::size_t batch, std::size_t k) const;
+    const AlignedVector<ShellPoint<Lanes>> &points_of(std::size_t batch, std::size_t k) const;
+
+    ShellSection                                  section;
+    std::size_t                                   n_in_plane; ///< sections of an element: one, or four fully integrated
+    std::vector<AlignedVector<ShellPoint<Lanes>>> points;     ///< [n_in_plane n_batches], empty while elastic
+
+  private:
+    void   check_shape(std::size_t element, double thickness);
+    void   promote(std::size_t section);             ///< number in `points`
+    double smallest_area(std::size_t element) const; ///< m^2; at the points of a fully integrated one four times theirs
+    double eigenvalue_bound(std::size_t element, double inverse_mass) const;
+
+    template <bool physical>
+    void             update_batch(std::size_t batch, double dt, ElementChunk &chunk);
+    ShellWork<Lanes> update_points(std::size_t batch, const ShellVector<Lanes> &strain, const Lanes &area, double dt);
+    ShellWork<Lanes> update_failing_points(std::size_t batch, const ShellVector<Lanes> &strain, const Lanes &area,
+                                           double dt);
+    void             update_fully_integrated(std::size_t batch, double dt, ElementChunk &chunk);
+    Lanes            update_section(std::size_t section, const SectionVector<Lanes> &strain, double dt);
+    Lanes            update_failing_section(std::size_t section, const SectionVector<Lanes> &strain, double dt);
+    void             release_sections(std::size_t batch, const SectionVector<Lanes> *strain, const Lanes *area);
+    void             build_erosion();
+    bool             can_collapse() const; ///< whether elements that do are eroded
+    bool             has_finite_state(std::size_t element) const;
+    void             take_collapsed(std::size_t chunk);
+    void             collapse(std::size_t batch, ElementChunk &chunk);
+    double           drop_forces(std::size_t batch, std::size_t lane);
+    void             report_failure(std::size_t batch); ///< throws, unless what is unsound collapses and goes
+
+    ShellSectionLaw                     law;
+    double                              initial_yield;
+    AlignedVector<ShellStress<Lanes>>   stress;         ///< [n_batches] of one-point elements
+    AlignedVector<SectionStress<Lanes>> sections;       ///< [4 n_batches] of fully integrated ones
+    std::vector<unsigned char>          has_new_failed; ///< [n_batches], points of fully integrated ones, in this step
+  };
+} // namespace birdstrike
