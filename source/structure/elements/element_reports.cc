@@ -1,0 +1,220 @@
+#include "structure/elements/shell/group.h"
+#include "structure/elements/solid/group.h"
+
+#include <birdstrike/core/energy_report.h>
+
+namespace birdstrike
+{
+  template <class Group>
+  double Elements<Group>::largest_stable_step() const
+  {
+    Lanes largest = 0.;
+    for (const Group &group : groups)
+      for (const ElementChunk &chunk : group.chunks)
+        largest = max(largest, chunk.bound);
+    return Group::step_of(stdx::hmax(largest));
+  }
+
+  template <class Group>
+  StepLimit Elements<Group>::step_limit() const
+  {
+    double      largest = 0.;
+    std::size_t worst   = 0;
+    for (std::size_t e = 0; e < n_elements(); ++e)
+      {
+        const auto [group, k] = find(e);
+        if (const double value = lane(group.batches[k / n_lanes].bound, k % n_lanes); value > largest)
+          {
+            largest = value;
+            worst   = e;
+          }
+      }
+    const auto [group, k] = find(worst);
+    return {Group::step_of(largest), Group::reason, group.where(k)};
+  }
+
+  template <class Group>
+  StoredEnergy::Sums Elements<Group>::stored_energy() const
+  {
+    StoredEnergy::Sums sums{};
+    for (const Group &group : groups)
+      {
+        const auto of_group =
+          StoredEnergy::compute(pool, group.points.size(), [&group](const std::size_t k) { return group.stored(k); });
+        for (std::size_t kind = 0; kind < sums.size(); ++kind)
+          sums[kind] += of_group[kind];
+      }
+    return sums;
+  }
+
+  template <class Group>
+  double Elements<Group>::sum(Lanes ElementChunk::*energy) const
+  {
+    double result = 0.;
+    for (const Group &group : groups)
+      result += group.sum(energy);
+    return result;
+  }
+
+  template <class Group>
+  double Elements<Group>::plastic_work() const
+  {
+    return sum(&ElementChunk::plastic);
+  }
+
+  template <class Group>
+  double Elements<Group>::viscous_energy() const
+  {
+    return sum(&ElementChunk::viscous);
+  }
+
+  template <class Group>
+  double Elements<Group>::work() const
+  {
+    double total = 0.;
+    for (const Row &row : node_work)
+      for (const double part : row.value)
+        total += part;
+    return total;
+  }
+
+  template <class Group>
+  double Elements<Group>::eroded_energy() const
+  {
+    double energy = 0.;
+    for (const Group &group : groups)
+      energy += group.erosion ? group.erosion->energy() : 0.;
+    return energy;
+  }
+
+  template <class Group>
+  void Elements<Group>::add_energies(EnergyReport &report) const
+  {
+    // What stabilises a brick of one point is the strain of bending and torsion, exact for a plate of one layer:
+    // nothing in it is artificial, and counted as hourglass it would be most of what such a plate stores.
+    const auto stored = stored_energy();
+    report.elastic    = stored[0] + stored[1];
+    report.plastic    = plastic_work();
+    report.hourglass  = sum(&ElementChunk::hourglass);
+    report.viscous    = viscous_energy();
+    report.eroded     = eroded_energy();
+    report.internal   = work();
+  }
+
+  template <class Group>
+  bool Elements<Group>::can_fail() const
+  {
+    return !n_left.empty();
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::n_failed() const
+  {
+    std::size_t n = 0;
+    for (const Group &group : groups)
+      n += group.erosion ? group.erosion->n_failed : 0;
+    return n;
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::n_collapsed() const
+  {
+    std::size_t n = 0;
+    for (const Group &group : groups)
+      n += group.erosion ? group.erosion->n_collapsed : 0;
+    return n;
+  }
+
+  template <class Group>
+  double Elements<Group>::failed_mass() const
+  {
+    double mass = 0.;
+    for (const Group &group : groups)
+      mass += group.erosion ? group.erosion->mass : 0.;
+    return mass;
+  }
+
+  template <class Group>
+  bool Elements<Group>::is_failed(const std::size_t element) const
+  {
+    const auto [group, k] = find(element);
+    return group.is_failed(k);
+  }
+
+  template <class Group>
+  bool Elements<Group>::is_free(const std::size_t node) const
+  {
+    return can_fail() && n_left[node] == 0;
+  }
+
+  template <class Group>
+  double Elements<Group>::damage(const std::size_t element) const
+  {
+    const auto [group, k] = find(element);
+    return group.erosion ? group.erosion->largest_damage(k, group.erosion->damage.size() / group.batches.size()) : 0.;
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::n_elements() const
+  {
+    return place.size();
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::n_promoted() const
+  {
+    std::size_t n = 0;
+    for (const Group &group : groups)
+      for (std::size_t b = 0; b < group.batches.size(); ++b)
+        n += group.has_points(b) ? group.n_elements_of(b) : 0;
+    return n;
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::bytes() const
+  {
+    std::size_t sum = bytes_of(place) + bytes_of(chunks) + blocks.bytes() + bytes_of(corner_force) +
+                      bytes_of(node_force) + bytes_of(node_work) + bytes_of(n_left) + nodes.bytes();
+    for (const Group &group : groups)
+      sum += group.bytes();
+    return sum;
+  }
+
+  template <class Group>
+  typename Elements<Group>::MaxPlasticStrain Elements<Group>::max_plastic_strain() const
+  {
+    MaxPlasticStrain result;
+    for (std::size_t e = 0; e < n_elements(); ++e)
+      {
+        const auto [group, k] = find(e);
+        if (const double strain = group.largest_plastic_strain(k); strain > result.value)
+          result = {strain, e};
+      }
+    return result;
+  }
+
+  template <class Group>
+  std::size_t Elements<Group>::n_sections() const
+  {
+    return groups.size();
+  }
+
+  template <class Group>
+  const typename Group::Section &Elements<Group>::section(const std::size_t element) const
+  {
+    return find(element).first.section;
+  }
+
+  template <class Group>
+  typename Elements<Group>::SectionSums Elements<Group>::section_sums(const std::size_t section) const
+  {
+    const Group &group = groups.at(section);
+    SectionSums  sums{group.n_elements(), 0., group.sum(&ElementChunk::plastic)};
+    for (const double mass : group.mass)
+      sums.mass += mass;
+    return sums;
+  }
+
+  template class Elements<ShellGroup>;
+  template class Elements<SolidGroup>;
+} // namespace birdstrike
