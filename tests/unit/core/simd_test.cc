@@ -39,7 +39,9 @@ namespace
         std::size_t      expected = 0;
         for (std::size_t k = 0; k < n; ++k)
           if (chosen(k))
-            EXPECT_EQ(out[expected++], static_cast<T>(7 + k)) << pattern;
+            {
+              EXPECT_EQ(out[expected++], static_cast<T>(7 + k)) << pattern;
+            }
         EXPECT_EQ(count, expected);
       }
   }
