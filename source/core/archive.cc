@@ -1,0 +1,175 @@
+#include <birdstrike/core/archive.h>
+#include <birdstrike/core/errors.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <numeric>
+#include <stdexcept>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Of an entry of a quantity: "" where both are the same.
+    std::string compare(const std::string &name, const ArchivedQuantity &a, const ArchivedQuantity &b)
+    {
+      if (a.is_real != b.is_real || a.n_components != b.n_components || a.lengths != b.lengths || a.size() != b.size())
+        return fmt::format("'{}' has {} values in one, {} in the other", name, a.size(), b.size());
+      const std::size_t n_components = std::max<std::size_t>(a.n_components, 1);
+      for (std::size_t k = 0; k < a.size(); ++k)
+        {
+          const std::string where =
+            fmt::format("'{}', entity {} in order, component {}", name, k / n_components, k % n_components);
+          if (a.is_real && std::bit_cast<std::uint64_t>(a.real[k]) != std::bit_cast<std::uint64_t>(b.real[k]))
+            return fmt::format("{}: {} and {}", where, a.real[k], b.real[k]);
+          if (!a.is_real && a.whole[k] != b.whole[k])
+            return fmt::format("{}: {} and {}", where, a.whole[k], b.whole[k]);
+        }
+      return "";
+    }
+  } // namespace
+
+  std::string find_difference(const ArchivedState &one, const ArchivedState &other)
+  {
+    for (const auto &[name, quantity] : one)
+      {
+        const auto match = other.find(name);
+        if (match == other.end())
+          return "'" + name + "' is missing in the second";
+        if (std::string difference = compare(name, quantity, match->second); !difference.empty())
+          return difference;
+      }
+    for (const auto &[name, quantity] : other)
+      if (!one.contains(name))
+        return "'" + name + "' is missing in the first";
+    return "";
+  }
+
+  Archive Archive::writing(ArchivedState &to)
+  {
+    return Archive(&to, nullptr);
+  }
+
+  Archive Archive::reading(const ArchivedState &from)
+  {
+    return Archive(nullptr, &from);
+  }
+
+  Archive::Group::Group(Archive &archive, const std::string &name)
+    : archive(archive), length_before(archive.path.size())
+  {
+    archive.path += name + "/";
+  }
+
+  Archive::Group::~Group()
+  {
+    archive.path.resize(length_before);
+  }
+
+  Archive::Column Archive::open(const std::string &name, const bool is_real, const std::size_t n_components,
+                                const std::size_t n_rows)
+  {
+    const std::string full = path + name;
+    if (!asked.insert(full).second)
+      throw std::logic_error("Archive: '" + full + "' is described twice.");
+    Column column;
+    if (target)
+      {
+        column.to               = &(*target)[full];
+        *column.to              = ArchivedQuantity();
+        column.to->is_real      = is_real;
+        column.to->n_components = n_components;
+        (is_real ? column.to->real.reserve(n_components * n_rows) : column.to->whole.reserve(n_components * n_rows));
+        return column;
+      }
+    const auto found = source->find(full);
+    if (found == source->end())
+      throw InputError("The archive has no '" + full + "': it was written by another version, or of another case.");
+    column.from = &found->second;
+    if (column.from->is_real != is_real || column.from->n_components != n_components ||
+        (n_components > 0 ? column.from->size() != n_components * n_rows : column.from->lengths.size() != n_rows))
+      throw InputError(fmt::format("The archive has '{}' of {} values in {} components, where {} in {} belong: it was "
+                                   "written of another case.",
+                                   full, column.from->size(), column.from->n_components, n_components * n_rows,
+                                   n_components));
+    return column;
+  }
+
+  Archive::Column &Archive::Row::next(const char *name, const bool is_real, const std::size_t n_components)
+  {
+    if (row == 0)
+      {
+        columns.push_back(archive.open(prefix.size() > 1 ? prefix + name : name, is_real, n_components, n_rows));
+        columns.back().name = name;
+      }
+    Column &column = columns.at(field++);
+    if (column.name != name && std::strcmp(column.name, name) != 0)
+      throw std::logic_error("Archive: an entity describes '" + std::string(name) + "' where the first has '" +
+                             column.name + "'.");
+    return column;
+  }
+
+  std::size_t Archive::Row::exchange_length(Column &column, const std::size_t length)
+  {
+    if (column.to)
+      {
+        column.to->lengths.push_back(length);
+        return length;
+      }
+    const std::size_t archived = column.from->lengths[row];
+    if (archived > column.from->size() - column.position)
+      throw InputError("The archive has '" + archive.path + prefix + column.name +
+                       "' with lists longer than its values.");
+    return archived;
+  }
+
+  void Archive::rows(const std::string &name, const std::size_t n, const Describe describe)
+  {
+    Row row(*this, name, n);
+    for (row.row = 0; row.row < n; ++row.row)
+      {
+        row.field = 0;
+        describe(row, row.row);
+      }
+  }
+
+  void Archive::population(const std::string &name, std::vector<std::uint64_t> &ids)
+  {
+    Row row(*this, "", 1);
+    row.list(name.c_str(), ids);
+  }
+
+  void Archive::population(const std::string &name, std::size_t &n)
+  {
+    std::vector<std::uint64_t> ids(n);
+    std::iota(ids.begin(), ids.end(), std::uint64_t(0));
+    population(name, ids);
+    n = ids.size();
+  }
+
+  void Archive::entities(const std::string &name, const std::size_t n, const Describe describe)
+  {
+    std::vector<std::uint64_t> ids(n);
+    std::iota(ids.begin(), ids.end(), std::uint64_t(0));
+    population(name, ids);
+    std::vector<bool> has(n, false);
+    for (const std::uint64_t id : ids)
+      if (id < n)
+        has[id] = true;
+    if (ids.size() != n || std::count(has.begin(), has.end(), false) > 0)
+      throw InputError(fmt::format("The archive has {} of '{}', this scene {}: it was written of another case.",
+                                   ids.size(), path + name, n));
+    rows(name, n, [&](Row &row, const std::size_t i) { describe(row, ids[i]); });
+  }
+
+  void Archive::finish() const
+  {
+    if (source)
+      for (const auto &[name, quantity] : *source)
+        if (!asked.contains(name))
+          throw InputError("The archive has '" + name + "', which means nothing here: it was written of another case.");
+  }
+} // namespace birdstrike
