@@ -55,7 +55,6 @@ namespace birdstrike
     lay_out(particles, range, period);
     const std::size_t n_particles = particles.size();
     cell_of.resize(n_particles);
-    order.resize(n_particles);
     pool.parallel_for(n_particles, 256, [&](const std::size_t first, const std::size_t last) {
       for (std::size_t p = first; p < last; ++p)
         {
@@ -66,6 +65,13 @@ namespace birdstrike
           cell_of[p] = cell_index(c[0], c[1], c[2]);
         }
     });
+    sort(particles, pool);
+  }
+
+  void CellGrid::sort(Particles &particles, ThreadPool &pool)
+  {
+    const std::size_t n_particles = particles.size();
+    order.resize(n_particles);
     start.assign(n_cells() + 1, 0);
     for (std::size_t p = 0; p < n_particles; ++p)
       ++start[cell_of[p] + 1];

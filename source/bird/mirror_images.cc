@@ -2,15 +2,14 @@
 
 namespace birdstrike
 {
-  void MirrorImages::update(const Particles &particles, const double range)
+  void MirrorImages::update(const std::size_t n, const FunctionRef<bool(std::size_t)> is_near)
   {
-    const std::size_t n = particles.size();
     sources.clear();
     before.resize(n + 1);
     for (std::size_t p = 0; p < n; ++p)
       {
         before[p] = sources.size();
-        if (particles.x[1][p] < range)
+        if (is_near(p))
           sources.push_back(p);
       }
     before[n] = sources.size();

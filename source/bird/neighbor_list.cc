@@ -58,12 +58,11 @@ namespace birdstrike
   /// Distances are computed in float, relative to one particle, with a range that is larger by its round-off.
   void NeighborList::update_positions(const Particles &particles)
   {
-    const std::size_t n = particles.size(), n_all = n + 1 + mirror_images.size();
+    const std::size_t n       = particles.size();
     double            largest = 0.;
     for (int d = 0; d < 3; ++d)
       {
-        positions[d].reserve(n_all + FloatLanes::size()); // whole registers are read at the end of the last run
-        positions[d].resize(n_all);
+        positions[d].resize(n);
         origin[d] = n == 0 || (is_mirrored && d == 1) ? 0. : particles.x[d][0];
         for (std::size_t p = 0; p < n; ++p)
           {
@@ -71,13 +70,24 @@ namespace birdstrike
             positions[d][p] = static_cast<float>(x);
             largest         = std::max(largest, std::abs(x));
           }
+      }
+    safe_range = support + skin + 4. * std::numeric_limits<float>::epsilon() * largest;
+    reflect_positions(n);
+  }
+
+  void NeighborList::reflect_positions(const std::size_t n)
+  {
+    const std::size_t n_all = n + 1 + mirror_images.size();
+    for (int d = 0; d < 3; ++d)
+      {
+        positions[d].reserve(n_all + FloatLanes::size()); // whole registers are read at the end of the last run
+        positions[d].resize(n_all);
         for (std::size_t g = 0; g < mirror_images.size(); ++g)
           {
             const float x           = positions[d][mirror_images.source(g)];
             positions[d][n + 1 + g] = d == 1 ? -x : x;
           }
       }
-    safe_range = support + skin + 4. * std::numeric_limits<float>::epsilon() * largest;
   }
 
   template <bool is_periodic>
@@ -166,9 +176,16 @@ namespace birdstrike
       {
         const auto  &y      = particles.x[1];
         const double lowest = n == 0 ? 0. : *std::min_element(y.begin(), y.end());
-        mirror_images.update(particles, support + skin - std::min(0., lowest));
+        const double range  = support + skin - std::min(0., lowest);
+        mirror_images.update(n, [&](const std::size_t p) { return y[p] < range; });
       }
     update_positions(particles);
+    make_lists(n, pool);
+    ++builds;
+  }
+
+  void NeighborList::make_lists(const std::size_t n, ThreadPool &pool)
+  {
     first.resize(n);
     count.resize(n);
     offset.resize(n);
@@ -201,6 +218,5 @@ namespace birdstrike
       prefix[p + 1] = prefix[p] + count[p] + n_lanes;
     longest_count = n == 0 ? 0 : *std::max_element(count.begin(), count.end());
     list_near_cells();
-    ++builds;
   }
 } // namespace birdstrike

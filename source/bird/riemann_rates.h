@@ -41,6 +41,11 @@ namespace birdstrike
       passes_to_renewal = 0;
     }
 
+    void archive(Archive &archive) override
+    {
+      archive("passes to renewal", passes_to_renewal);
+    }
+
   private:
     using Number = LanesOf<T>;
 

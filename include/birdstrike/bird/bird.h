@@ -3,6 +3,7 @@
 #include <birdstrike/bird/packing.h>
 #include <birdstrike/bird/rates.h>
 #include <birdstrike/bird/retirement.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/energy_report.h>
 #include <birdstrike/core/fields.h>
@@ -74,6 +75,9 @@ namespace birdstrike
 
     /// Removes loose particles whose path misses the box grown by the margin of the parameters; returns their number.
     std::size_t retire(const Box &blade_box);
+
+    /// All that the next step depends on, particle by particle.
+    void archive(Archive &archive);
 
     PointsView     points() const;
     EnergyReport   energies() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/bird/particles.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/thread_pool.h>
 
 #include <array>
@@ -19,6 +20,9 @@ namespace birdstrike
   public:
     /// Re-orders all columns and ids of `particles`.
     void update(Particles &particles, double range, const Period &period, ThreadPool &pool);
+
+    /// The cells and who is where in them. Reading sorts nothing: particles come in the order of their cells.
+    void archive(Archive &archive, Particles &particles, ThreadPool &pool);
 
     std::array<int, 3> cell_coordinates(std::size_t cell) const;
     std::size_t        cell_index(int i, int j, int k) const
@@ -64,6 +68,7 @@ namespace birdstrike
 
   private:
     void lay_out(const Particles &particles, double range, const Period &period);
+    void sort(Particles &particles, ThreadPool &pool); ///< by `cell_of`
     void permute(Particles &particles, ThreadPool &pool);
 
     std::array<int, 3>         n{1, 1, 1};

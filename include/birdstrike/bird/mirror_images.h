@@ -2,6 +2,7 @@
 
 #include <birdstrike/bird/cell_grid.h>
 #include <birdstrike/core/aligned_vector.h>
+#include <birdstrike/core/function_ref.h>
 
 #include <cstdint>
 
@@ -15,8 +16,8 @@ namespace birdstrike
   class MirrorImages
   {
   public:
-    /// Images of all particles with y < range.
-    void update(const Particles &particles, double range);
+    /// Images of those of n particles for which `is_near` says yes.
+    void update(std::size_t n, FunctionRef<bool(std::size_t)> is_near);
 
     std::size_t size() const
     {

@@ -40,6 +40,10 @@ namespace birdstrike
 
     bool is_outdated(const Particles &particles, ThreadPool &pool);
 
+    /// What lists are made of, the float positions of their build: reading makes the same lists again, whatever the
+    /// particles have done since. `particles` are those of the archive.
+    void archive(Archive &archive, Particles &particles, ThreadPool &pool);
+
     const std::uint32_t *neighbors(const std::size_t particle) const
     {
       return first[particle];
@@ -72,6 +76,8 @@ namespace birdstrike
     template <bool is_periodic>
     std::uint32_t *list_run(std::uint32_t *out, std::size_t p, std::size_t begin, std::size_t end) const;
     void           update_positions(const Particles &particles);
+    void           reflect_positions(std::size_t n); ///< of n particles, to their images
+    void           make_lists(std::size_t n, ThreadPool &pool);
     std::uint32_t *list_images(std::uint32_t *out, std::size_t cell, std::size_t p) const;
     double         compute_image_spread(std::size_t o) const;
     void           list_near_cells();

@@ -3,6 +3,7 @@
 #include <birdstrike/bird/neighbor_list.h>
 #include <birdstrike/bird/parameters.h>
 #include <birdstrike/bird/particles.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/thread_pool.h>
 #include <birdstrike/material/equation_of_state.h>
 
@@ -28,6 +29,11 @@ namespace birdstrike
 
     /// Lets the next update renew what it would otherwise keep for some passes: the state was set, not computed.
     virtual void renew_correction()
+    {
+    }
+
+    /// What is kept from one update to the next, besides what particles hold.
+    virtual void archive(Archive &)
     {
     }
   };
