@@ -106,15 +106,20 @@ namespace birdstrike
         last.searches = search.counts().searches;
         topology.update_slowly(facets, memory.max_size());
         node_sums.set_nodes(search.blocks(), facets.n_nodes);
-        touches.resize(search.blocks().size());
-        // at most two facets a point: steps without a search allocate nothing
-        for (std::size_t b = 0; b < touches.size(); ++b)
-          touches[b].reserve(2 * search.blocks()[b].points.size());
+        size_touches();
       }
     block_reports.resize(search.blocks().size());
     touches.resize(search.blocks().size());
     for (BlockReport &report : block_reports)
       report.clear(patches.size());
+  }
+
+  void Contact::size_touches()
+  {
+    touches.resize(search.blocks().size());
+    // at most two facets a point: steps without a search allocate nothing
+    for (std::size_t b = 0; b < touches.size(); ++b)
+      touches[b].reserve(2 * search.blocks()[b].points.size());
   }
 
   void Contact::find_touches(const ContactScene &scene, ThreadPool &pool)
@@ -202,7 +207,7 @@ namespace birdstrike
         most = report.largest_point;
     last.largest_frequency = std::sqrt(most.value + nodes.value);
     limit.value            = std::sqrt(largest_squared_phase / (most.value + 2. * nodes.value));
-    limit.reason           = "contact, stiffness of the touches";
+    limit.reason           = step_limit_reason;
     if (most.value >= nodes.value)
       limit.where = {
         "particle",

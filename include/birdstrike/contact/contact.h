@@ -9,6 +9,7 @@
 #include <birdstrike/contact/search.h>
 #include <birdstrike/contact/surface_topology.h>
 #include <birdstrike/contact/touch_record.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/step_limit.h>
 #include <birdstrike/core/thread_pool.h>
@@ -70,6 +71,10 @@ namespace birdstrike
     /// of undeformed points on the lightest facet, N dt^2 <= Step stability share. Infinite on rigid ground.
     double node_step_limit(const PointsView &points, const FacetsView &facets) const;
 
+    /// What the next call depends on, besides the views, which must be those of the archived state: positions are
+    /// those of the last call.
+    void archive(Archive &archive, const PointsView &points, const FacetsView &facets);
+
     const ContactReport &report() const
     {
       return last;
@@ -86,6 +91,10 @@ namespace birdstrike
     void update_limit(const PointsView &points, const FacetsView &facets, const NodeSums::Largest &nodes);
     void sum_report();
     void update_peaks(double spacing);
+    void size_touches(); ///< for the present lists
+    void archive_report(Archive &archive);
+
+    static constexpr const char *step_limit_reason = "contact, stiffness of the touches";
 
     ContactParameters          parameters;
     std::vector<PressurePatch> patches;

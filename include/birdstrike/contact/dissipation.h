@@ -2,6 +2,7 @@
 
 #include <birdstrike/contact/point_memory.h>
 #include <birdstrike/contact/touch_record.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 
 #include <array>
@@ -30,6 +31,8 @@ namespace birdstrike
 
     /// Takes up present forces and the first half of what they take, in half of the step (s) that has ended with them.
     void add(const PointsView &points, const FacetsView &facets, const std::vector<TouchRecord> &touches, double step);
+
+    void archive(Archive &archive);
 
     double energy() const ///< J, since the start
     {

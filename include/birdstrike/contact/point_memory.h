@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 
 #include <array>
@@ -48,6 +49,8 @@ namespace birdstrike
   public:
     /// Enters points that were never seen, and where all of them stand now.
     void update(const PointsView &points);
+
+    void archive(Archive &archive);
 
     /// Forgets all sides (another surface).
     void forget_sides();

@@ -3,6 +3,7 @@
 #include <birdstrike/contact/candidate_block.h>
 #include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/core/aligned_vector.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/thread_pool.h>
 
@@ -35,6 +36,9 @@ namespace birdstrike
     /// Makes the pairs valid for the present positions. `range` is the largest distance at which a pair can touch, m.
     void update(const PointsView &points, const FacetsView &facets, double range, double margin, ThreadPool &pool);
 
+    /// Lists that views of others have outdated are not written: the next call makes new ones.
+    void archive(Archive &archive, const PointsView &points, const FacetsView &facets);
+
     /// Forces a search at the next call.
     void forget();
 
@@ -59,6 +63,7 @@ namespace birdstrike
     }
 
   private:
+    bool   is_of(const PointsView &points, const FacetsView &facets) const; ///< the lists
     void   set_blocks(const PointsView &points, const FacetsView &facets);
     void   set_node_parts(const FacetsView &facets);
     void   watch(const PointsView &points, const FacetsView &facets, ThreadPool &pool);
@@ -67,6 +72,7 @@ namespace birdstrike
     void   watch_facet_nodes(const FacetsView &facets, const Point3 &shift, std::size_t part);
     double closest_away() const;
     void   find_pairs(const PointsView &points, const FacetsView &facets, double reach, ThreadPool &pool);
+    void   count_near();
 
     struct NodePart
     {

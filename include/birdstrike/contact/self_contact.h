@@ -3,6 +3,7 @@
 #include <birdstrike/contact/self_search.h>
 #include <birdstrike/contact/self_touch.h>
 #include <birdstrike/contact/surface_topology.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 
 #include <cstdint>
@@ -67,6 +68,9 @@ namespace birdstrike
     {
       return nodal_forces;
     }
+
+    /// What the next call depends on, besides the view, which must be that of the archived state.
+    void archive(Archive &archive, const FacetsView &facets);
 
     const SelfContactReport &report() const
     {

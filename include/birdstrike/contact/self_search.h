@@ -3,6 +3,7 @@
 #include <birdstrike/contact/surface_patches.h>
 #include <birdstrike/contact/surface_topology.h>
 #include <birdstrike/core/aligned_vector.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 
 #include <cstdint>
@@ -33,6 +34,8 @@ namespace birdstrike
     bool update(const FacetsView &facets, const SurfaceTopology &topology, double step,
                 const std::vector<std::array<std::uint32_t, 2>> &touched);
 
+    void archive(Archive &archive, const FacetsView &facets);
+
     const std::vector<Candidate> &candidates() const ///< sorted by point, then facet
     {
       return pairs;
@@ -52,6 +55,7 @@ namespace birdstrike
 
   private:
     void   set_surface(const FacetsView &facets, const SurfaceTopology &topology);
+    void   list_facets_of_nodes(const FacetsView &facets);
     bool   has_to_look(const FacetsView &facets);
     double largest_motion(const FacetsView &facets) const;
     void   look(const FacetsView &facets, const SurfaceTopology &topology, double step,

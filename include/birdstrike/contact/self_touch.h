@@ -2,6 +2,7 @@
 
 #include <birdstrike/contact/self_search.h>
 #include <birdstrike/contact/surface_topology.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/closest_point.h>
 #include <birdstrike/core/contact_views.h>
 
@@ -50,6 +51,8 @@ namespace birdstrike
   {
   public:
     void update(const FacetsView &facets, const SurfaceTopology &topology, const SelfSearch &search, double step);
+
+    void archive(Archive &archive);
 
     void skip() ///< a call in which nothing is near
     {

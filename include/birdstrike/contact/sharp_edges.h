@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/number.h>
 
@@ -46,6 +47,8 @@ namespace birdstrike
     /// Finds the edges within `reach` of each facet. Done again when facets come and go, and for the angles of
     /// a skin with every call: with every search is often enough.
     void update(const FacetsView &facets, double reach);
+
+    void archive(Archive &archive);
 
     bool are_near(const std::uint32_t facet) const
     {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/contact/facet_grid.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/number.h>
 
@@ -34,6 +35,8 @@ namespace birdstrike
 
     /// Pairs that may come within `reach` (m), sorted. Those of `always` are taken whenever their boxes are near.
     const std::vector<Pair> &find_close(const FacetsView &facets, double reach, std::vector<Pair> always);
+
+    void archive(Archive &archive, const FacetsView &facets);
 
     std::size_t size() const
     {

@@ -31,6 +31,8 @@ namespace birdstrike
     /// What changes slowly: thickness, and the sharp edges for points up to `size` = V^(1/3), m.
     void update_slowly(const FacetsView &facets, double size);
 
+    void archive(Archive &archive);
+
     const SharpEdges &sharp_edges() const
     {
       return edges;

@@ -28,9 +28,7 @@ namespace birdstrike
   void CandidateSearch::update(const PointsView &points, const FacetsView &facets, const double range,
                                const double margin, ThreadPool &pool)
   {
-    const bool is_same = is_known && points.revision == points_revision && facets.revision == facets_revision &&
-                         points.n == old_points[0].size() && 3 * facets.n_nodes == old_nodes.size() &&
-                         facets.n_facets == n_facets;
+    const bool is_same = is_of(points, facets);
     if (!is_same)
       set_blocks(points, facets);
     watch(points, facets, pool);
@@ -53,6 +51,12 @@ namespace birdstrike
     ++(is_tracking ? n_calls.searches : n_calls.apart);
     if (is_tracking)
       find_pairs(points, facets, range + margin, pool);
+  }
+
+  bool CandidateSearch::is_of(const PointsView &points, const FacetsView &facets) const
+  {
+    return is_known && points.revision == points_revision && facets.revision == facets_revision &&
+           points.n == old_points[0].size() && 3 * facets.n_nodes == old_nodes.size() && facets.n_facets == n_facets;
   }
 
   void CandidateSearch::set_blocks(const PointsView &points, const FacetsView &facets)
@@ -112,6 +116,12 @@ namespace birdstrike
         }
     };
     pool.parallel_for(all_blocks.size(), 1, std::ref(collect_blocks));
+    count_near();
+  }
+
+  void CandidateSearch::count_near()
+  {
+    n_near_points       = 0;
     std::size_t n_nodes = 0;
     for (CandidateBlock &block : all_blocks)
       {

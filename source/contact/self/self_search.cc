@@ -31,6 +31,14 @@ namespace birdstrike
     if (reference.size() != 3 * facets.n_nodes)
       reference.assign(facets.position, facets.position + 3 * facets.n_nodes);
     patches.update(facets, reference, own_range * 2. * topology.max_half_thickness());
+    list_facets_of_nodes(facets);
+    revision = facets.revision;
+    n_facets = facets.n_facets;
+    is_known = true;
+  }
+
+  void SelfSearch::list_facets_of_nodes(const FacetsView &facets)
+  {
     partners.resize(patches.size());
     facet_mark.assign(facets.n_facets, 0);
     node_mark.assign(facets.n_nodes, 0);
@@ -50,10 +58,7 @@ namespace birdstrike
     std::vector<std::uint32_t> next(first_facet.begin(), first_facet.end() - 1);
     each_corner([&](const std::uint32_t f, const std::uint32_t node) { facets_of_node[next[node]++] = f; });
 
-    anchor   = facets.n_facets > 0 ? facets.nodes[0][0] : 0;
-    revision = facets.revision;
-    n_facets = facets.n_facets;
-    is_known = true;
+    anchor = facets.n_facets > 0 ? facets.nodes[0][0] : 0;
   }
 
   bool SelfSearch::has_to_look(const FacetsView &facets)
