@@ -84,6 +84,11 @@ namespace birdstrike
       prm.add_parameter("Held boxes", p.held_boxes,
                         "Components held on all nodes in a box: 'xmin ymin zmin xmax ymax zmax: ux uy; ...'. [m]",
                         Anything());
+      prm.add_parameter("Driven", p.driven,
+                        "Displacements (rotations: rad) on boundary ids as formulas of the time t that begin at 0: '3: "
+                        "uz = 1e-3*sin(2*pi*100*t); 2: ux uy = 5*t'. A component that is held, or driven by an earlier "
+                        "piece, stays so. [m]",
+                        Anything());
       prm.leave_subsection();
     }
 

@@ -53,6 +53,7 @@ namespace birdstrike
       std::string tip = "1";     ///< boundary ids of the tip row
       std::string held;          ///< "3: ux uy; 2: uz"
       std::string held_boxes;    ///< "xmin ymin zmin xmax ymax zmax: ux uy"
+      std::string driven;        ///< "3: uz = 1e-3*sin(2*pi*100*t)", m and rad, expressions in t
     };
 
     struct Loads

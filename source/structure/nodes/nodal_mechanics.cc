@@ -1,6 +1,8 @@
 #include "structure/nodes/nodal_mechanics.h"
 #include "structure/nodes/nodal_sums.h"
 
+#include <birdstrike/core/errors.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +26,7 @@ namespace birdstrike
       kick_loaded(half_step, first);
     for (const std::uint32_t dof : held_dofs)
       book_support(dof, half_step * (f[dof] + external[dof]));
+    drive(half_step, first);
     internal_half = first ? 0. : half_step;
     left_half     = 0.;
   }
@@ -41,6 +44,27 @@ namespace birdstrike
     impulses.support_impulse[c] += impulse;
     impulses.support_moment[a] += position[3 * n + b] * impulse;
     impulses.support_moment[b] -= position[3 * n + a] * impulse;
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::drive(const double half_step, const bool is_first)
+  {
+    const double damped = 1. - std::exp(-loads.damping() * half_step);
+    for (const Supports::Driven &support : driven)
+      {
+        const double to = support.at(time + (is_first ? 2. : 1.) * half_step), from = support.at(time - half_step);
+        for (const std::uint32_t dof : support.dofs)
+          {
+            // what kick_loaded has left of it, and with what velocity it has booked loads and damping
+            const double now = velocity[dof], before = now / (1. - damped), booked_with = is_first ? now : before;
+            const double after = (to - (is_first ? displacement[dof] : from)) / (2. * half_step);
+            const double drift = is_first ? after : before, m = mass[dof];
+            booked.external_work += 0.5 * m * (after * after - before * before) - half_step * force[dof] * drift +
+                                    (m * damped * before - half_step * external[dof]) * booked_with;
+            book_support(dof, -m * (after - before + damped * before));
+            velocity[dof] = after;
+          }
+      }
   }
 
   template <unsigned int n_unknowns>
@@ -149,6 +173,9 @@ namespace birdstrike
     booked.contact_work += sums[1][0] + sums[1][1] + sums[1][2];
     for (const std::uint32_t dof : held_dofs)
       book_support(dof, half_step * kicking[dof]);
+    for (const Supports::Driven &support : driven) // takes what contact does to it
+      for (const std::uint32_t dof : support.dofs)
+        booked.external_work -= half_step * f[dof] * v[dof];
     left_half    = first ? contact_half : 0.;
     contact_half = first ? 0. : half_step;
   }
@@ -219,6 +246,9 @@ namespace birdstrike
   void NodalMechanics<n_unknowns>::scale(const NodeColumns  &columns,
                                          std::vector<double> coupling) requires(n_unknowns == 3)
   {
+    if (!driven.empty())
+      throw InputError("Blade/Mass scaling/Method: 'selective' does not know driven supports.\nSet it to off, or hold "
+                       "what Supports/Driven moves.");
     scaled =
       std::make_unique<ScaledNodes>(ColumnMass(columns, std::move(coupling), inverse_mass.data(), pool), n_padded);
     scaled->update_forces(force.data(), external.data());

@@ -16,6 +16,7 @@ namespace birdstrike
     : pool(pool)
     , loads(std::move(given_loads))
     , held_dofs(supports.held_dofs)
+    , driven(supports.driven)
     , n_nodes(nodes.size())
     , n_padded((n_unknowns * n_nodes + block - 1) / block * block)
     , partial((n_nodes + chunk - 1) / chunk)
@@ -75,6 +76,10 @@ namespace birdstrike
       }
     for (const std::uint32_t dof : held_dofs)
       velocity[dof] = 0.;
+    constexpr double instant = 1e-9; // s
+    for (const Supports::Driven &support : driven)
+      for (const std::uint32_t dof : support.dofs)
+        velocity[dof] = support.at(instant) / instant;
   }
 
   template <unsigned int n_unknowns>

@@ -28,12 +28,15 @@ namespace birdstrike
     class HeldSet
     {
     public:
-      void add(const std::vector<std::uint32_t> &nodes, const std::array<bool, 6> &components)
+      /// Returns those that are new.
+      std::vector<std::uint32_t> add(const std::vector<std::uint32_t> &nodes, const std::array<bool, 6> &components)
       {
+        std::vector<std::uint32_t> added;
         for (const std::uint32_t n : nodes)
           for (unsigned int c = 0; c < n_unknowns; ++c)
-            if (components[c])
-              dofs.insert(n_unknowns * n + c);
+            if (components[c] && dofs.insert(n_unknowns * n + c).second)
+              added.push_back(n_unknowns * n + c);
+        return added;
       }
       std::vector<std::uint32_t> sorted() const
       {
@@ -127,6 +130,27 @@ namespace birdstrike
           throw InputError("Blade/Supports/Held boxes: no node lies in the box '" + key + "'.\n" +
                            "Order: xmin ymin zmin xmax ymax zmax, in metres.");
         held.add(nodes, read_components<n_unknowns>(components, "Supports/Held boxes"));
+      }
+    for (const auto &[key, text] : parse_pairs(parameters.driven, "Supports/Driven"))
+      {
+        const auto ids    = parse_ids(key, "Supports/Driven");
+        const auto equals = text.find('=');
+        require_ids(ids, mesh, "Driven");
+        if (equals == std::string::npos)
+          throw InputError("Blade/Supports/Driven: '" + text +
+                           "' has no formula.\nAllowed: '3: uz = 1e-3*sin(600*t)'.");
+        const auto components = read_components<n_unknowns>(text.substr(0, equals), "Supports/Driven");
+        if (!mesh.symmetry_nodes.empty() && (components[1] || components[3] || components[5]))
+          throw InputError(
+            "Blade/Supports/Driven: '" + text +
+            "' moves both halves of a symmetric blade to one side.\nAllowed with a plane of symmetry: ux, "
+            "uz and ry.");
+        Driven driven_here{held.add(mesh.nodes_on(ids), components),
+                           std::make_shared<const Expression>(text.substr(equals + 1), 1, "Supports/Driven")};
+        if (driven_here.at(0.) != 0.)
+          throw InputError("Blade/Supports/Driven: '" + text +
+                           "' is not 0 at t = 0.\nA displacement begins where the mesh is; subtract its first value.");
+        driven.push_back(std::move(driven_here));
       }
     held_dofs = held.sorted();
   }

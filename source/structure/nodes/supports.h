@@ -1,25 +1,41 @@
 #pragma once
 
+#include <birdstrike/core/expression.h>
 #include <birdstrike/mesh/cell_mesh.h>
 #include <birdstrike/structure/parameters.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace birdstrike
 {
-  /// Which unknowns are held at zero velocity: by boundary id (clamped, hub, named components), by coordinate boxes,
-  /// and on a plane of symmetry. A node of a shell has six unknowns, one of a solid three: "clamped" holds all of them.
-  /// Throws InputError for a boundary id that the mesh does not have, a box without nodes, an unknown component, or
-  /// single rotations of a solid.
+  /// Which unknowns of owned nodes are held at zero velocity: by boundary id (clamped, hub, named components), by
+  /// coordinate boxes, and on a plane of symmetry; and which are driven, their displacement a formula of time. A node
+  /// of a shell has six unknowns, one of a solid three: "clamped" holds all of them. Throws InputError for a boundary
+  /// id that the mesh does not have, a box without nodes, an unknown component, single rotations of a solid, a formula
+  /// that cannot be read, is not 0 at t = 0, or drives across a plane of symmetry.
   struct Supports
   {
     Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh);
     Supports(const BladeParameters::Supports &parameters, const VolumeMesh &mesh);
 
-    std::vector<std::uint32_t> held_dofs; ///< sorted, n_unknowns node + component
-    std::vector<unsigned int>  root_ids;  ///< hub if given, else clamped
-    std::vector<unsigned int>  tip_ids;   ///< those of the tip list that the mesh has
+    struct Driven
+    {
+      std::vector<std::uint32_t>        dofs;         ///< sorted
+      std::shared_ptr<const Expression> displacement; ///< m or rad, of the time
+
+      double at(const double time) const
+      {
+        const double origin[3] = {0., 0., 0.};
+        return displacement->value(origin, time);
+      }
+    };
+
+    std::vector<std::uint32_t> held_dofs; ///< sorted, n_unknowns node + component, driven ones among them
+    std::vector<Driven>        driven;
+    std::vector<unsigned int>  root_ids; ///< hub if given, else clamped
+    std::vector<unsigned int>  tip_ids;  ///< those of the tip list that the mesh has
 
   private:
     template <class Mesh>
