@@ -1,4 +1,5 @@
 #include <birdstrike/bird/bird.h>
+#include <birdstrike/core/prices.h>
 
 #include <algorithm>
 #include <limits>
@@ -103,6 +104,14 @@ namespace birdstrike
     limit.reason        = "bird particle, sound and approach speed";
     limit.where         = {"particle", particles.id[p], {{particles.x[0][p], particles.x[1][p], particles.x[2][p]}}};
     return limit;
+  }
+
+  double Bird::step_price() const
+  {
+    const double of_one = parameters.formulation == "standard"    ? prices::standard_particle
+                          : parameters.reconstruction == "linear" ? prices::linear_particle
+                                                                  : prices::riemann_particle;
+    return of_one * static_cast<double>(particles.size());
   }
 
   double Bird::stored_energy(const double mu) const

@@ -3,6 +3,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/mass_in_the_way.h>
+#include <birdstrike/core/prices.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/fields.h>
 #include <birdstrike/report/text.h>
@@ -16,13 +17,6 @@ namespace birdstrike
 {
   namespace
   {
-    /// Measured on one core (see the README, "Speed"); a forecast, not a promise.
-    constexpr double particle_step_ns = 500., element_step_ns = 250.;
-
-    /// State, records and neighbour list: resident memory of 105 705 particles less that of 13 280, by their
-    /// difference.
-    constexpr double bytes_per_particle = 1600.;
-
     std::string vector_text(const std::array<double, 3> &a, const char *unit)
     {
       return fmt::format("({:.4g}, {:.4g}, {:.4g}) {}", a[0], a[1], a[2], unit);
@@ -70,7 +64,7 @@ namespace birdstrike
       table.add("packing", bird.summary());
       table.add("kinetic energy", bird.energies().kinetic, "J");
       table.add("momentum", vector_text(bird.momenta().momentum, "N s"));
-      table.add("memory, about", format_bytes(bytes_per_particle * static_cast<double>(bird.state().size())));
+      table.add("memory, about", format_bytes(prices::bytes_per_particle * static_cast<double>(bird.state().size())));
     }
 
     void add_mass_in_the_way(TextTable &table, const double share, const BirdParameters &bird)
@@ -95,10 +89,10 @@ namespace birdstrike
       table.add("macro steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
       double ns = 0.;
       if (scene.bird)
-        ns += n_macro * schedule.n_bird * static_cast<double>(scene.bird->state().size()) * particle_step_ns;
-      if (scene.blade && scene.blade->is_deformable())
-        ns += n_macro * schedule.n_blade * static_cast<double>(scene.blade->n_elements()) * element_step_ns;
-      table.add("run time on one core, at most about", format_duration(1e-9 * ns));
+        ns += n_macro * schedule.n_bird * scene.bird->step_price();
+      if (scene.blade)
+        ns += n_macro * schedule.n_blade * scene.blade->prices().of_step;
+      table.add("run time on one core, about", format_duration(1e-9 * ns));
       table.add("threads", std::to_string(parameters.time.n_threads()));
     }
 

@@ -17,20 +17,6 @@ namespace birdstrike
     {
       return b > 0. ? a / b : 0.;
     }
-
-    /// What points through the thickness add to an element-step, in elastic ones: 127 against 59 ns with five yielding
-    /// points (5040 elements, one core).
-    constexpr double cost_of_points = 127. / 59. - 1.;
-
-    /// Share of a blade's elements that have never held points; none where the census does not tell.
-    template <class Census>
-    double share_without_points(const Census &census)
-    {
-      if constexpr (requires { census.n_elements_with_points; })
-        return 1. - ratio(census.n_elements_with_points, census.n_elements);
-      else
-        return 0.;
-    }
   } // namespace
 
   BirdStrike::UnitCosts BirdStrike::compute_unit_costs() const
@@ -89,11 +75,11 @@ namespace birdstrike
         static_cast<double>(counts.particle_steps_not_done) * costs.particle_step);
     if (scene.blade && scene.blade->is_deformable())
       {
-        // the share at the end: points are never given back, so that more elements went without before
-        const double share   = share_without_points(scene.blade->census());
-        const double elastic = costs.element_step / (1. + cost_of_points * (1. - share));
-        add("points of elements that never yielded", share * static_cast<double>(scene.blade->n_elements()), "elements",
-            share * static_cast<double>(counts.element_steps) * cost_of_points * elastic);
+        // the number at the end: points are never given back, so that more elements went without before
+        const ElementPrices prices = scene.blade->prices();
+        add("points of elements that never yielded",
+            static_cast<double>(scene.blade->n_elements() - prices.n_with_points), "elements",
+            prices.of_points_spared / prices.of_step * stepper.seconds().blade);
       }
     if (why_ended == tip_peak_passed)
       add("time after the tip's peak", parameters.time.end_time - now, "s",

@@ -31,6 +31,10 @@ namespace birdstrike
     {
       return elements.largest_stable_step();
     }
+    ElementPrices prices() const override
+    {
+      return elements.prices();
+    }
     void kick_internal(const double half_step, const HalfKick half) override
     {
       motion.kick_internal(half_step, half);

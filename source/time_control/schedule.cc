@@ -23,7 +23,7 @@ namespace birdstrike
       const auto consider   = [&](const unsigned int n_bird, const unsigned int n_blade) {
         const double by_bird = n_bird * bird.limit.value, by_blade = n_blade * blade.limit.value;
         const double step  = std::min(by_bird, by_blade);
-        const double price = (n_bird * bird.cost + n_blade * blade.cost) / step;
+        const double price = (n_bird * bird.price + n_blade * blade.price) / step;
         if (price < best_price)
           {
             best_price = price;

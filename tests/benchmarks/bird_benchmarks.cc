@@ -25,13 +25,13 @@ namespace birdstrike::benchmarks
     }
 
     /// Always as many steps as one list lasts, or a multiple: its price is then part of the step whatever the size.
-    void add_steps()
+    void add_steps(const std::string &formulation, const std::size_t largest)
     {
-      for (const Setting &setting : make_settings(1000000))
+      for (const Setting &setting : make_settings(largest))
         add(
-          "bird/step/riemann", {setting},
-          [](benchmark::State &state, const Setting &s, const std::string &key) {
-            auto &bird = keep<BirdWorkload>(key, s.n, s.n_threads);
+          "bird/step/" + formulation, {setting},
+          [=](benchmark::State &state, const Setting &s, const std::string &key) {
+            auto &bird = keep<BirdWorkload>(key, s.n, s.n_threads, formulation);
             bird.reset();
             const std::size_t builds   = bird.bird.n_list_builds();
             const double      at_start = bird.count_true_neighbors();
@@ -41,7 +41,7 @@ namespace birdstrike::benchmarks
             const double neighbors               = 0.5 * (at_start + bird.count_true_neighbors());
             state.counters["true_neighbors"]     = neighbors;
             state.counters["bytes_per_particle"] = slot.bytes / static_cast<double>(bird.n());
-            count_particles(state, bird, particle_step_work(neighbors));
+            count_particles(state, bird, formulation == "riemann" ? particle_step_work(neighbors) : Work());
           },
           setting.n < 100000 ? 100 : 25);
     }
@@ -104,7 +104,9 @@ namespace birdstrike::benchmarks
 
   void add_bird_benchmarks()
   {
-    add_steps();
+    add_steps("riemann", 1000000);
+    add_steps("linear", 10000);
+    add_steps("standard", 10000);
     add_rates("riemann", 1000000);
     for (const char *formulation : {"uncorrected", "linear", "standard"})
       add_rates(formulation, 100000);

@@ -72,6 +72,7 @@ namespace birdstrike
 
     /// CFL h/(c + 1.2 largest approach speed): not the bird's own speed; isolated particles have no vote.
     StepLimit step_limit() const;
+    double    step_price() const; ///< ns, core/prices.h
 
     /// Removes loose particles whose path misses the box grown by the margin of the parameters; returns their number.
     std::size_t retire(const Box &blade_box);

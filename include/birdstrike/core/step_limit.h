@@ -25,4 +25,11 @@ namespace birdstrike
     const char *reason = ""; ///< e.g. "shell element, membrane wave"
     EntityPlace where;
   };
+
+  /// What a part brings to the choice of a schedule.
+  struct StepVote
+  {
+    StepLimit limit; ///< largest stable step
+    double    price; ///< ns that one of its steps costs (prices.h)
+  };
 } // namespace birdstrike

@@ -4,6 +4,7 @@
 #include <birdstrike/core/energy_report.h>
 #include <birdstrike/core/fields.h>
 #include <birdstrike/core/half_kick.h>
+#include <birdstrike/core/prices.h>
 #include <birdstrike/core/step_limit.h>
 #include <birdstrike/structure/choices.h>
 #include <birdstrike/structure/reports.h>
@@ -36,6 +37,11 @@ namespace birdstrike
     virtual double largest_stable_step() const
     {
       return step_limit().value;
+    }
+
+    virtual ElementPrices prices() const ///< of a rigid one: nothing
+    {
+      return {};
     }
 
     virtual void kick_internal(double half_step, HalfKick half) = 0;

@@ -24,17 +24,10 @@ namespace birdstrike
     }
   };
 
-  /// What one part brings to the choice of a schedule; absent parts have no vote.
-  struct StepVote
-  {
-    StepLimit limit; ///< largest stable step, scale factor included
-    double    cost;  ///< work of one of its steps, any unit common to both parts
-  };
-
   /// The cheapest stable schedule. Candidates are the integer ratios 1 ... max_ratio in either direction; a candidate's
   /// macro step is the largest that keeps every sub-step at or below its part's limit, and its price is work per unit
-  /// of time. Costs are counts times constants, never clock readings, so that the same run takes the same steps
-  /// anywhere.
+  /// of time. Prices are counts times constants, never clock readings, so that the same run takes the same steps
+  /// anywhere. Absent parts have no vote.
   ///
   /// Multirate by impulses (r-RESPA; Tuckerman, Berne and Martyna 1992): the parts exchange forces only at the ends of
   /// macro steps (n_bird = 1) or of the bird's sub-steps (n_blade = 1).

@@ -5,6 +5,43 @@
 
 namespace birdstrike
 {
+  namespace
+  {
+    struct Price
+    {
+      double elastic, yielding; // ns
+    };
+
+    Price price_of(const ShellSection &section)
+    {
+      const auto with = [&](const double elastic, const double with_five) {
+        return Price{elastic, elastic + (with_five - elastic) / 5. * section.n_points};
+      };
+      switch (section.formulation)
+        {
+        case ShellFormulation::belytschko_tsay:
+          return with(prices::belytschko_tsay_shell, prices::belytschko_tsay_shell_yielding);
+        case ShellFormulation::fully_integrated:
+          return with(prices::fully_integrated_shell, prices::fully_integrated_shell_yielding);
+        default:
+          return with(prices::physical_shell, prices::physical_shell_yielding);
+        }
+    }
+
+    Price price_of(const SolidSection &section)
+    {
+      switch (section.formulation)
+        {
+        case SolidFormulation::b_bar:
+          return {prices::b_bar_brick, prices::b_bar_brick_yielding};
+        case SolidFormulation::solid_shell:
+          return {prices::solid_shell, prices::solid_shell_yielding};
+        default:
+          return {prices::one_point_brick, prices::one_point_brick_yielding};
+        }
+    }
+  } // namespace
+
   template <class Group>
   double Elements<Group>::largest_stable_step() const
   {
@@ -161,13 +198,27 @@ namespace birdstrike
   }
 
   template <class Group>
+  ElementPrices Elements<Group>::prices() const
+  {
+    ElementPrices sum;
+    for (const Group &group : groups)
+      {
+        std::size_t n = 0, n_with_points = 0;
+        for (std::size_t b = 0; b < group.batches.size(); ++b)
+          {
+            n += group.n_elements_of(b);
+            n_with_points += group.has_points(b) ? group.n_elements_of(b) : 0;
+          }
+        const auto [elastic, yielding] = price_of(group.section);
+        sum.add(n, n_with_points, elastic, yielding);
+      }
+    return sum;
+  }
+
+  template <class Group>
   std::size_t Elements<Group>::n_promoted() const
   {
-    std::size_t n = 0;
-    for (const Group &group : groups)
-      for (std::size_t b = 0; b < group.batches.size(); ++b)
-        n += group.has_points(b) ? group.n_elements_of(b) : 0;
-    return n;
+    return prices().n_with_points;
   }
 
   template <class Group>

@@ -2,6 +2,7 @@
 
 #include "structure/elements/element_group.h"
 #include "structure/elements/stored_energy.h"
+#include <birdstrike/core/prices.h>
 #include <birdstrike/core/thread_pool.h>
 
 #include <span>
@@ -93,9 +94,10 @@ namespace birdstrike
     bool        is_free(std::size_t node) const;   ///< all its elements have failed
     double      damage(std::size_t element) const; ///< largest D of its points; 1 and more: such a point failed
 
-    std::size_t n_elements() const;
-    std::size_t n_promoted() const; ///< elements that hold points through the thickness (bricks: or need none)
-    std::size_t bytes() const;      ///< counted, of all that these elements hold
+    std::size_t   n_elements() const;
+    ElementPrices prices() const;
+    std::size_t   n_promoted() const; ///< elements that hold points through the thickness (bricks: or need none)
+    std::size_t   bytes() const;      ///< counted, of all that these elements hold
 
     struct MaxPlasticStrain
     {

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+
+/// What a step of each kind of entity costs: the one table by which multirate chooses its ratio, `explain` foretells
+/// the run time and "skipped" tells what was saved.
+///
+/// ns of one core, the smallest of several repetitions of the benchmark that is named beside each, at 10 000 entities:
+/// AMD EPYC (Zen 4) with AVX-512, GCC 12, November 2026. tests/benchmarks/prices.py compares them with a new
+/// measurement, in every run of tests/benchmarks/run.sh. Constants and never clock readings: the same run takes the
+/// same steps anywhere.
+namespace birdstrike::prices
+{
+  // of a particle: kicks, drift, its share of the neighbour list, rates
+  constexpr double riemann_particle  = 195.; ///< bird/step/riemann
+  constexpr double linear_particle   = 423.; ///< bird/step/linear
+  constexpr double standard_particle = 186.; ///< bird/step/standard
+
+  constexpr double near_point = 78.; ///< contact/step: of a point near a facet
+
+  // of an element, its internal forces; "yielding" with five points through the thickness that all yield
+  constexpr double physical_shell                  = 48.;  ///< shell/forces/physical/elastic
+  constexpr double physical_shell_yielding         = 104.; ///< shell/forces/physical/plastic_5
+  constexpr double belytschko_tsay_shell           = 43.;  ///< shell/forces/belytschko_tsay/elastic
+  constexpr double belytschko_tsay_shell_yielding  = 89.;  ///< shell/forces/belytschko_tsay/plastic_5
+  constexpr double fully_integrated_shell          = 58.;  ///< shell/forces/fully_integrated/elastic
+  constexpr double fully_integrated_shell_yielding = 299.; ///< shell/forces/fully_integrated/plastic_5
+  constexpr double one_point_brick                 = 55.;  ///< solid/forces/one_point/elastic
+  constexpr double one_point_brick_yielding        = 65.;  ///< solid/forces/one_point/plastic
+  constexpr double b_bar_brick                     = 132.; ///< solid/forces/b_bar/elastic
+  constexpr double b_bar_brick_yielding            = 179.; ///< solid/forces/b_bar/plastic
+  constexpr double solid_shell                     = 52.;  ///< solid/forces/solid_shell/elastic
+  constexpr double solid_shell_yielding            = 151.; ///< solid/forces/solid_shell/plastic
+
+  /// Memory, bytes, of state and neighbour list.
+  constexpr double bytes_per_particle = 774.; ///< bird/step/riemann: bytes_per_particle
+} // namespace birdstrike::prices
+
+namespace birdstrike
+{
+  /// A step of the elements of a blade, ns: of all as they are, and what more it would take if all held points through
+  /// the thickness.
+  struct ElementPrices
+  {
+    double      of_step = 0., of_points_spared = 0.;
+    std::size_t n_with_points = 0;
+
+    /// n elements, some with points; ns of one without and of one with them.
+    void add(const std::size_t n, const std::size_t n_with, const double elastic, const double yielding)
+    {
+      of_step += elastic * static_cast<double>(n - n_with) + yielding * static_cast<double>(n_with);
+      of_points_spared += (yielding - elastic) * static_cast<double>(n - n_with);
+      n_with_points += n_with;
+    }
+  };
+} // namespace birdstrike

@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+"""Tests of prices.py: python3 tests/benchmarks/prices_test.py"""
+
+import unittest
+
+import prices
+from compare import BadInput
+
+
+def measured(table, factor=1.0, **changed):
+    benchmarks = {}
+    for name, value, benchmark, counter in table:
+        entry = benchmarks.setdefault(benchmark + prices.SIZE, {"units": 10.0})
+        if counter:
+            entry[counter] = changed.get(name, value)
+        else:
+            entry["time"] = 10.0 * changed.get(name, factor * value)
+    return benchmarks
+
+
+class Prices(unittest.TestCase):
+    def setUp(self):
+        self.table = prices.read_table(prices.HEADER.read_text(encoding="utf-8"))
+
+    def test_every_constant_of_the_table_is_read(self):
+        text = prices.HEADER.read_text(encoding="utf-8")
+        self.assertEqual(len(self.table), text.count("constexpr double"))
+        self.assertGreater(len(self.table), 10)
+
+    def test_a_slower_machine_has_the_same_prices(self):
+        factor, rows = prices.compare(self.table, measured(self.table, 2.5))
+        self.assertAlmostEqual(factor, 2.5)
+        self.assertFalse([row for row in rows if prices.is_off(row[3])])
+
+    def test_a_price_that_has_aged_is_named(self):
+        name, value = self.table[0][0], self.table[0][1]
+        _, rows = prices.compare(self.table, measured(self.table, 2.5, **{name: 2.5 * 1.4 * value}))
+        self.assertEqual([row[0] for row in rows if prices.is_off(row[3])], [name])
+
+    def test_a_price_without_its_benchmark_is_refused(self):
+        with self.assertRaises(BadInput):
+            prices.compare(self.table, {})
+
+
+if __name__ == "__main__":
+    unittest.main()
