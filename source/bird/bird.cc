@@ -32,7 +32,8 @@ namespace birdstrike
     , packed(compute_packing(parameters, shape))
     , list(2. * parameters.smoothing_ratio * packed.spacing,
            2. * parameters.smoothing_ratio * packed.spacing * parameters.skin, packed.period,
-           parameters.is_riemann() && parameters.pair_precision == "float" ? FloatLanes::size() : n_lanes)
+           parameters.is_riemann() && parameters.pair_precision == PairPrecision::as_float ? FloatLanes::size()
+                                                                                           : n_lanes)
     , rates(make_rates(parameters, eos, packed.spacing))
   {
     set_closing_speed(speed_of(parameters));
@@ -47,7 +48,7 @@ namespace birdstrike
     particles                       = Particles();
     particles.mass                  = packed.particle_mass;
     particles.n_ids                 = n;
-    particles.has_velocity_gradient = parameters.reconstruction == "linear";
+    particles.has_velocity_gradient = parameters.reconstruction == Reconstruction::linear;
     particles.resize(n);
     particle_masses.assign(n, particles.mass);
     for (std::size_t p = 0; p < n; ++p)

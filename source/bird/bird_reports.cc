@@ -108,9 +108,9 @@ namespace birdstrike
 
   double Bird::step_price() const
   {
-    const double of_one = parameters.formulation == "standard"    ? prices::standard_particle
-                          : parameters.reconstruction == "linear" ? prices::linear_particle
-                                                                  : prices::riemann_particle;
+    const double of_one = !parameters.is_riemann()                              ? prices::standard_particle
+                          : parameters.reconstruction == Reconstruction::linear ? prices::linear_particle
+                                                                                : prices::riemann_particle;
     return of_one * static_cast<double>(particles.size());
   }
 

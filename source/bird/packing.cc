@@ -19,9 +19,9 @@ namespace birdstrike
       std::vector<Point3> basis; ///< in cells
     };
 
-    Lattice make_lattice(const std::string &packing)
+    Lattice make_lattice(const BirdLattice packing)
     {
-      if (packing == "fcc") // four particles a cell
+      if (packing == BirdLattice::fcc) // four particles a cell
         return {std::cbrt(4.), {{0., 0., 0.}, {.5, .5, 0.}, {.5, 0., .5}, {0., .5, .5}}};
       return {1., {{0., 0., 0.}}};
     }
@@ -51,7 +51,7 @@ namespace birdstrike
     {
       const Lattice       lattice = make_lattice(parameters.packing);
       const double        wanted  = shape.volume() / std::pow(parameters.spacing, 3);
-      const double        quarter = parameters.packing == "fcc" ? 0.25 : 0.5;
+      const double        quarter = parameters.packing == BirdLattice::fcc ? 0.25 : 0.5;
       std::vector<Point3> best;
       for (const double lateral : {0., quarter})
         if (!parameters.is_halved || lateral > 0.) // no particle in the plane of symmetry
@@ -106,7 +106,7 @@ namespace birdstrike
       const auto  &u = parameters.velocity, &a = parameters.aim_point;
       const Point3 v(u[0], u[1], u[2]);
       const Point3 target(a[0], a[1] + parameters.chordwise_offset, a[2]);
-      if (parameters.shape == "slab" || v.norm() == 0.)
+      if (parameters.shape == BirdShape::slab || v.norm() == 0.)
         return target;
       const double distance = parameters.stand_off > 0. ? parameters.stand_off : 2. * bounding_radius;
       return target - distance * v.normalized();
@@ -141,7 +141,7 @@ namespace birdstrike
         length                  = std::max(length, 2. * std::abs(p[2]));
         packing.bounding_radius = std::max(packing.bounding_radius, p.norm());
       }
-    const double layer = parameters.packing == "fcc" ? 0.5 * std::cbrt(4.) : 1.;
+    const double layer = parameters.packing == BirdLattice::fcc ? 0.5 * std::cbrt(4.) : 1.;
     packing.length     = length + layer * packing.spacing;
     packing.bounding_radius += packing.spacing;
     // A cross-section is as large as its share of the volume: D scales with the cut's count at fixed shape.
@@ -152,9 +152,9 @@ namespace birdstrike
     packing.centre                 = compute_start(parameters, packing.bounding_radius);
     const double range             = 2. * parameters.smoothing_ratio * packing.spacing * (1. + parameters.skin);
     for (int d = 0; d < 3; ++d)
-      if (parameters.is_periodic(d))
+      if (parameters.is_periodic[d])
         {
-          const double a       = parameters.packing == "fcc" ? std::cbrt(4.) : 1.;
+          const double a       = parameters.packing == BirdLattice::fcc ? std::cbrt(4.) : 1.;
           const double nominal = shape.is_slab() ? 2. * shape.half_lengths()[d] : packing.length;
           const double cell    = a * packing.spacing;
           packing.period[d] =

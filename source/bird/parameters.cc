@@ -1,9 +1,10 @@
 #include <birdstrike/bird/parameters.h>
+#include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace birdstrike
@@ -17,23 +18,33 @@ namespace birdstrike
     const Patterns::Double not_negative(0.);
     const Patterns::List   three_numbers(Patterns::Double(), 3, 3);
 
+    const NamedChoices<std::array<bool, 3>> directions{
+      {"none", {{false, false, false}}}, {"x", {{true, false, false}}}, {"y", {{false, true, false}}},
+      {"z", {{false, false, true}}},     {"xy", {{true, true, false}}}, {"xz", {{true, false, true}}},
+      {"yz", {{false, true, true}}},     {"xyz", {{true, true, true}}}};
+    const NamedChoices<SmoothingKernel> kernels{{"automatic", SmoothingKernel::automatic},
+                                                {"wendland", SmoothingKernel::wendland},
+                                                {"cubic spline", SmoothingKernel::cubic_spline}};
+    const NamedChoices<DensityBy> densities{{"continuity", DensityBy::continuity}, {"summation", DensityBy::summation}};
+    const NamedChoices<PairPrecision>  precisions{{"double", PairPrecision::as_double},
+                                                 {"float", PairPrecision::as_float}};
+    const NamedChoices<Reconstruction> reconstructions{{"none", Reconstruction::none},
+                                                       {"linear", Reconstruction::linear}};
+
     void declare_body(ParameterHandler &prm, BirdParameters &bird)
     {
       prm.add_parameter("Enabled", bird.enabled, "Whether the scene has a bird; without one no particle is built. [-]");
-      prm.add_parameter("Shape", bird.shape,
-                        "Shape of the bird; a slab is a box of given lengths along x, y, z for verification. [-]",
-                        Patterns::Selection("cylinder|hemispherical cylinder|ellipsoid|sphere|slab"));
+      declare_choice(prm, "Shape", bird.shape, bird_shapes(),
+                     "Shape of the bird; a slab is a box of given lengths along x, y, z for verification. [-]");
       prm.add_parameter("Mass", bird.mass, "Mass of the bird; the size follows from it (not used by a slab). [kg]",
                         positive);
       prm.add_parameter("Density", bird.density, "Density of the bird at zero pressure. [kg/m^3]", positive);
       prm.add_parameter("Length over diameter", bird.length_to_diameter,
                         "Ratio of the bird's whole length to its diameter. [-]", Patterns::Double(0.001, 1000.));
       prm.add_parameter("Slab lengths", bird.slab_lengths, "Lengths of a slab along x, y and z. [m]", three_numbers);
-      prm.add_parameter("Periodic directions", bird.periodic_directions,
-                        "Directions in which a slab, or a cylinder along its axis, repeats itself for ever. [-]",
-                        Patterns::Selection("none|x|y|z|xy|xz|yz|xyz"));
-      prm.add_parameter("Packing", bird.packing, "Lattice on which the particles start. [-]",
-                        Patterns::Selection("cubic|fcc"));
+      declare_choice(prm, "Periodic directions", bird.is_periodic, directions,
+                     "Directions in which a slab, or a cylinder along its axis, repeats itself for ever. [-]");
+      declare_choice(prm, "Packing", bird.packing, bird_lattices(), "Lattice on which the particles start. [-]");
       prm.add_parameter("Particle spacing", bird.spacing,
                         "Cube root of the volume of one particle; adjusted slightly to meet the mass exactly. [m]",
                         positive);
@@ -69,36 +80,31 @@ namespace birdstrike
 
     void declare_method(ParameterHandler &prm, BirdParameters &bird)
     {
-      prm.add_parameter("Formulation", bird.formulation,
-                        "Particle equations: riemann (limited acoustic Riemann flux) or standard (artificial "
-                        "viscosity). [-]",
-                        Patterns::Selection("riemann|standard"));
-      prm.add_parameter("Kernel", bird.kernel,
-                        "Smoothing kernel; automatic takes wendland with riemann and cubic spline with standard. [-]",
-                        Patterns::Selection("automatic|wendland|cubic spline"));
+      declare_choice(prm, "Formulation", bird.formulation, particle_formulations(),
+                     "Particle equations: riemann (limited acoustic Riemann flux) or standard (artificial "
+                     "viscosity). [-]");
+      declare_choice(prm, "Kernel", bird.kernel, kernels,
+                     "Smoothing kernel; automatic takes wendland with riemann and cubic spline with standard. [-]");
       prm.add_parameter("Smoothing length ratio", bird.smoothing_ratio, "Smoothing length over particle spacing. [-]",
                         Patterns::Double(0.8, 4.));
       prm.add_parameter("Viscosity alpha", bird.alpha, "Linear artificial viscosity of the standard formulation. [-]",
                         not_negative);
       prm.add_parameter("Viscosity beta", bird.beta, "Quadratic artificial viscosity of the standard formulation. [-]",
                         not_negative);
-      prm.add_parameter("Density by", bird.density_by,
-                        "How the standard formulation gets the density: by summation over neighbours or by "
-                        "integrating continuity. [-]",
-                        Patterns::Selection("continuity|summation"));
+      declare_choice(prm, "Density by", bird.density_by, densities,
+                     "How the standard formulation gets the density: by summation over neighbours or by "
+                     "integrating continuity. [-]");
       prm.add_parameter("Gradient correction", bird.gradient_correction,
                         "Whether the riemann formulation corrects kernel gradients near free surfaces. [-]");
       prm.add_parameter("Correction interval", bird.correction_interval,
                         "Evaluations of the rates after which the correction matrices are renewed. [-]",
                         Patterns::Integer(1, 1000));
-      prm.add_parameter("Pair precision", bird.pair_precision,
-                        "Number type of what a pair of particles exchanges in the riemann formulation; state and sums "
-                        "over time are double. [-]",
-                        Patterns::Selection("double|float"));
-      prm.add_parameter("Reconstruction", bird.reconstruction,
-                        "Velocity at the midpoint of a pair in the riemann formulation: none, or linear from the "
-                        "velocity gradients. [-]",
-                        Patterns::Selection("none|linear"));
+      declare_choice(prm, "Pair precision", bird.pair_precision, precisions,
+                     "Number type of what a pair of particles exchanges in the riemann formulation; state and sums "
+                     "over time are double. [-]");
+      declare_choice(prm, "Reconstruction", bird.reconstruction, reconstructions,
+                     "Velocity at the midpoint of a pair in the riemann formulation: none, or linear from the "
+                     "velocity gradients. [-]");
       prm.add_parameter("Tension cut-off", bird.tension_cutoff,
                         "Whether pressure stops at zero in tension; volume goes on evolving. [-]");
       prm.add_parameter("Courant number", bird.courant_number,
@@ -119,6 +125,29 @@ namespace birdstrike
     }
   } // namespace
 
+  const NamedChoices<BirdShape> &bird_shapes()
+  {
+    static const NamedChoices<BirdShape> choices{{"cylinder", BirdShape::cylinder},
+                                                 {"hemispherical cylinder", BirdShape::hemispherical_cylinder},
+                                                 {"ellipsoid", BirdShape::ellipsoid},
+                                                 {"sphere", BirdShape::sphere},
+                                                 {"slab", BirdShape::slab}};
+    return choices;
+  }
+
+  const NamedChoices<BirdLattice> &bird_lattices()
+  {
+    static const NamedChoices<BirdLattice> choices{{"cubic", BirdLattice::cubic}, {"fcc", BirdLattice::fcc}};
+    return choices;
+  }
+
+  const NamedChoices<ParticleFormulation> &particle_formulations()
+  {
+    static const NamedChoices<ParticleFormulation> choices{{"riemann", ParticleFormulation::riemann},
+                                                           {"standard", ParticleFormulation::standard}};
+    return choices;
+  }
+
   void BirdParameters::declare(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Bird");
@@ -132,7 +161,8 @@ namespace birdstrike
   {
     if (!enabled)
       return;
-    if (shape == "slab")
+    const auto n_periodic = std::count(is_periodic.begin(), is_periodic.end(), true);
+    if (shape == BirdShape::slab)
       {
         for (const double length : slab_lengths)
           if (length < spacing)
@@ -142,22 +172,23 @@ namespace birdstrike
     else if (spacing > 0.5 * std::cbrt(mass / density))
       refuse("Particle spacing", std::to_string(spacing) + " m leaves fewer than about eight particles.",
              "Choose a spacing below " + std::to_string(0.5 * std::cbrt(mass / density)) + " m.");
-    if (periodic_directions != "none" && shape != "slab" && shape != "cylinder")
-      refuse("Periodic directions", "a " + shape + " cannot repeat itself.", "Use 'none', or a slab or cylinder.");
-    if (shape != "slab" && periodic_directions.size() == 2)
+    if (n_periodic > 0 && shape != BirdShape::slab && shape != BirdShape::cylinder)
+      refuse("Periodic directions", "a " + bird_shapes().name(shape) + " cannot repeat itself.",
+             "Use 'none', or a slab or cylinder.");
+    if (shape != BirdShape::slab && n_periodic > 1)
       refuse("Periodic directions", "a cylinder repeats itself along its axis only.", "Name one direction.");
-    if (shape == "hemispherical cylinder" && length_to_diameter < 1.)
+    if (shape == BirdShape::hemispherical_cylinder && length_to_diameter < 1.)
       refuse("Length over diameter", "hemispherical ends need a length of at least one diameter.",
              "Give 1 or more, or choose 'ellipsoid'.");
-    if (is_riemann() && kernel == "cubic spline")
+    if (is_riemann() && kernel == SmoothingKernel::cubic_spline)
       refuse("Kernel", "the riemann formulation is written for the Wendland kernel.",
              "Choose 'automatic', or Formulation = standard.");
-    if (is_riemann() && !gradient_correction && reconstruction != "none")
+    if (is_riemann() && !gradient_correction && reconstruction != Reconstruction::none)
       refuse("Reconstruction", "its velocity gradients need the gradient correction.",
              "Set 'none', or Gradient correction = true.");
     if (is_halved)
       check_halves();
-    if (!is_riemann() && reconstruction != "none")
+    if (!is_riemann() && reconstruction != Reconstruction::none)
       refuse("Reconstruction", "the standard formulation has none.", "Set 'none', or Formulation = riemann.");
   }
 
@@ -176,20 +207,15 @@ namespace birdstrike
       refuse_half("Roll", "a lattice turned about the bird's axis", "Set it to 0");
     if (std::hypot(velocity[1], velocity[2]) < 1e-3 * std::abs(velocity[0]))
       refuse_half("Velocity", "the frame of a bird that flies along x", "Let it fly across the span");
-    if (packing != "cubic")
-      refuse_half("Packing", "the " + packing + " lattice", "Choose 'cubic'");
+    if (packing != BirdLattice::cubic)
+      refuse_half("Packing", "the " + bird_lattices().name(packing) + " lattice", "Choose 'cubic'");
     if (!is_riemann())
       refuse("Formulation", "mirror images are written for the riemann formulation.",
              "Set it, or compute the whole bird.");
-    if (periodic_directions != "none")
+    if (std::count(is_periodic.begin(), is_periodic.end(), true) > 0)
       refuse("Periodic directions", "they do not go with a symmetry plane.", "Set 'none', or compute the whole bird.");
-    if (shape == "slab")
+    if (shape == BirdShape::slab)
       refuse("Shape", "a slab is not halved.", "Choose another shape, or compute the whole slab.");
-  }
-
-  bool BirdParameters::is_periodic(const int direction) const
-  {
-    return periodic_directions != "none" && periodic_directions.find("xyz"[direction]) != std::string::npos;
   }
 
   double BirdParameters::largest_courant_number() const
@@ -199,6 +225,6 @@ namespace birdstrike
 
   bool BirdParameters::is_riemann() const
   {
-    return formulation == "riemann";
+    return formulation == ParticleFormulation::riemann;
   }
 } // namespace birdstrike

@@ -13,7 +13,7 @@ namespace birdstrike
   {
     if (parameters.is_riemann())
       {
-        if (parameters.pair_precision == "float")
+        if (parameters.pair_precision == PairPrecision::as_float)
           return std::make_unique<RiemannRates<float>>(parameters, eos, spacing);
         return std::make_unique<RiemannRates<double>>(parameters, eos, spacing);
       }

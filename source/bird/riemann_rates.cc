@@ -33,7 +33,7 @@ namespace birdstrike
     , h(parameters.smoothing_ratio * spacing)
     , has_cutoff(parameters.tension_cutoff)
     , has_correction(parameters.gradient_correction)
-    , has_reconstruction(parameters.reconstruction == "linear")
+    , has_reconstruction(parameters.reconstruction == Reconstruction::linear)
     , renewal_interval(parameters.correction_interval)
   {
     scale.length = 2. * h;

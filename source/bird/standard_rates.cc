@@ -52,9 +52,9 @@ namespace birdstrike
     , alpha(parameters.alpha)
     , beta(parameters.beta)
     , has_cutoff(parameters.tension_cutoff)
-    , has_summation(parameters.density_by == "summation")
-    , is_spline(parameters.kernel != "wendland")
-    , is_fcc(parameters.packing == "fcc")
+    , has_summation(parameters.density_by == DensityBy::summation)
+    , is_spline(parameters.kernel != SmoothingKernel::wendland)
+    , is_fcc(parameters.packing == BirdLattice::fcc)
   {
   }
 

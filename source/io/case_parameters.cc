@@ -36,13 +36,13 @@ namespace birdstrike
       const BirdParameters &bird  = parameters.bird;
       const double          scale = parameters.time.bird_step_scale, limit = bird.largest_courant_number();
       if (bird.enabled && bird.courant_number * scale > limit * (1. + 1e-9))
-        throw InputError(
-          fmt::format("Bird/Courant number {:g} with Time/Bird step scale {:g} makes steps of {:g} h/c: too "
-                      "long for Bird/Formulation = {}.\nAbove {:g} the rates, taken at velocities foretold "
-                      "by the last ones, must often be taken twice, and forces ring.\nGive a Courant "
-                      "number of at most {:g} (default {:g}).",
-                      bird.courant_number, scale, bird.courant_number * scale, bird.formulation, limit, limit / scale,
-                      BirdParameters().courant_number));
+        throw InputError(fmt::format(
+          "Bird/Courant number {:g} with Time/Bird step scale {:g} makes steps of {:g} h/c: too "
+          "long for Bird/Formulation = {}.\nAbove {:g} the rates, taken at velocities foretold "
+          "by the last ones, must often be taken twice, and forces ring.\nGive a Courant "
+          "number of at most {:g} (default {:g}).",
+          bird.courant_number, scale, bird.courant_number * scale, particle_formulations().name(bird.formulation),
+          limit, limit / scale, BirdParameters().courant_number));
     }
 
     std::string name_of(const KnownEntry &entry)

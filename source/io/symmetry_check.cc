@@ -118,7 +118,7 @@ namespace birdstrike
       refuse_unless((flies_along_span ? bird.pitch : bird.yaw) == 0., flies_along_span ? "Bird/Pitch" : "Bird/Yaw",
                     "0: the bird's axis lies in the plane");
       refuse_unless(bird.roll == 0., "Bird/Roll", "0: the lattice is its own mirror image");
-      refuse_unless(!bird.is_periodic(1), "Bird/Periodic directions", "none, x, z");
+      refuse_unless(!bird.is_periodic[1], "Bird/Periodic directions", "none, x, z");
     }
 
     void require_both_edges(const std::string &ids, const std::string &entry)

@@ -128,10 +128,7 @@ namespace birdstrike
         {"", "contact/max_penetration", "m", [](View run) { return run.observed.contact.max_penetration(); },
          "largest penetration"},
         {"", "contact/max_penetration_over_spacing", "-",
-         [](View run) {
-           return run.bird_at_start.particles > 0 ? run.observed.contact.max_penetration() / run.parameters.bird.spacing
-                                                  : 0.;
-         },
+         [](View run) { return run.observed.contact.max_penetration_over_spacing(); },
          "largest penetration over spacing"},
       };
     }

@@ -58,7 +58,8 @@ namespace birdstrike
 
     void add_bird(TextTable &table, const Bird &bird, const BirdParameters &parameters)
     {
-      table.add_heading("Bird: " + parameters.shape + ", " + parameters.formulation);
+      table.add_heading("Bird: " + bird_shapes().name(parameters.shape) + ", " +
+                        particle_formulations().name(parameters.formulation));
       table.add("particles", format_count(bird.state().size()));
       table.add("mass", fmt::format("{:.9g} kg", bird.packing().mass()));
       table.add("packing", bird.summary());
@@ -69,7 +70,8 @@ namespace birdstrike
 
     void add_mass_in_the_way(TextTable &table, const double share, const BirdParameters &bird)
     {
-      const bool is_cut = share > 0.02 && share < 0.98, may_lie_along = bird.roll == 0. && bird.shape != "slab";
+      const bool is_cut        = share > 0.02 && share < 0.98,
+                 may_lie_along = bird.roll == 0. && bird.shape != BirdShape::slab;
       table.add("mass in the way of the blade",
                 format_share(share) + ", by straight paths to its outline" +
                   (is_cut && may_lie_along ? "; rows of particles may lie along an edge: see Bird/Roll" : ""));

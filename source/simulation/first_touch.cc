@@ -81,7 +81,8 @@ namespace birdstrike
     const Point3     frame    = find_velocity_at_aim(parameters, facets);
     const Point3     velocity = Point3(parameters.velocity.data()) - frame;
     FirstTouch       touch{0., velocity.norm()};
-    const bool is_free_to_start = parameters.stand_off == 0. && parameters.shape != "slab" && velocity.norm() > 0.;
+    const bool       is_free_to_start =
+      parameters.stand_off == 0. && parameters.shape != BirdShape::slab && velocity.norm() > 0.;
     if (is_free_to_start)
       if (const double earlier = find_earlier_touch(bird.points(), facets, velocity); earlier > 0.)
         {

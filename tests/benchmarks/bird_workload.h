@@ -16,8 +16,8 @@ namespace birdstrike::benchmarks
     parameters.spacing             = 2.5e-3;
     parameters.mass                = static_cast<double>(n) * parameters.density * std::pow(parameters.spacing, 3);
     parameters.gradient_correction = formulation != "uncorrected";
-    parameters.reconstruction      = formulation == "linear" ? "linear" : "none";
-    parameters.formulation         = formulation == "standard" ? "standard" : "riemann";
+    parameters.reconstruction      = formulation == "linear" ? Reconstruction::linear : Reconstruction::none;
+    parameters.formulation = formulation == "standard" ? ParticleFormulation::standard : ParticleFormulation::riemann;
     return parameters;
   }
 

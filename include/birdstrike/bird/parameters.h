@@ -1,7 +1,8 @@
 #pragma once
 
+#include <birdstrike/core/named_choices.h>
+
 #include <array>
-#include <string>
 
 namespace dealii
 {
@@ -10,6 +11,51 @@ namespace dealii
 
 namespace birdstrike
 {
+  enum class BirdShape
+  {
+    cylinder,
+    hemispherical_cylinder,
+    ellipsoid,
+    sphere,
+    slab ///< a box, for verification
+  };
+  enum class BirdLattice
+  {
+    cubic,
+    fcc
+  };
+  enum class ParticleFormulation
+  {
+    riemann, ///< riemann_rates.h
+    standard ///< standard_rates.h
+  };
+  enum class SmoothingKernel
+  {
+    automatic, ///< wendland with riemann, cubic spline with standard
+    wendland,
+    cubic_spline
+  };
+  enum class DensityBy
+  {
+    continuity,
+    summation
+  };
+  enum class Reconstruction
+  {
+    none,
+    linear
+  };
+  enum class PairPrecision
+  {
+    as_double,
+    as_float
+  };
+
+  // How they are spelt in the parameter file.
+  const NamedChoices<BirdShape>           &bird_shapes();
+  const NamedChoices<BirdLattice>         &bird_lattices();
+  const NamedChoices<ParticleFormulation> &particle_formulations();
+
   /// User entries of section "Bird"; every default lives here and nowhere else.
   struct BirdParameters
   {
@@ -17,11 +63,11 @@ namespace birdstrike
     double                mass               = 0.1005; ///< kg; of a slab it follows from the lengths
     double                density            = 950.;   ///< kg/m^3
     double                length_to_diameter = 2.;
-    std::string           shape              = "cylinder";
-    std::array<double, 3> slab_lengths{{0., 0., 0.}};   ///< m
-    std::string           periodic_directions = "none"; ///< subset of "xyz"
-    std::string           packing             = "cubic";
-    double                spacing             = 0.002;  ///< m, cube root of a particle's volume
+    BirdShape             shape              = BirdShape::cylinder;
+    std::array<double, 3> slab_lengths{{0., 0., 0.}};         ///< m
+    std::array<bool, 3>   is_periodic{{false, false, false}}; ///< along x, y, z
+    BirdLattice           packing = BirdLattice::cubic;
+    double                spacing = 0.002;              ///< m, cube root of a particle's volume
     std::array<double, 3> velocity{{0., 0., 177.4}};    ///< m/s
     double                yaw   = 0.;                   ///< degrees
     double                pitch = 0.;                   ///< degrees
@@ -29,22 +75,22 @@ namespace birdstrike
     std::array<double, 3> aim_point{{0.21784, 0., 0.}}; ///< m; 70 % of a 311.2 mm span
     double                chordwise_offset    = 0.;     ///< m
     double                stand_off           = 0.;     ///< m; 0 is automatic
-    std::string           formulation         = "riemann";
-    std::string           kernel              = "automatic";
+    ParticleFormulation   formulation         = ParticleFormulation::riemann;
+    SmoothingKernel       kernel              = SmoothingKernel::automatic;
     double                smoothing_ratio     = 1.3;
     double                alpha               = 1.;
     double                beta                = 2.;
-    std::string           density_by          = "continuity";
+    DensityBy             density_by          = DensityBy::continuity;
     bool                  gradient_correction = true;
-    std::string           reconstruction      = "none";
+    Reconstruction        reconstruction      = Reconstruction::none;
     // frontal strike, 2 ms: float against double pairs 0.01 % of tip and peak force, same energy and momentum error
-    std::string  pair_precision      = "float";
-    unsigned int correction_interval = 4; ///< passes; 4 against 1: 0.07 % of the tip, 0.4 % of the peak force
-    bool         tension_cutoff      = true;
-    double       courant_number      = 0.35; // 0.45 lets the first layer on a wall ring at 10 m/s (rms 70 %); 0.35: 1 %
-    double       skin                = 0.1;  ///< of the kernel's support
-    bool         retire              = true;
-    double       retirement_margin   = 0.05; ///< m
+    PairPrecision pair_precision      = PairPrecision::as_float;
+    unsigned int  correction_interval = 4; ///< passes; 4 against 1: 0.07 % of the tip, 0.4 % of the peak force
+    bool          tension_cutoff      = true;
+    double        courant_number    = 0.35; // 0.45 lets the first layer on a wall ring at 10 m/s (rms 70 %); 0.35: 1 %
+    double        skin              = 0.1;  ///< of the kernel's support
+    bool          retire            = true;
+    double        retirement_margin = 0.05; ///< m
 
     /// Only the half y > 0 is computed, mirrored at y = 0; set by the case, not by an entry of this section.
     bool is_halved = false;
@@ -57,7 +103,6 @@ namespace birdstrike
     /// What a bird needs to be halved by the plane y = 0; throws InputError.
     void check_halves() const;
 
-    bool is_periodic(int direction) const;
     bool is_riemann() const;
 
     /// Of Courant number times step scale, up to which a longer step is worth it. Measured, a bird of 6 mm particles on

@@ -35,23 +35,16 @@ namespace birdstrike
     }
     double bounding_radius() const
     {
-      return kind == Kind::cylinder || kind == Kind::slab ? half.norm() : half.maxCoeff();
+      return kind == BirdShape::cylinder || kind == BirdShape::slab ? half.norm() : half.maxCoeff();
     }
     bool is_slab() const
     {
-      return kind == Kind::slab;
+      return kind == BirdShape::slab;
     }
 
   private:
-    enum class Kind
-    {
-      cylinder,
-      hemispherical_cylinder,
-      ellipsoid,
-      slab
-    };
-    Kind   kind;
-    double V = 0., D = 0., L = 0.;
-    Point3 half;
+    BirdShape kind;
+    double    V = 0., D = 0., L = 0.;
+    Point3    half;
   };
 } // namespace birdstrike

@@ -22,7 +22,7 @@ namespace birdstrike
     const double                 *sound_speed    = nullptr; ///< m/s, at the present density
     const std::uint32_t          *id             = nullptr; ///< persistent identity, < n_ids
     std::size_t                   n_ids          = 0;       ///< one more than the largest id that ever existed
-    double                        spacing        = 0.;      ///< m, initial particle spacing
+    double                        spacing        = 0.;      ///< m, cube root of a point's undeformed volume
     double                        hugoniot_slope = 0.; ///< s in p = rho c u (1 + s u/c), from the equation of state
     double                        largest_step   = 0.; ///< s, the longest that these points can be stepped with
     std::uint64_t                 revision       = 0;  ///< grows whenever points are re-ordered or removed

@@ -25,6 +25,7 @@ namespace birdstrike
       const auto force = plane.whole(report.force);
       present          = std::hypot(force[0], force[1], force[2]);
       penetration      = report.max_penetration;
+      over_spacing     = report.max_penetration_over_spacing;
       whole_run.update(clock, present);
       this_row.update(clock, present);
     }
@@ -42,6 +43,11 @@ namespace birdstrike
       return penetration;
     }
 
+    double max_penetration_over_spacing() const ///< of the particles as they are packed
+    {
+      return over_spacing;
+    }
+
     double peak_since_row() const ///< N
     {
       return this_row.value();
@@ -54,7 +60,7 @@ namespace birdstrike
   private:
     SymmetryPlane plane;
     Peak          whole_run, this_row;
-    double        present = 0., penetration = 0., clock = 0.;
+    double        present = 0., penetration = 0., over_spacing = 0., clock = 0.;
     bool          is_first = true;
   };
 } // namespace birdstrike

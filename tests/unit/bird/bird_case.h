@@ -11,12 +11,12 @@ namespace birdstrike::testing
   inline BirdParameters column(const std::size_t n_layers, const double spacing)
   {
     BirdParameters parameters;
-    parameters.shape               = "slab";
-    parameters.slab_lengths        = {6. * spacing, 6. * spacing, n_layers * spacing};
-    parameters.periodic_directions = "xy";
-    parameters.spacing             = spacing;
-    parameters.velocity            = {0., 0., 0.};
-    parameters.aim_point           = {0., 0., 0.};
+    parameters.shape        = BirdShape::slab;
+    parameters.slab_lengths = {6. * spacing, 6. * spacing, n_layers * spacing};
+    parameters.is_periodic  = {{true, true, false}};
+    parameters.spacing      = spacing;
+    parameters.velocity     = {0., 0., 0.};
+    parameters.aim_point    = {0., 0., 0.};
     return parameters;
   }
 

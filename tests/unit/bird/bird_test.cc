@@ -24,7 +24,7 @@ namespace
   BirdParameters exact_bird()
   {
     BirdParameters parameters = small_bird();
-    parameters.pair_precision = "double";
+    parameters.pair_precision = PairPrecision::as_double;
     return parameters;
   }
 
@@ -43,7 +43,7 @@ TEST(Bird, UniformFlightChangesNothingAndNeverRebuilds)
   for (const char *formulation : {"riemann", "standard"})
     {
       BirdParameters parameters = small_bird();
-      parameters.formulation    = formulation;
+      parameters.formulation    = particle_formulations().at(formulation);
       Bird              bird(parameters, EosParameters(), pool);
       const std::size_t builds  = bird.n_list_builds();
       const double      kinetic = bird.energies().kinetic, first = bird.state().x[2][0], last = bird.state().x[2][99];
@@ -88,7 +88,7 @@ TEST(Bird, OneAndTwoThreadsAgreeToTheLastBit)
   for (const char *formulation : {"riemann", "standard"})
     {
       BirdParameters parameters = small_bird();
-      parameters.formulation    = formulation;
+      parameters.formulation    = particle_formulations().at(formulation);
       ThreadPool one(1), two(2);
       Bird       a(parameters, EosParameters(), one), b(parameters, EosParameters(), two);
       for (Bird *bird : {&a, &b})
@@ -138,7 +138,8 @@ TEST(Bird, AMirrorSymmetricCollisionStaysSymmetric)
 // Momentum is exact in both: float pair forces are summed in fixed point.
 TEST(Bird, ContactWorkAndImpulseCloseTheBalances)
 {
-  for (const auto &[precision, energy_tolerance] : {std::pair{"double", 1e-12}, {"float", 1e-6}})
+  for (const auto &[precision, energy_tolerance] :
+       {std::pair{PairPrecision::as_double, 1e-12}, {PairPrecision::as_float, 1e-6}})
     {
       BirdParameters parameters = small_bird();
       parameters.pair_precision = precision;
@@ -166,13 +167,14 @@ TEST(Bird, ContactWorkAndImpulseCloseTheBalances)
       EXPECT_LT(report.contact_work, -1.);
       EXPECT_NEAR(report.kinetic + report.staggering + report.internal - report.contact_work, energy,
                   energy_tolerance * energy)
-        << precision << ": the energy equation closes by construction";
+        << static_cast<int>(precision) << ": the energy equation closes by construction";
       EXPECT_NEAR(report.total() - report.contact_work, energy, 1e-3 * energy)
-        << precision << ": what densities store and rates dissipate, by trapezoids under a force that jumps; 1.5e-4";
+        << static_cast<int>(precision)
+        << ": what densities store and rates dissipate, by trapezoids under a force that jumps; 1.5e-4";
       EXPECT_GT(report.elastic, 0.);
       EXPECT_GT(report.dissipated, 0.);
       EXPECT_NEAR(bird.momenta().momentum[2] - bird.momenta().contact_impulse[2], momentum, 1e-13 * momentum)
-        << precision;
+        << static_cast<int>(precision);
     }
 }
 
@@ -182,10 +184,10 @@ TEST(Bird, TensionCutOffLeavesNoTensileInstability)
 {
   const auto growth = [](const bool has_cutoff) {
     ThreadPool     pool(2);
-    BirdParameters parameters      = column(6, 1e-3);
-    parameters.periodic_directions = "xyz";
-    parameters.formulation         = "standard";
-    parameters.tension_cutoff      = has_cutoff;
+    BirdParameters parameters = column(6, 1e-3);
+    parameters.is_periodic    = {{true, true, true}};
+    parameters.formulation    = ParticleFormulation::standard;
+    parameters.tension_cutoff = has_cutoff;
     parameters.alpha = parameters.beta = 0.;
     Bird bird(parameters, EosParameters(), pool);
     bird.set_state([](Point3 &x, Point3 &v, double &mu) { // chequered seed along z in stretched liquid
@@ -304,8 +306,8 @@ TEST(Bird, RefusesToHalveWhatIsNotSymmetric)
   expect_refused("Chordwise offset", [](BirdParameters &p) { p.chordwise_offset = 0.01; });
   expect_refused("Yaw", [](BirdParameters &p) { p.yaw = 5.; });
   expect_refused("Roll", [](BirdParameters &p) { p.roll = 5.; });
-  expect_refused("Packing", [](BirdParameters &p) { p.packing = "fcc"; });
-  expect_refused("Formulation", [](BirdParameters &p) { p.formulation = "standard"; });
+  expect_refused("Packing", [](BirdParameters &p) { p.packing = BirdLattice::fcc; });
+  expect_refused("Formulation", [](BirdParameters &p) { p.formulation = ParticleFormulation::standard; });
 }
 
 // What is stored is the energy of the equation of state at the given densities; with a tension cut-off none below rho0.
@@ -336,7 +338,7 @@ TEST(Bird, DissipatesWhereParticlesApproachAlone)
       {
         ThreadPool     pool(2);
         BirdParameters parameters = small_bird();
-        parameters.formulation    = formulation;
+        parameters.formulation    = particle_formulations().at(formulation);
         Bird bird(parameters, EosParameters(), pool);
         bird.set_state([rate](Point3 &x, Point3 &v, double &) { v = rate * x; });
         double power = 0., scale = 0.;

@@ -21,11 +21,11 @@ namespace
   BirdParameters spinning_drop(const std::string &formulation)
   {
     BirdParameters parameters;
-    parameters.shape       = "sphere";
+    parameters.shape       = BirdShape::sphere;
     parameters.spacing     = 0.004;
     parameters.velocity    = {0., 0., 0.};
     parameters.aim_point   = {0., 0., 0.};
-    parameters.formulation = formulation;
+    parameters.formulation = particle_formulations().at(formulation);
     return parameters;
   }
 
@@ -60,16 +60,16 @@ TEST(Drop, EllipticDropStretchesAsTheExactSolution)
   for (const char *formulation : {"riemann", "standard"})
     {
       BirdParameters parameters;
-      parameters.density             = rho;
-      parameters.length_to_diameter  = 3. * dx;
-      parameters.mass                = rho * std::numbers::pi * R * R * 6. * dx;
-      parameters.spacing             = dx;
-      parameters.periodic_directions = "z";
-      parameters.velocity            = {0., 0., 0.};
-      parameters.aim_point           = {0., 0., 0.};
-      parameters.formulation         = formulation;
-      parameters.alpha               = 0.05;
-      parameters.beta                = 0.;
+      parameters.density            = rho;
+      parameters.length_to_diameter = 3. * dx;
+      parameters.mass               = rho * std::numbers::pi * R * R * 6. * dx;
+      parameters.spacing            = dx;
+      parameters.is_periodic        = {{false, false, true}};
+      parameters.velocity           = {0., 0., 0.};
+      parameters.aim_point          = {0., 0., 0.};
+      parameters.formulation        = particle_formulations().at(formulation);
+      parameters.alpha              = 0.05;
+      parameters.beta               = 0.;
       EosParameters eos;
       eos.type         = "linear";
       eos.bulk_modulus = K;
@@ -103,7 +103,7 @@ TEST(Drop, SpinningDropKeepsItsMomenta)
   BirdParameters uncorrected          = spinning_drop("riemann");
   uncorrected.gradient_correction     = false;
   const auto [p_float, l_float]       = spin(uncorrected);
-  uncorrected.pair_precision          = "double";
+  uncorrected.pair_precision          = PairPrecision::as_double;
   const auto [p_plain, l_plain]       = spin(uncorrected);
   std::printf("  momentum %.1e %.1e %.1e, angular %.1e %.1e %.1e (standard, riemann, riemann uncorrected)\n",
               p_standard, p_riemann, p_plain, l_standard, l_riemann, l_plain);

@@ -13,8 +13,8 @@ TEST(Packing, MassIsExactAndTheAxisBalanced)
     for (const char *lattice : {"cubic", "fcc"})
       {
         BirdParameters parameters;
-        parameters.shape      = shape;
-        parameters.packing    = lattice;
+        parameters.shape      = bird_shapes().at(shape);
+        parameters.packing    = bird_lattices().at(lattice);
         parameters.spacing    = 0.003;
         parameters.yaw        = 20.;
         parameters.pitch      = -10.;
@@ -115,8 +115,8 @@ TEST(Packing, RollLeavesTheAxis)
 TEST(Packing, RefusesAPeriodShorterThanTwoRanges)
 {
   BirdParameters parameters;
-  parameters.shape               = "slab";
-  parameters.slab_lengths        = {0.008, 0.02, 0.02};
-  parameters.periodic_directions = "x";
+  parameters.shape        = BirdShape::slab;
+  parameters.slab_lengths = {0.008, 0.02, 0.02};
+  parameters.is_periodic  = {{true, false, false}};
   EXPECT_THROW(compute_packing(parameters, Shape(parameters)), InputError);
 }

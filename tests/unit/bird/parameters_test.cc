@@ -16,7 +16,7 @@ TEST(BirdParameters, AreReadFromTheirSection)
                               " set Shape = hemispherical cylinder\n set Tension cut-off = false\nend\n");
   EXPECT_EQ(parameters.mass, 0.0826);
   EXPECT_EQ(parameters.velocity[1], 243.2);
-  EXPECT_EQ(parameters.shape, "hemispherical cylinder");
+  EXPECT_EQ(parameters.shape, BirdShape::hemispherical_cylinder);
   EXPECT_FALSE(parameters.tension_cutoff);
   EXPECT_NO_THROW(parameters.check());
 }
@@ -37,16 +37,16 @@ TEST(BirdParameters, RefuseWhatCannotBeRun)
     return false;
   };
   EXPECT_TRUE(refuses([](BirdParameters &p) { p.spacing = 0.05; }));
-  EXPECT_TRUE(refuses([](BirdParameters &p) { p.shape = "slab"; }));
-  EXPECT_TRUE(refuses([](BirdParameters &p) { p.periodic_directions = "xy"; }));
-  EXPECT_TRUE(refuses([](BirdParameters &p) { p.kernel = "cubic spline"; }));
+  EXPECT_TRUE(refuses([](BirdParameters &p) { p.shape = BirdShape::slab; }));
+  EXPECT_TRUE(refuses([](BirdParameters &p) { p.is_periodic = {{true, true, false}}; }));
+  EXPECT_TRUE(refuses([](BirdParameters &p) { p.kernel = SmoothingKernel::cubic_spline; }));
   EXPECT_TRUE(refuses([](BirdParameters &p) {
-    p.shape              = "hemispherical cylinder";
+    p.shape              = BirdShape::hemispherical_cylinder;
     p.length_to_diameter = 0.8;
   }));
   EXPECT_TRUE(refuses([](BirdParameters &p) {
-    p.formulation    = "standard";
-    p.reconstruction = "linear";
+    p.formulation    = ParticleFormulation::standard;
+    p.reconstruction = Reconstruction::linear;
   }));
   EXPECT_FALSE(refuses([](BirdParameters &) {}));
 }

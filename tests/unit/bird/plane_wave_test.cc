@@ -92,7 +92,7 @@ TEST(PlaneWave, ShockOnASymmetryWallRiemann)
 TEST(PlaneWave, ShockOnASymmetryWallRiemannReconstructed)
 {
   BirdParameters parameters = column(200, 1e-3);
-  parameters.reconstruction = "linear";
+  parameters.reconstruction = Reconstruction::linear;
   parameters.courant_number = 0.5; // at the default 0.35 Murnaghan's overshoot is 11.2 %: less damping by the time step
   // so little in each step that no prediction is repeated, errors of prediction add up to 0.2-0.3 %
   expect_exact_shock(parameters, 0.10, 5e-3);
@@ -101,7 +101,7 @@ TEST(PlaneWave, ShockOnASymmetryWallRiemannReconstructed)
 TEST(PlaneWave, ShockOnASymmetryWallStandard)
 {
   BirdParameters parameters = column(200, 1e-3);
-  parameters.formulation    = "standard";
+  parameters.formulation    = ParticleFormulation::standard;
   expect_exact_shock(parameters, 0.10);
 }
 
