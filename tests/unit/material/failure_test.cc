@@ -147,7 +147,7 @@ TEST(FailureParameters, AreReadAndRefused)
   EXPECT_EQ(failure.smallest_step, 0.05);
   EXPECT_EQ(Failure().smallest_step, 0.) << "off";
 
-  parameters.failure.d[2] = "-1.6 "; // not a number to the end
+  parameters.failure.d[2] = "-1.6 J"; // not a number to the end
   EXPECT_THROW(parameters.check(), InputError);
   parameters.failure.d = {{"-0.5", "0.2", "-1.5", "0", "0"}}; // negative in tension
   EXPECT_THROW(parameters.check(), InputError);
