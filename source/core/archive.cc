@@ -154,15 +154,22 @@ namespace birdstrike
   {
     std::vector<std::uint64_t> ids(n);
     std::iota(ids.begin(), ids.end(), std::uint64_t(0));
-    population(name, ids);
-    std::vector<bool> has(n, false);
-    for (const std::uint64_t id : ids)
-      if (id < n)
-        has[id] = true;
-    if (ids.size() != n || std::count(has.begin(), has.end(), false) > 0)
-      throw InputError(fmt::format("The archive has {} of '{}', this scene {}: it was written of another case.",
-                                   ids.size(), path + name, n));
-    rows(name, n, [&](Row &row, const std::size_t i) { describe(row, ids[i]); });
+    entities(name, ids, describe);
+  }
+
+  void Archive::entities(const std::string &name, const std::vector<std::uint64_t> &ids, const Describe describe)
+  {
+    std::vector<std::uint64_t> archived = ids;
+    population(name, archived);
+    std::vector<std::uint64_t> sorted = archived;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted != ids)
+      throw InputError(
+        fmt::format("The archive has {} of '{}', this scene {}, or others: it was written of another case.",
+                    sorted.size(), path + name, ids.size()));
+    rows(name, ids.size(), [&](Row &row, const std::size_t i) {
+      describe(row, std::lower_bound(ids.begin(), ids.end(), archived[i]) - ids.begin());
+    });
   }
 
   void Archive::finish() const

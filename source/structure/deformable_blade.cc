@@ -42,6 +42,17 @@ namespace birdstrike
   }
 
   template <class Kind>
+  void DeformableBlade<Kind>::archive(Archive &archive)
+  {
+    const auto group = archive.group("blade");
+    motion.archive(archive);
+    elements.archive(archive, motion.positions());
+    if (archive.is_reading() && elements.n_failed() > 0)
+      update_failed();
+    surface.archive(archive);
+  }
+
+  template <class Kind>
   FacetsView DeformableBlade<Kind>::facets() const
   {
     FacetsView view = motion.facets();

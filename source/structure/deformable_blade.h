@@ -56,6 +56,7 @@ namespace birdstrike
     {
       motion.set_contact_in_transit(duration);
     }
+    void       archive(Archive &archive) override;
     FacetsView facets() const override;
     void       add_internal_forces(const std::span<const NodalForce> forces) override
     {

@@ -102,8 +102,7 @@ namespace birdstrike
       moment += Point3(&position[i]).cross(Point3(&force[i]));
     for (unsigned int d = 0; d < 3; ++d)
       momentum.support_moment[d] += half_step * moment[d];
-    for (std::size_t i = 0; i < velocity.size(); ++i)
-      velocity[i] = normal_speed * normal[i % 3];
+    move();
     second_impulse = half == HalfKick::first ? 0. : half_step * along;
   }
 
@@ -112,8 +111,32 @@ namespace birdstrike
     if (!is_free)
       return;
     displacement += step * normal_speed;
+    move();
+  }
+
+  void RigidPlate::move()
+  {
     for (std::size_t i = 0; i < position.size(); ++i)
-      position[i] = reference[i] + displacement * normal[i % 3];
+      {
+        position[i] = reference[i] + displacement * normal[i % 3];
+        velocity[i] = normal_speed * normal[i % 3];
+      }
+  }
+
+  void RigidPlate::archive(Archive &archive)
+  {
+    const auto group = archive.group("plate");
+    archive("displacement", displacement);
+    archive("speed", normal_speed);
+    archive("last second impulse", second_impulse);
+    archive("last half step", last_half);
+    archive.entities("nodes", surface.nodes.size(), [this](Archive::Row &row, const std::size_t n) {
+      row("contact force", force[3 * n], force[3 * n + 1], force[3 * n + 2]);
+    });
+    birdstrike::archive(archive, "energy", energy);
+    birdstrike::archive(archive, "momentum", momentum);
+    if (archive.is_reading())
+      move();
   }
 
   void RigidPlate::compute_internal_forces()

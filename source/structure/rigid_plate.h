@@ -28,6 +28,7 @@ namespace birdstrike
     void       compute_internal_forces() override;
     NodeForces clear_contact_forces() override;
 
+    void                     archive(Archive &archive) override;
     FacetsView               facets() const override;
     std::array<double, 3>    contact_force() const override;
     EnergyReport             energies() const override;
@@ -45,6 +46,7 @@ namespace birdstrike
     double speed() const; ///< m/s along the normal
 
   private:
+    void   move(); ///< its nodes, to the present displacement and speed
     Point3 centre() const;
 
     SurfaceMesh make_rectangle(const BladeParameters::Rigid &parameters, bool is_halved) const;

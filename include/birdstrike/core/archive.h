@@ -147,6 +147,8 @@ namespace birdstrike
 
     /// Entities that the part has in any case, of ids 0 ... n - 1: calls describe(row, id) for each, in any order.
     void entities(const std::string &name, std::size_t n, Describe describe);
+    /// The same of ids that are not those of the first n, ascending: calls describe(row, i) for each ids[i].
+    void entities(const std::string &name, const std::vector<std::uint64_t> &ids, Describe describe);
 
     /// Entities that come and go: reading replaces `ids`, in the order in which they were written. Their quantities
     /// follow by rows().

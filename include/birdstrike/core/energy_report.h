@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
+
 #include <array>
 #include <cstddef>
 
@@ -59,6 +61,7 @@ namespace birdstrike
   struct EnergyKind
   {
     double EnergyReport::*value;
+    const char           *name; ///< in archives
     Account               account;
     bool                  is_positive;    ///< a sum of squares or of dissipation: below zero by an error only
     bool                  is_of_own_work; ///< what the work of the part's own forces (`internal`) has become
@@ -66,20 +69,20 @@ namespace birdstrike
 
   /// Every kind once. Sums are taken in this order.
   inline constexpr std::array<EnergyKind, 14> energy_kinds{{
-    {&EnergyReport::kinetic, Account::held, true, false},
-    {&EnergyReport::staggering, Account::held, false, false},
-    {&EnergyReport::elastic, Account::held, true, true},
-    {&EnergyReport::plastic, Account::held, true, true},
-    {&EnergyReport::hourglass, Account::held, true, true},
-    {&EnergyReport::viscous, Account::held, true, true},
-    {&EnergyReport::dissipated, Account::held, true, true},
-    {&EnergyReport::damped, Account::held, true, false},
-    {&EnergyReport::retired, Account::held, true, false},
-    {&EnergyReport::eroded, Account::held, true, true},
-    {&EnergyReport::external_work, Account::external, false, false},
-    {&EnergyReport::contact_work, Account::memorandum, false, false},
-    {&EnergyReport::internal, Account::memorandum, false, false},
-    {&EnergyReport::retired_made, Account::memorandum, false, true},
+    {&EnergyReport::kinetic, "kinetic", Account::held, true, false},
+    {&EnergyReport::staggering, "staggering", Account::held, false, false},
+    {&EnergyReport::elastic, "elastic", Account::held, true, true},
+    {&EnergyReport::plastic, "plastic", Account::held, true, true},
+    {&EnergyReport::hourglass, "hourglass", Account::held, true, true},
+    {&EnergyReport::viscous, "viscous", Account::held, true, true},
+    {&EnergyReport::dissipated, "dissipated", Account::held, true, true},
+    {&EnergyReport::damped, "damped", Account::held, true, false},
+    {&EnergyReport::retired, "retired", Account::held, true, false},
+    {&EnergyReport::eroded, "eroded", Account::held, true, true},
+    {&EnergyReport::external_work, "external work", Account::external, false, false},
+    {&EnergyReport::contact_work, "contact work", Account::memorandum, false, false},
+    {&EnergyReport::internal, "internal", Account::memorandum, false, false},
+    {&EnergyReport::retired_made, "retired made", Account::memorandum, false, true},
   }};
 
   inline double EnergyReport::add_held(double sum) const
@@ -115,6 +118,7 @@ namespace birdstrike
   struct MomentumKind
   {
     MomentumReport::Vector MomentumReport::*value;
+    const char                             *name;     ///< in archives
     bool                                    is_axial; ///< an angular momentum
     Account                                 account;
     bool                                    is_scale; ///< whether errors are measured against it
@@ -122,15 +126,15 @@ namespace birdstrike
 
   /// Every kind once.
   inline constexpr std::array<MomentumKind, 9> momentum_kinds{{
-    {&MomentumReport::momentum, false, Account::held, true},
-    {&MomentumReport::retired, false, Account::held, false},
-    {&MomentumReport::support_impulse, false, Account::held, true},
-    {&MomentumReport::external_impulse, false, Account::external, true},
-    {&MomentumReport::contact_impulse, false, Account::memorandum, true},
-    {&MomentumReport::angular_momentum, true, Account::held, true},
-    {&MomentumReport::retired_moment, true, Account::held, false},
-    {&MomentumReport::support_moment, true, Account::held, true},
-    {&MomentumReport::external_moment, true, Account::external, true},
+    {&MomentumReport::momentum, "momentum", false, Account::held, true},
+    {&MomentumReport::retired, "retired", false, Account::held, false},
+    {&MomentumReport::support_impulse, "support impulse", false, Account::held, true},
+    {&MomentumReport::external_impulse, "external impulse", false, Account::external, true},
+    {&MomentumReport::contact_impulse, "contact impulse", false, Account::memorandum, true},
+    {&MomentumReport::angular_momentum, "angular momentum", true, Account::held, true},
+    {&MomentumReport::retired_moment, "retired moment", true, Account::held, false},
+    {&MomentumReport::support_moment, "support moment", true, Account::held, true},
+    {&MomentumReport::external_moment, "external moment", true, Account::external, true},
   }};
   inline constexpr std::array momentum_scales{&MomentumReport::impulse_scale, &MomentumReport::moment_scale};
 
@@ -149,4 +153,7 @@ namespace birdstrike
   static_assert(sizeof(MomentumReport) ==
                   sizeof(MomentumReport::Vector) * momentum_kinds.size() + sizeof(double) * momentum_scales.size() &&
                 are_distinct(momentum_kinds));
+
+  void archive(Archive &archive, const char *name, EnergyReport &energy);
+  void archive(Archive &archive, const char *name, MomentumReport &momentum);
 } // namespace birdstrike

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/energy_report.h>
 #include <birdstrike/core/fields.h>
@@ -72,6 +73,9 @@ namespace birdstrike
 
     /// The frame of contact force history: sum of the present contact forces, N.
     virtual std::array<double, 3> contact_force() const = 0;
+
+    /// All that the next step depends on, between steps; reading takes a blade of the same case that has not moved.
+    virtual void archive(Archive &archive) = 0;
 
     virtual EnergyReport   energies() const = 0;
     virtual MomentumReport momenta() const  = 0;

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "structure/elements/element_blocks.h"
+#include "structure/elements/element_lane.h"
 #include "structure/elements/erosion.h"
+#include <birdstrike/core/errors.h>
 #include <birdstrike/core/simd/records.h>
 #include <birdstrike/core/step_limit.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -123,6 +126,29 @@ namespace birdstrike
           ElementChunk &chunk = chunks[b / ElementBlocks::batches_per_chunk];
           chunk.bound         = max(chunk.bound, batches[b].bound);
         }
+    }
+
+    /// Of its `per_element` parts, in archives.
+    std::vector<std::uint64_t> ids(const std::size_t per_element) const
+    {
+      std::vector<std::uint64_t> result;
+      for (const std::uint64_t number : place.number)
+        for (std::size_t k = 0; k < per_element; ++k)
+          result.push_back(per_element * number + k);
+      return result;
+    }
+    /// The element of a number in the mesh. @throws InputError where it is of another group.
+    std::size_t find(const std::uint64_t number) const
+    {
+      const auto found = std::lower_bound(place.number.begin(), place.number.end(), number);
+      if (found == place.number.end() || *found != number)
+        throw InputError("The archive has points of element " + std::to_string(number) +
+                         " in a section that it is not of: it was written of another case.");
+      return static_cast<std::size_t>(found - place.number.begin());
+    }
+    ElementLane lane_of(Lanes &batch, const std::size_t element) const
+    {
+      return {batch, element, n_elements()};
     }
 
     /// The lane works on an element at rest from now on.

@@ -2,6 +2,7 @@
 
 #include "structure/elements/element_group.h"
 #include "structure/elements/stored_energy.h"
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/prices.h>
 #include <birdstrike/core/thread_pool.h>
 
@@ -70,6 +71,11 @@ namespace birdstrike
     void use_nodal_masses(std::span<const double> mass);
     /// An equal part of each element's mass to each of its nodes (kg), [n_nodes].
     std::vector<double> compute_nodal_masses() const;
+
+    /// All that the next step depends on, by section and element; `position` as of the last forces. What has been
+    /// summed up over elements (dissipated energies, work) is booked with the first element of each sum: totals are the
+    /// same in any build, and the sums to the last bit in this one.
+    void archive(Archive &archive, const double *position);
 
     /// Energies (J). Stored ones are those of the present stresses (StoredEnergy): of the stress that elements are
     /// integrated with, and of the stabilisation of bricks, which with one layer is the energy of bending, no error.
@@ -149,6 +155,8 @@ namespace birdstrike
 
     void gather_forces(const ElementBlocks::Block &block, double *force);
     void erode(const double *position); ///< after all forces: takes out the elements that have failed
+    void archive_failed(Archive &archive, Group &group);
+    void archive_elements(Archive &archive, Group &group);
     void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: equal parts
     std::vector<std::uint32_t> order(const Sections<Section> &sections, std::size_t n_elements);
 

@@ -6,6 +6,7 @@
 #include "structure/nodes/loads.h"
 #include "structure/nodes/node_arrays.h"
 #include "structure/nodes/supports.h"
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/energy_report.h>
 #include <birdstrike/core/fields.h>
@@ -89,6 +90,8 @@ namespace birdstrike
     }
 
     void add_internal_forces(std::span<const NodalForce> forces); ///< see Blade
+
+    void archive(Archive &archive);
 
     EnergyReport             energies() const; ///< kinetic, staggering, damped, works: nothing of the elements
     MomentumReport           momenta() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/function_ref.h>
 #include <birdstrike/mesh/cell_mesh.h>
@@ -22,6 +23,12 @@ namespace birdstrike
 
     /// Sets the facets of a view; its nodes are the owner's.
     void offer(FacetsView &view) const;
+
+    /// How often facets have gone; which, follows from the elements.
+    void archive(Archive &archive)
+    {
+      archive("surface revision", revision);
+    }
 
   private:
     const SurfaceMesh                        &whole;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/function_ref.h>
 #include <birdstrike/mesh/cell_mesh.h>
@@ -25,6 +26,12 @@ namespace birdstrike
 
     /// Sets the facets of a view, one-sided and without thickness; its nodes are the owner's.
     void offer(FacetsView &view) const;
+
+    /// How often facets have gone; which, follows from the elements.
+    void archive(Archive &archive)
+    {
+      archive("surface revision", revision);
+    }
 
   private:
     using Quadrilateral = std::array<std::uint32_t, 4>;

@@ -27,6 +27,7 @@ namespace birdstrike
 
     void update_chunk(std::size_t chunk, double dt);
     void update_bounds_at_rest();
+    void archive(Archive &archive); ///< stresses
 
     bool                  has_points(std::size_t batch) const; ///< any of its sections
     double                largest_plastic_strain(std::size_t element) const;
@@ -45,6 +46,7 @@ namespace birdstrike
 
   private:
     void   check_shape(std::size_t element, double thickness);
+    void   archive_points(Archive &archive);
     void   promote(std::size_t section);             ///< number in `points`
     double smallest_area(std::size_t element) const; ///< m^2; at the points of a fully integrated one four times theirs
     double eigenvalue_bound(std::size_t element, double inverse_mass) const;

@@ -2,6 +2,7 @@
 
 #include "structure/elements/element_blocks.h"
 #include <birdstrike/core/aligned_vector.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/thread_pool.h>
 
 #include <array>
@@ -38,6 +39,12 @@ namespace birdstrike
 
     void take_out(const Cell &cell);    ///< what it was to the normals of its nodes becomes nothing
     void close(const double *position); ///< after all that have been taken out in a step
+
+    /// Of one node, besides its position.
+    void archive(Archive::Row &row, const std::size_t node)
+    {
+      row("normal", records[node].normal);
+    }
 
     std::size_t bytes() const;
 

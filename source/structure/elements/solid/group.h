@@ -43,6 +43,7 @@ namespace birdstrike
 
     void update_chunk(std::size_t chunk, double dt);
     void update_bounds_at_rest();
+    void archive(Archive &archive); ///< stresses, and what failure needs of them
 
     bool                has_points(std::size_t batch) const;
     double              largest_plastic_strain(std::size_t element) const;
@@ -75,6 +76,9 @@ namespace birdstrike
       Lanes plastic;         ///< J, plastic work
     };
 
+    void archive_layers(Archive &archive);
+    void archive_ledger(Archive &archive);
+    void promote(std::size_t batch); ///< gives it layers
     void check_shape(std::size_t element);
     void build_points();
     void update_viscosity(const SolidGeometry<Lanes> &midpoint, const Matrix3<Lanes> &gradient, double dt, Step &step);

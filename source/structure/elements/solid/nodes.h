@@ -2,6 +2,7 @@
 
 #include "structure/elements/element_blocks.h"
 #include <birdstrike/core/aligned_vector.h>
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/thread_pool.h>
 
 #include <array>
@@ -33,6 +34,9 @@ namespace birdstrike
     {
     }
     void close(const double *)
+    {
+    }
+    void archive(Archive::Row &, std::size_t)
     {
     }
 

@@ -2,16 +2,19 @@
 
 namespace birdstrike
 {
+  void SolidGroup::promote(const std::size_t b)
+  {
+    layers[b].resize(rule.n);
+    solid_shell::Layers<Lanes>{law, rule}.promote(layers[b].data());
+  }
+
   // Apart, so that the elastic path has the registers for itself.
   [[gnu::flatten]] solid_shell::LayerWork<Lanes> SolidGroup::update_layers(const std::size_t b, const double dt,
                                                                            const SolidModes<Lanes> &end)
   {
     const solid_shell::Layers<Lanes> section{law, rule};
     if (layers[b].empty())
-      {
-        layers[b].resize(rule.n);
-        section.promote(layers[b].data());
-      }
+      promote(b);
     return section.update(end, one_point_solid::Axes<Lanes>(end), dt, points[b], stabilisation[b], layers[b].data());
   }
 } // namespace birdstrike
