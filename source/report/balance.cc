@@ -201,4 +201,21 @@ namespace birdstrike
   {
     return last;
   }
+
+  void Balance::archive(Archive &archive, const char *name)
+  {
+    const auto group = archive.group(name);
+    archive("has reference", has_reference);
+    birdstrike::archive(archive, "bird", last.bird);
+    birdstrike::archive(archive, "blade", last.blade);
+    birdstrike::archive(archive, "contact", last.contact);
+    birdstrike::archive(archive, "self-contact", last.self_contact);
+    birdstrike::archive(archive, "bird momentum", last.bird_momentum);
+    birdstrike::archive(archive, "blade momentum", last.blade_momentum);
+    archive("contact dissipation", most_dissipated, fall, last.contact_dissipation_fall);
+    archive("energy", reference_energy, current_energy, scale);
+    archive("reference momentum", linear.reference, angular.reference);
+    archive("errors", error.now, error.largest, linear.error.now, linear.error.largest, angular.error.now,
+            angular.error.largest);
+  }
 } // namespace birdstrike

@@ -82,6 +82,9 @@ namespace birdstrike
 
   void BirdStrike::start()
   {
+    if (is_started)
+      return;
+    is_started = true;
     if (scene.blade)
       observed.start(*scene.blade);
     plan();
@@ -110,6 +113,7 @@ namespace birdstrike
 
   void BirdStrike::advance()
   {
+    start();
     plan();
     step();
     now += schedule.step;

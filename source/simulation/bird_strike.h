@@ -25,8 +25,17 @@ namespace birdstrike
     /// Without a folder nothing is written: for tests and for callers that look at the parts themselves.
     BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder = {});
 
-    /// Steps until a stop criterion is met.
+    /// Steps until a stop criterion is met; goes on from where the strike stands.
     void run();
+
+    /// Forces of the first step, once; run() and advance() call it unless a state has been read.
+    void start();
+    /// One macro step.
+    void advance();
+
+    /// Writes or reads all that the run needs to go on, between steps. Reading takes a strike of the same case that has
+    /// not been started.
+    void archive(Archive &archive);
 
     /// Asks the loop, running or still to come, to end after its present step, e.g. from a signal handler.
     static void request_stop();
@@ -36,9 +45,7 @@ namespace birdstrike
     std::string closing_report() const;
 
   private:
-    void        start();
     void        plan();
-    void        advance();
     void        step();    ///< one macro step of the parts; a debug build asserts that it allocates nothing
     void        observe(); ///< peaks after each step; balance and rows when they are due
     void        record(const SystemState &state);
@@ -75,8 +82,9 @@ namespace birdstrike
     std::optional<Recorder> recorder;
     Progress                progress;
 
-    double        now     = 0.; ///< s since first touch
-    unsigned long n_steps = 0;
+    bool          is_started = false;
+    double        now        = 0.; ///< s since first touch
+    unsigned long n_steps    = 0;
     Schedule      schedule;
     std::string   why_ended;
 

@@ -71,6 +71,9 @@ namespace birdstrike
     /// Bird and contact are released. What particles are left count as retired; the last reports stay in the balance.
     void drop_bird();
 
+    /// All parts, and what the next plan depends on. A bird that the archived scene has dropped is dropped here.
+    void archive(Archive &archive);
+
     /// Lists made so far: of neighbours, of contact pairs, of points through the thickness, of facets left. Only a step
     /// that makes one may ask for memory, if it is longer than any before.
     std::uint64_t n_list_changes() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/half_kick.h>
 #include <birdstrike/core/timing.h>
 #include <birdstrike/time_control/schedule.h>
@@ -51,6 +52,8 @@ namespace birdstrike
 
     const Counts &counts() const;
     Seconds       seconds() const;
+
+    void archive(Archive &archive);
 
   private:
     void advance_with_several_blade_steps(const Schedule &schedule);

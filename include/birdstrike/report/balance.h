@@ -58,6 +58,8 @@ namespace birdstrike
 
     const SystemState &state() const;
 
+    void archive(Archive &archive, const char *name);
+
   private:
     /// Linear momentum, or angular momentum.
     struct Momentum

@@ -30,6 +30,17 @@ namespace birdstrike
       this_row.update(clock, present);
     }
 
+    void archive(Archive &archive)
+    {
+      const auto group = archive.group("contact force");
+      whole_run.archive(archive, "peak");
+      this_row.archive(archive, "peak since the last row");
+      archive("present", present);
+      archive("penetration", penetration, over_spacing);
+      archive("clock", clock);
+      archive("is first", is_first);
+    }
+
     double force() const ///< N, of the last evaluation
     {
       return present;

@@ -53,6 +53,9 @@ namespace birdstrike
     /// After each update of the balance that judges the run.
     void update_shares(const Balance &balance, double time);
 
+    /// The peaks, and what they are taken of.
+    void archive(Archive &archive);
+
     /// Before a row, and at the end: what asks all elements.
     void update_present(const Blade &blade);
   };

@@ -27,6 +27,9 @@ namespace birdstrike
     /// Writes the last state whatever the intervals say, and waits until all is on disk.
     void finish(const RunView &run);
 
+    /// Which rows and fields have been written.
+    void archive(Archive &archive);
+
     /// Brings history.csv up to date where the flush interval has passed on the clock.
     void flush_when_due(double wall);
 

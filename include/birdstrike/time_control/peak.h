@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +26,10 @@ namespace birdstrike
     double time() const
     {
       return when;
+    }
+    void archive(Archive &archive, const char *name)
+    {
+      archive(name, largest, when);
     }
 
   private:
@@ -51,6 +57,10 @@ namespace birdstrike
     double time() const
     {
       return when;
+    }
+    void archive(Archive &archive, const char *name)
+    {
+      archive(name, largest, when);
     }
 
   private:
@@ -87,6 +97,15 @@ namespace birdstrike
         peak.value() > backward.value() ? peak.value() > 0. : peak_load.value() == 0. || has_swung_through;
       return has_maximum && std::max(peak.value(), backward.value()) > 0. && now - peak.time() > wait &&
              now - backward.time() > wait && now - last_loaded > wait;
+    }
+    void archive(Archive &archive, const char *name)
+    {
+      const auto group = archive.group(name);
+      peak.archive(archive, "deflection");
+      backward.archive(archive, "backward");
+      peak_load.archive(archive, "load");
+      archive("last loaded", last_loaded);
+      archive("has swung through", has_swung_through);
     }
 
   private:

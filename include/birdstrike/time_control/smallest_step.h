@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/step_limit.h>
 
 #include <string>
@@ -22,6 +23,11 @@ namespace birdstrike
     void check(const StepLimit &limit, double time, double remaining, const char *advice);
 
     double smallest_share() const; ///< of the first value, so far
+
+    void archive(Archive &archive)
+    {
+      archive((part + ": first and smallest step").c_str(), first, smallest);
+    }
 
   private:
     std::string part;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
+
 #include <cstdint>
 
 namespace birdstrike
@@ -26,6 +28,11 @@ namespace birdstrike
     bool would_be_due(const double time) const
     {
       return interval == 0. || (interval > 0. && (n_passed == 0 || time >= n_passed * interval * (1. - 1e-12)));
+    }
+
+    void archive(Archive &archive, const char *name)
+    {
+      archive(name, n_passed);
     }
 
   private:

@@ -1,0 +1,42 @@
+#include <birdstrike/report/observed.h>
+#include <birdstrike/report/recorder.h>
+
+/// What has been observed and written so far.
+namespace birdstrike
+{
+  namespace
+  {
+    void archive_root(Archive &archive, RootSectionReport &root)
+    {
+      const auto group = archive.group("root at peak stress");
+      archive("normal force", root.normal_force);
+      archive("bending moment", root.bending_moment);
+      archive("transverse force", root.transverse_force);
+      archive.list("chord position", root.chord_position);
+      archive.list("stress of struck face", root.stress_struck);
+      archive.list("stress of rear face", root.stress_rear);
+    }
+  } // namespace
+
+  void Observed::archive(Archive &archive)
+  {
+    const auto group = archive.group("observed");
+    tip_peak.archive(archive, "tip peak");
+    first_tip_peak.archive(archive, "first tip peak");
+    root_stress.archive(archive, "root stress");
+    root_moment.archive(archive, "root moment");
+    root_force.archive(archive, "root force");
+    hourglass_share.archive(archive, "hourglass share");
+    contact.archive(archive);
+    archive_root(archive, root_at_peak_stress);
+    archive.list("mid-chord deflection at tip peak", mid_chord_at_peak);
+  }
+
+  void Recorder::archive(Archive &archive)
+  {
+    const auto group = archive.group("output");
+    history_ticks.archive(archive, "rows due");
+    field_ticks.archive(archive, "fields due");
+    archive("last", last_row, last_field);
+  }
+} // namespace birdstrike

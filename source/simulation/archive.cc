@@ -1,0 +1,81 @@
+#include "simulation/bird_strike.h"
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/contact/self_contact.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/structure/blade.h>
+
+/// The state of a whole run by name.
+namespace birdstrike
+{
+  namespace
+  {
+    /// Of a contact that has gone: what reports and costs still ask for.
+    void archive_gone(Archive &archive, ContactReport &report)
+    {
+      const auto group = archive.group("gone contact");
+      archive("force", report.force);
+      archive("energies", report.stored_energy, report.dissipation_power, report.dissipated_energy,
+              report.dissipation_fall);
+      archive("penetration", report.penetration, report.max_penetration, report.max_penetration_over_spacing);
+      archive("peak force", report.peak_force, report.peak_force_time);
+      archive("work", report.calls, report.skipped, report.searches, report.reused, report.pairs_listed,
+              report.pairs_tested, report.points_near, report.points_active, report.touches);
+    }
+  } // namespace
+
+  void Stepper::archive(Archive &archive)
+  {
+    const auto group = archive.group("stepper");
+    archive("in transit", in_transit);
+    archive("steps", done.bird, done.blade, done.particle_steps, done.element_steps);
+    archive("steps not done", done.particle_steps_not_done, done.element_steps_not_done);
+  }
+
+  void Scene::archive(Archive &archive)
+  {
+    bool has_bird = bird != nullptr, has_contact = contact != nullptr;
+    archive("has bird", has_bird);
+    archive("has contact", has_contact);
+    if (archive.is_reading() && bird && !has_bird)
+      drop_bird();
+    if (blade)
+      blade->archive(archive);
+    if (bird)
+      bird->archive(archive);
+    if (contact)
+      contact->archive(archive, bird->points(), blade->facets());
+    if (self_contact)
+      self_contact->archive(archive, blade->facets());
+    const auto group = archive.group("plan");
+    archive("step", latest.step);
+    archive("sub-steps", latest.n_bird, latest.n_blade);
+    archive("largest bird step", largest_bird_step);
+    smallest_bird_step.archive(archive);
+    smallest_blade_step.archive(archive);
+    birdstrike::archive(archive, "gone energy", gone_energy);
+    birdstrike::archive(archive, "gone momentum", gone_momentum);
+    archive_gone(archive, gone_contact);
+  }
+
+  void BirdStrike::archive(Archive &archive)
+  {
+    if (archive.is_reading() && scene.blade)
+      observed.start(*scene.blade); // of the undeformed blade
+    scene.archive(archive);
+    stepper.archive(archive);
+    balance.archive(archive, "balance");
+    row_balance.archive(archive, "balance of rows");
+    observed.archive(archive);
+    if (recorder)
+      recorder->archive(archive);
+    const auto group = archive.group("run");
+    archive("time", now);
+    archive("steps", n_steps, n_steps_with_bird);
+    archive("retired", n_retired, n_dropped);
+    archive("bird gone at", time_bird_gone);
+    archive("last touch", last_touch);
+    archive("reachable impulse", reachable_impulse);
+    is_started = true;
+  }
+} // namespace birdstrike
