@@ -39,21 +39,25 @@ def run(command, **options):
     return done.stdout
 
 
+def has_avx2():
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        flags = set(re.search(r"^flags\s*:(.*)$", file.read(), re.MULTILINE).group(1).split())
+    return {"avx2", "fma", "bmi2"} <= flags
+
+
 def check_machine():
     if shutil.which("valgrind") is None:
         raise Skip("valgrind is not installed: apt-get install valgrind.")
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        flags = set(re.search(r"^flags\s*:(.*)$", file.read(), re.MULTILINE).group(1).split())
-    if not {"avx2", "fma", "bmi2"} <= flags:
+    if not has_avx2():
         raise Skip("this processor has no AVX2, for which the counts were made.")
 
 
-def build_program(folder):
-    """Configures and builds the loops for AVX2; returns the program."""
+def build_program(folder, target="instruction_counts"):
+    """Configures and builds a program of the loops for AVX2; returns it."""
     run(["cmake", "-S", TOP, "-B", folder, "-G", "Unix Makefiles", "-DCMAKE_BUILD_TYPE=Release", "-DBIRDSTRIKE_TESTS=OFF",
          "-DBIRDSTRIKE_NATIVE=OFF", "-DCMAKE_CXX_FLAGS=-march=x86-64-v3", "-DBIRDSTRIKE_INSTRUCTION_COUNTS=ON"])
-    run(["cmake", "--build", folder, "--target", "instruction_counts", "--parallel", str(os.cpu_count())])
-    return os.path.join(folder, "bin", "instruction_counts")
+    run(["cmake", "--build", folder, "--target", target, "--parallel", str(os.cpu_count())])
+    return os.path.join(folder, "bin", target)
 
 
 def count_all(program):
