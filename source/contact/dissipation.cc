@@ -4,12 +4,9 @@
 
 namespace birdstrike
 {
-  double compute_taken_power(const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
-                             const Point3 &velocity, const Point3 &force, const Point3 &turn)
+  double add_spin_power(double power, const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
+                        const Point3 &turn)
   {
-    double power = -force.dot(velocity);
-    if (turn == Point3::Zero())
-      return power;
     const auto   position = [&](const std::uint32_t node) { return Point3(facets.position + 3 * node); };
     const Point3 mean     = 0.25 * (position(nodes[0]) + position(nodes[1]) + position(nodes[2]) + position(nodes[3]));
     for (const std::uint32_t node : nodes)

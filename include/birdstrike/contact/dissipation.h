@@ -10,10 +10,18 @@
 
 namespace birdstrike
 {
+  /// power + that of the spin which the couple of a touch gives the nodes of its facet, W.
+  double add_spin_power(double power, const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
+                        const Point3 &turn);
+
   /// What a force on a point and its couple on the nodes of a facet take, W: of the relative velocity of the point and
-  /// its closest point, and of the spin that the couple gives the facet.
-  double compute_taken_power(const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
-                             const Point3 &velocity, const Point3 &force, const Point3 &turn);
+  /// its closest point, and of the spin that the couple gives the facet. Most touches have no couple.
+  inline double compute_taken_power(const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
+                                    const Point3 &velocity, const Point3 &force, const Point3 &turn)
+  {
+    const double power = -force.dot(velocity);
+    return turn == Point3::Zero() ? power : add_spin_power(power, facets, nodes, turn);
+  }
 
   /// The energy that damper and friction take: their own forces on the relative velocity at each touch, in the two half
   /// kicks in which these forces act, each with the velocity of the adjoining drift. Independent of the works that the

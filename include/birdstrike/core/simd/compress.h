@@ -50,7 +50,7 @@ namespace birdstrike
   [[gnu::always_inline]] inline std::size_t compress_lanes(const stdx::simd<T, Abi> &a, const std::uint32_t bits,
                                                            T *out)
   {
-    using Register = stdx::simd<T, Abi>;
+    using Register [[maybe_unused]] = stdx::simd<T, Abi>;
 #if defined(__AVX512F__) && defined(__AVX512VL__)
     if constexpr (sizeof(a) == 64 && sizeof(T) == 4)
       std::bit_cast<Register>(_mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), std::bit_cast<__m512i>(a)))

@@ -29,8 +29,8 @@ namespace birdstrike
   [[gnu::always_inline]] inline std::array<LanesOf<T>, n> load_records(const Record<T, n>  *records,
                                                                        const std::uint32_t *index)
   {
-    return internal::load_columns<T, n>([=](const std::size_t r)
-                                          __attribute__((always_inline)) { return records[index[r]].value.data(); });
+    return internal::load_columns<T, n>([=](const std::size_t r, const std::size_t column)
+                                          __attribute__((always_inline)) { return &records[index[r]].value[column]; });
   }
   template <class T, std::size_t n>
   [[gnu::always_inline]] inline std::array<LanesOf<T>, n> load_records(const Records<T, n> &records,
@@ -42,8 +42,8 @@ namespace birdstrike
   /// The eight components of the rows that begin at base + offset[0 .. n_lanes), offsets in doubles.
   [[gnu::always_inline]] inline std::array<Lanes, 8> load_rows(const double *base, const std::uint32_t *offset)
   {
-    return internal::load_columns<double, 8>([=](const std::size_t r)
-                                               __attribute__((always_inline)) { return base + offset[r]; });
+    return internal::load_columns<double, 8>([=](const std::size_t r, const std::size_t column)
+                                               __attribute__((always_inline)) { return base + offset[r] + column; });
   }
 
   /// records[p + k].value[c] = lane k of components[c], for as many k as there are lanes of doubles.

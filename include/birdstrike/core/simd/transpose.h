@@ -99,26 +99,24 @@ namespace birdstrike::internal
     return row;
   }
 
-  /// A square of lanes, transposed, of which row r begins at begin(r).
+  /// A square of lanes, transposed, of which row r begins at begin(r, block).
   template <class T, class Begin, std::size_t... r>
-  [[gnu::always_inline]] inline Rows<T> load_block(const Begin &begin, std::index_sequence<r...>)
+  [[gnu::always_inline]] inline Rows<T> load_block(const Begin &begin, const std::size_t block,
+                                                   std::index_sequence<r...>)
   {
-    return transpose(Rows<T>{{load_row<T>(begin(r))...}});
+    return transpose(Rows<T>{{load_row<T>(begin(r, block))...}});
   }
 
-  /// The first n columns of the rows that begin at begin(0 .. lanes).
+  /// The first n columns of rows whose column c begins at begin(0 .. lanes, c).
   template <class T, std::size_t n, class Begin>
   [[gnu::always_inline]] inline std::array<LanesOf<T>, n> load_columns(const Begin &begin)
   {
     constexpr std::size_t N = width<T>;
     static_assert(n % N == 0, "whole registers");
     std::array<LanesOf<T>, n> column;
-#pragma GCC unroll 8
     for (std::size_t block = 0; block < n; block += N)
       {
-        const Rows<T> m = load_block<T>([&](const std::size_t r) [[gnu::always_inline]] { return begin(r) + block; },
-                                        std::make_index_sequence<N>());
-#pragma GCC unroll 16
+        const Rows<T> m = load_block<T>(begin, block, std::make_index_sequence<N>());
         for (std::size_t k = 0; k < N; ++k)
           column[block + k] = std::bit_cast<LanesOf<T>>(m.row[k]);
       }
