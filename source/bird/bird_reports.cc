@@ -217,7 +217,8 @@ namespace birdstrike
     Field pressure{"pressure", "Pa", false, 1, std::vector<double>(n)};
     Field density{"density", "kg/m^3", false, 1, std::vector<double>(n)};
     Field energy{"specific_internal_energy", "J/kg", false, 1, std::vector<double>(n)};
-    Field id{"id", "", false, 1, std::vector<double>(n)}; // kept for life: output follows memory, which sorting changes
+    // kept for life: output follows memory, which sorting changes
+    Field id{"id", "", false, 1, std::vector<double>(n), true};
     for (std::size_t p = 0; p < n; ++p)
       {
         for (int d = 0; d < 3; ++d)

@@ -6,14 +6,16 @@
 
 namespace birdstrike
 {
-  /// One quantity on the nodes or on the cells of a snapshot. A vector quantity has 3 components per entity.
+  /// One quantity on the nodes or on the cells of a snapshot: 1 component per entity, 3 of a vector, 6 (xx yy zz xy yz
+  /// zx) of a symmetric tensor.
   struct Field
   {
     std::string         name; ///< e.g. "equivalent_plastic_strain_layer_1"
     std::string         unit; ///< "m", "Pa", "-"
     bool                on_cells     = false;
     unsigned int        n_components = 1;
-    std::vector<double> values; ///< [n_entities][n_components]
+    std::vector<double> values;            ///< [n_entities][n_components]
+    bool                is_number = false; ///< whole numbers: ids, counts
   };
 
   /// What a part shows at one instant: geometry and fields, in plain arrays, so that one writer serves every part.

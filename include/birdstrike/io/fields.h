@@ -13,8 +13,6 @@ namespace birdstrike
   /// A series of field files for ParaView: <folder>/<name>.pvd lists <folder>/fields/<name>_0000.vtu, ... with their
   /// times. The list is rewritten after every file, so that an unfinished run can be looked at.
   ///
-  /// Written by deal.II's DataOutInterface (VTU, zlib, single precision); units stand in the files as field data
-  /// attributes. Nodes are repeated for every cell, so a cell field is constant over each cell without averaging.
   /// Raises std::logic_error for a snapshot whose arrays do not fit together, std::runtime_error where the disk
   /// refuses.
   class FieldSeries
@@ -34,6 +32,6 @@ namespace birdstrike
     std::size_t                                 bytes = 0;
   };
 
-  /// Size in memory of the numbers of one snapshot file before compression, for a forecast of disk space (bytes).
+  /// Bytes of the numbers of one snapshot file before compression, for a forecast of disk space.
   std::size_t compute_field_file_bytes(const FieldSnapshot &snapshot);
 } // namespace birdstrike

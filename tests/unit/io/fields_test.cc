@@ -63,18 +63,24 @@ namespace
 
   struct Array
   {
-    std::string        components, unit;
-    std::vector<float> values;
+    std::string               components, unit;
+    std::vector<float>        values;
+    std::vector<std::int32_t> whole;
   };
 
-  std::map<std::string, Array> read_point_arrays(const Tree &tree)
+  /// Of PointData or CellData.
+  std::map<std::string, Array> read_arrays(const Tree &tree, const std::string &where)
   {
     std::map<std::string, Array> arrays;
-    for (const auto &[tag, node] : tree.get_child("VTKFile.UnstructuredGrid.Piece.PointData"))
+    for (const auto &[tag, node] : tree.get_child("VTKFile.UnstructuredGrid.Piece." + where))
       if (tag == "DataArray")
-        arrays[node.get<std::string>("<xmlattr>.Name")] = {node.get("<xmlattr>.NumberOfComponents", ""),
-                                                           node.get("<xmlattr>.units", ""),
-                                                           read_values<float>(node.data())};
+        {
+          const bool is_whole                             = node.get<std::string>("<xmlattr>.type") == "Int32";
+          arrays[node.get<std::string>("<xmlattr>.Name")] = {
+            node.get("<xmlattr>.NumberOfComponents", ""), node.get("<xmlattr>.units", ""),
+            is_whole ? std::vector<float>() : read_values<float>(node.data()),
+            is_whole ? read_values<std::int32_t>(node.data()) : std::vector<std::int32_t>()};
+        }
     return arrays;
   }
 
@@ -89,6 +95,8 @@ namespace
     for (int i = 0; i < 18; ++i)
       plate.fields.back().values.push_back(0.5 * i);
     plate.fields.push_back({"thickness", "m", true, 1, {0.25, 0.75}});
+    plate.fields.push_back({"stress", "Pa", true, 6, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}});
+    plate.fields.push_back({"element", "", true, 1, {16777217, 4}, true}); // no float holds the first
     return plate;
   }
 } // namespace
@@ -101,7 +109,7 @@ TEST(FieldSeries, PlateFileHoldsItsCellsAndArrays)
   const Tree tree  = read_xml(scratch.path() / "fields" / "blade_0000.vtu");
   const Tree piece = tree.get_child("VTKFile.UnstructuredGrid.Piece");
   EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfCells"), 2);
-  EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfPoints"), 8);
+  EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfPoints"), 6); // the cells share two
 
   std::map<std::string, std::string> topology;
   for (const auto &[tag, node] : piece.get_child("Cells"))
@@ -111,20 +119,39 @@ TEST(FieldSeries, PlateFileHoldsItsCellsAndArrays)
   EXPECT_EQ(read_values<std::uint8_t>(topology.at("types")), (std::vector<std::uint8_t>{vtk_quad, vtk_quad}));
   EXPECT_EQ(read_values<std::int32_t>(topology.at("offsets")), (std::vector<std::int32_t>{4, 8}));
   EXPECT_EQ(read_values<std::int32_t>(topology.at("connectivity")),
-            (std::vector<std::int32_t>{0, 1, 3, 2, 4, 5, 7, 6})); // VTK goes round a quadrilateral
+            (std::vector<std::int32_t>{0, 1, 4, 3, 1, 2, 5, 4})); // VTK goes round a quadrilateral
 
-  const auto arrays = read_point_arrays(tree);
-  ASSERT_EQ(arrays.size(), 2u);
-  EXPECT_EQ(arrays.at("displacement").components, "3");
-  EXPECT_EQ(arrays.at("displacement").unit, "m");
-  EXPECT_EQ(arrays.at("thickness").values, (std::vector<float>{.25, .25, .25, .25, .75, .75, .75, .75}));
-  // The second vertex of the second cell is node 2, whose displacement starts at value 6.
-  const auto &displacement = arrays.at("displacement").values;
-  ASSERT_EQ(displacement.size(), 24u);
-  EXPECT_EQ(std::vector<float>(displacement.begin() + 15, displacement.begin() + 18),
-            (std::vector<float>{3., 3.5, 4.}));
+  const auto at_nodes = read_arrays(tree, "PointData"), of_cells = read_arrays(tree, "CellData");
+  ASSERT_EQ(at_nodes.size(), 1u);
+  ASSERT_EQ(of_cells.size(), 3u);
+  EXPECT_EQ(at_nodes.at("displacement").components, "3");
+  EXPECT_EQ(at_nodes.at("displacement").unit, "m");
+  const auto &displacement = at_nodes.at("displacement").values;
+  ASSERT_EQ(displacement.size(), 18u);
+  EXPECT_EQ(displacement[17], 8.5f);
+  EXPECT_EQ(of_cells.at("thickness").values, (std::vector<float>{.25, .75}));
+  EXPECT_EQ(of_cells.at("stress").components, "6");
+  EXPECT_EQ(of_cells.at("stress").values[6], 7.f);
+  EXPECT_EQ(of_cells.at("element").whole, (std::vector<std::int32_t>{16777217, 4}));
   const auto points = read_values<float>(piece.get_child("Points.DataArray").data());
-  EXPECT_EQ(std::vector<float>(points.begin() + 15, points.begin() + 18), (std::vector<float>{2., 0., 0.}));
+  EXPECT_EQ(std::vector<float>(points.begin() + 15, points.begin() + 18), (std::vector<float>{2., 1., 0.}));
+}
+
+TEST(FieldSeries, HexahedraGoRoundTheirBottomAndTop)
+{
+  const ScratchFolder scratch;
+  FieldSnapshot       brick;
+  brick.dim    = 3;
+  brick.points = std::vector<double>(24, 0.);
+  brick.cells  = {0, 1, 2, 3, 4, 5, 6, 7};
+  FieldSeries series(scratch.path(), "blade");
+  series.write(brick, 0.);
+  const Tree tree = read_xml(scratch.path() / "fields" / "blade_0000.vtu");
+  for (const auto &[tag, node] : tree.get_child("VTKFile.UnstructuredGrid.Piece.Cells"))
+    if (tag == "DataArray" && node.get<std::string>("<xmlattr>.Name") == "connectivity")
+      {
+        EXPECT_EQ(read_values<std::int32_t>(node.data()), (std::vector<std::int32_t>{0, 1, 3, 2, 4, 5, 7, 6}));
+      }
 }
 
 TEST(FieldSeries, ParticlesAreVertexCells)
@@ -141,7 +168,7 @@ TEST(FieldSeries, ParticlesAreVertexCells)
   const Tree piece = tree.get_child("VTKFile.UnstructuredGrid.Piece");
   EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfCells"), 2);
   EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfPoints"), 2);
-  const auto arrays = read_point_arrays(tree);
+  const auto arrays = read_arrays(tree, "PointData");
   EXPECT_EQ(arrays.at("pressure").values, (std::vector<float>{1e5, 2e5}));
   EXPECT_EQ(arrays.at("velocity").values, (std::vector<float>{0, 0, 100, 0, 0, 200}));
 }
@@ -183,6 +210,6 @@ TEST(FieldSeries, RefusesArraysThatDoNotFit)
 
 TEST(FieldSeries, ForecastIsTheSizeOfTheArrays)
 {
-  // 8 vertices with 3 + 3 + 1 floats and a 4-byte number each; 2 cells with a 4-byte offset and a 1-byte type.
-  EXPECT_EQ(birdstrike::compute_field_file_bytes(make_plate()), 8u * (7 * 4 + 4) + 2u * 5);
+  // 6 nodes with 3 + 3 floats; 2 cells with 1 + 6 + 1 values, 4 nodes and an offset of 4 bytes each and a 1-byte type.
+  EXPECT_EQ(birdstrike::compute_field_file_bytes(make_plate()), 6u * 6 * 4 + 2u * ((8 + 5) * 4 + 1));
 }
