@@ -10,7 +10,7 @@ namespace birdstrike
     , lumped(Kind::compute_mass(mesh, parameters))
     , elements(Kind::make_elements(mesh, lumped, parameters, pool))
     , pressed(Kind::find_pressed(mesh, parameters.loads))
-    , motion(mesh.nodes, Kind::masses(lumped), supports, Loads(parameters.loads, mesh, pressed.facets), pool)
+    , motion(mesh, Kind::masses(lumped), supports, Loads(parameters.loads, mesh, pressed.facets), pool)
     , root(Kind::make_root(mesh, supports, parameters))
     , tip(Kind::make_tip(mesh, supports))
     , surface(Kind::make_surface(mesh, lumped))

@@ -1,4 +1,4 @@
-#include "structure/nodes/nodal_mechanics.h"
+#include "structure/nodes/nodal_vectors.h"
 
 /// What the nodes' next step depends on. Positions, and what mass scaling makes of forces, follow from it; the
 /// increment of displacement is nothing between steps.
@@ -14,15 +14,15 @@ namespace birdstrike
     archive("staggered half step", staggered_half);
     archive("in transit", in_transit);
     archive.entities("nodes", n_nodes, [this](Archive::Row &row, const std::size_t n) {
-      const auto unknowns = [&](const char *name, AlignedVector<double> &values) {
-        row(name, std::span<double, n_unknowns>(&values[n_unknowns * n], n_unknowns));
+      const auto unknowns = [&](const char *name, auto &vector) {
+        row(name, std::span<double, n_unknowns>(vector.begin() + n_unknowns * n, n_unknowns));
       };
-      unknowns("displacement", displacement);
-      unknowns("velocity", velocity);
-      unknowns("internal force", force);
-      unknowns("contact force", contact);
+      unknowns("displacement", vectors->displacement);
+      unknowns("velocity", vectors->velocity);
+      unknowns("internal force", vectors->force);
+      unknowns("contact force", vectors->contact);
       if (loads.is_active())
-        unknowns("load", external);
+        unknowns("load", vectors->external);
     });
     archive.records("added forces", added, [](Archive::Row &row, NodalForce &one) {
       row("node", one.node);
@@ -34,12 +34,13 @@ namespace birdstrike
       return;
     for (std::size_t n = 0; n < n_nodes; ++n)
       for (unsigned int d = 0; d < 3; ++d)
-        position[3 * n + d] = reference[3 * n + d] + displacement[n_unknowns * n + d];
+        vectors->position.begin()[3 * n + d] =
+          vectors->reference.begin()[3 * n + d] + vectors->displacement.begin()[n_unknowns * n + d];
     if (scaled)
       {
-        scaled->update_forces(force.data(), external.data());
+        scaled->update_forces(vectors->force.begin(), vectors->external.begin());
         scaled->clear_contact();
-        scaled->update_contact(contact.data());
+        scaled->update_contact(vectors->contact.begin());
       }
   }
 

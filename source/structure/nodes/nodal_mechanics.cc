@@ -1,5 +1,6 @@
-#include "structure/nodes/nodal_mechanics.h"
-#include "structure/nodes/nodal_sums.h"
+#include "structure/elements/shell/elements.h"
+#include "structure/elements/solid/elements.h"
+#include "structure/nodes/nodal_vectors.h"
 
 #include <birdstrike/core/errors.h>
 
@@ -9,23 +10,37 @@
 namespace birdstrike
 {
   template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::compute_internal_forces(Elements &elements)
+  {
+    if (increment_time > 0.)
+      elements.compute_internal_forces(vectors->position.begin(), vectors->increment.begin(), increment_time,
+                                       vectors->force.begin());
+    increment_time = 0.;
+    added.clear();
+    update_loads();
+    if (scaled)
+      scaled->update_forces(vectors->force.begin(), vectors->external.begin());
+  }
+
+  template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::kick_internal(const double half_step, const HalfKick half)
   {
     const bool first = half == HalfKick::first;
     if (first)
       follow_step(half_step);
-    double       *v = velocity.data();
-    const double *f = scaled ? scaled->forces() : force.data(), *inverse = inverse_mass.data();
+    double       *v = vectors->velocity.begin();
+    const double *f = scaled ? scaled->forces() : vectors->force.begin(), *inverse = vectors->inverse_mass.begin();
+    const double *f_external = vectors->external.begin();
 
     if (loads.damping() == 0. && !loads.is_active())
-      for_nodes([=](const std::size_t begin, const std::size_t end) {
+      for_nodes(n_owned, [=](const std::size_t begin, const std::size_t end) {
         for (std::size_t i = n_unknowns * begin; i < n_unknowns * end; ++i)
           v[i] += half_step * f[i] * inverse[i];
       });
     else
       kick_loaded(half_step, first);
     for (const std::uint32_t dof : held_dofs)
-      book_support(dof, half_step * (f[dof] + external[dof]));
+      book_support(dof, half_step * (f[dof] + f_external[dof]));
     drive(half_step, first);
     internal_half = first ? 0. : half_step;
     left_half     = 0.;
@@ -41,28 +56,32 @@ namespace birdstrike
         return;
       }
     const unsigned int a = (c + 1) % 3, b = (c + 2) % 3;
+    const double      *x = vectors->position.begin() + 3 * n;
     impulses.support_impulse[c] += impulse;
-    impulses.support_moment[a] += position[3 * n + b] * impulse;
-    impulses.support_moment[b] -= position[3 * n + a] * impulse;
+    impulses.support_moment[a] += x[b] * impulse;
+    impulses.support_moment[b] -= x[a] * impulse;
   }
 
   template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::drive(const double half_step, const bool is_first)
   {
-    const double damped = 1. - std::exp(-loads.damping() * half_step);
+    const double  damped = 1. - std::exp(-loads.damping() * half_step);
+    const double *u = vectors->displacement.begin(), *f = vectors->force.begin(),
+                 *f_external = vectors->external.begin();
+    double *v                = vectors->velocity.begin();
     for (const Supports::Driven &support : driven)
       {
         const double to = support.at(time + (is_first ? 2. : 1.) * half_step), from = support.at(time - half_step);
         for (const std::uint32_t dof : support.dofs)
           {
             // what kick_loaded has left of it, and with what velocity it has booked loads and damping
-            const double now = velocity[dof], before = now / (1. - damped), booked_with = is_first ? now : before;
-            const double after = (to - (is_first ? displacement[dof] : from)) / (2. * half_step);
-            const double drift = is_first ? after : before, m = mass[dof];
-            booked.external_work += 0.5 * m * (after * after - before * before) - half_step * force[dof] * drift +
-                                    (m * damped * before - half_step * external[dof]) * booked_with;
+            const double now = v[dof], before = now / (1. - damped), booked_with = is_first ? now : before;
+            const double after = (to - (is_first ? u[dof] : from)) / (2. * half_step);
+            const double drift = is_first ? after : before, m = vectors->mass.begin()[dof];
+            booked.external_work += 0.5 * m * (after * after - before * before) - half_step * f[dof] * drift +
+                                    (m * damped * before - half_step * f_external[dof]) * booked_with;
             book_support(dof, -m * (after - before + damped * before));
-            velocity[dof] = after;
+            v[dof] = after;
           }
       }
   }
@@ -83,9 +102,9 @@ namespace birdstrike
   void NodalMechanics<n_unknowns>::kick_loaded(const double half_step, const bool first)
   {
     const double  decay = std::exp(-loads.damping() * half_step);
-    double       *v     = velocity.data();
-    const double *f = scaled ? scaled->forces() : force.data(), *f_external = external.data();
-    const double *inverse = inverse_mass.data(), *m = mass.data(), *x = position.data();
+    double       *v     = vectors->velocity.begin();
+    const double *f = scaled ? scaled->forces() : vectors->force.begin(), *f_external = vectors->external.begin();
+    const double *inverse = vectors->inverse_mass.begin(), *m = vectors->mass.begin(), *x = vectors->position.begin();
     if (scaled && first)
       book_damping_of_scaling(half_step, first);
     const Sums sums = sum_nodes([=](const std::size_t n, Sums &sum) {
@@ -130,7 +149,7 @@ namespace birdstrike
     const double decay = std::exp(-loads.damping() * half_step), lost = is_first ? 1. - decay : 1. / decay - 1.;
     if (lost == 0.)
       return;
-    const auto carried = scaled->angular_momentum(position.data(), velocity.data());
+    const auto carried = scaled->angular_momentum(vectors->position.begin(), vectors->velocity.begin());
     for (unsigned int d = 0; d < 3; ++d)
       impulses.external_moment[d] -= lost * carried[d];
   }
@@ -139,8 +158,8 @@ namespace birdstrike
   void NodalMechanics<n_unknowns>::kick_contact(const double half_step, const HalfKick half)
   {
     const bool    first = half == HalfKick::first;
-    double       *v     = velocity.data();
-    const double *f = contact.data(), *kicking = f, *inverse = inverse_mass.data();
+    double       *v     = vectors->velocity.begin();
+    const double *f = vectors->contact.begin(), *kicking = f, *inverse = vectors->inverse_mass.begin();
     if (scaled)
       {
         scaled->update_contact(f);
@@ -149,20 +168,20 @@ namespace birdstrike
 
     // contact leaves the moments at zero: what happens to rotations is nothing
     const auto kick = [=, this](const auto is_scaled) {
-      return sum_components<2>([=](const std::size_t i, Eight *sum) {
+      return sum_components<2>([=](const auto &at, Eight *sum) {
         Eight force_on, before, mobility;
-        read(f + i, force_on);
-        read(v + i, before);
-        read(inverse + i, mobility);
+        at.read(f, force_on);
+        at.read(v, before);
+        at.read(inverse, mobility);
         const Eight impulse = half_step * force_on;
         Eight       change  = impulse * mobility;
         if constexpr (is_scaled)
           {
-            read(kicking + i, change);
+            at.read(kicking, change);
             change = half_step * change * mobility;
           }
         const Eight after = before + change;
-        write(after, v + i);
+        at.write(after, v);
         sum[0] += impulse;
         sum[1] += impulse * (first ? after : before);
       });
@@ -183,10 +202,10 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::drift(const double step)
   {
-    const double *v = velocity.data(), *x_0 = reference.data();
-    double       *u = displacement.data(), *du = increment.data(), *x = position.data();
+    const double *v = vectors->velocity.begin(), *x_0 = vectors->reference.begin();
+    double       *u = vectors->displacement.begin(), *du = vectors->increment.begin(), *x = vectors->position.begin();
     const bool    is_first = increment_time == 0.; // since the last forces
-    for_nodes([=](const std::size_t begin, const std::size_t end) {
+    for_nodes(n_nodes, [=](const std::size_t begin, const std::size_t end) {
       if (is_first)
         for (std::size_t i = n_unknowns * begin; i < n_unknowns * end; ++i)
           du[i] = step * v[i];
@@ -206,10 +225,10 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   NodeForces NodalMechanics<n_unknowns>::clear_contact_forces()
   {
-    std::fill(contact.begin(), contact.end(), 0.);
+    std::fill_n(vectors->contact.begin(), n_unknowns * n_nodes, 0.);
     if (scaled)
       scaled->clear_contact();
-    return {contact.data(), n_unknowns};
+    return {vectors->contact.begin(), n_unknowns};
   }
 
   template <unsigned int n_unknowns>
@@ -220,9 +239,9 @@ namespace birdstrike
     added.assign(forces.begin(), forces.end());
     for (const NodalForce &one : added)
       for (unsigned int d = 0; d < 3; ++d)
-        force[n_unknowns * one.node + d] += one.force[d];
+        vectors->force.begin()[n_unknowns * one.node + d] += one.force[d];
     if (scaled)
-      scaled->update_forces(force.data(), external.data());
+      scaled->update_forces(vectors->force.begin(), vectors->external.begin());
   }
 
   template <unsigned int n_unknowns>
@@ -238,8 +257,8 @@ namespace birdstrike
   {
     if (!loads.is_active())
       return;
-    std::fill(external.begin(), external.end(), 0.);
-    loads.add_forces(time, position.data(), external.data());
+    std::fill_n(vectors->external.begin(), n_unknowns * n_nodes, 0.);
+    loads.add_forces(time, vectors->position.begin(), vectors->external.begin());
   }
 
   template <unsigned int n_unknowns>
@@ -249,9 +268,9 @@ namespace birdstrike
     if (!driven.empty())
       throw InputError("Blade/Mass scaling/Method: 'selective' does not know driven supports.\nSet it to off, or hold "
                        "what Supports/Driven moves.");
-    scaled =
-      std::make_unique<ScaledNodes>(ColumnMass(columns, std::move(coupling), inverse_mass.data(), pool), n_padded);
-    scaled->update_forces(force.data(), external.data());
+    scaled = std::make_unique<ScaledNodes>(
+      ColumnMass(columns, std::move(coupling), vectors->inverse_mass.begin(), pool), n_unknowns * n_nodes);
+    scaled->update_forces(vectors->force.begin(), vectors->external.begin());
   }
 
   template class NodalMechanics<3>;

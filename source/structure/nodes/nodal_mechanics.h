@@ -1,10 +1,8 @@
 #pragma once
 
-#include "structure/nodes/scaled_nodes.h"
-#include <birdstrike/core/simd/registers.h>
-
 #include "structure/nodes/loads.h"
 #include "structure/nodes/node_arrays.h"
+#include "structure/nodes/scaled_nodes.h"
 #include "structure/nodes/supports.h"
 #include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
@@ -18,6 +16,9 @@
 
 namespace birdstrike
 {
+  class ShellElements;
+  class SolidElements;
+
   /// The nodes of a blade of finite elements, and their equations of motion
   ///
   ///   m dv/dt = f_elements + f_loads + f_contact - alpha m v,   held unknowns: v = 0,
@@ -36,16 +37,18 @@ namespace birdstrike
   /// the work m (v_after^2 - v_before^2)/2 - h f v^{n+-1/2}, f all forces on the unknown: the ledger closes to
   /// round-off.
   ///
-  /// A node has n_unknowns: 3 displacements (solid), or 3 displacements and 3 rotations (shell). Node-major arrays,
-  /// unknown c of node n at n_unknowns n + c, coordinate d at 3n + d; those of unknowns are padded with zeros to blocks
-  /// of 24 entries (4 shell nodes, 8 solid nodes), which loops take in three registers of eight.
+  /// A node has n_unknowns: 3 displacements (solid), or 3 displacements and 3 rotations (shell). Vectors are deal.II's
+  /// distributed ones on the Partitioner of the NodeSpace: owned entries, then those of ghosts, unknown c of node n at
+  /// n_unknowns n + c, coordinate d at 3n + d. Forces kick what is owned, and sums are over what is owned; a ghost
+  /// drifts with the velocity that its owner gives it.
   template <unsigned int n_unknowns>
   class NodalMechanics
   {
     static_assert(n_unknowns == 3 || n_unknowns == 6, "nodes of a solid or of a shell");
 
   public:
-    using Node = std::array<double, 3>;
+    using Mesh     = BladeMesh<n_unknowns == 6 ? 2 : 3>;
+    using Elements = std::conditional_t<n_unknowns == 6, ShellElements, SolidElements>;
 
     struct Masses
     {
@@ -53,14 +56,14 @@ namespace birdstrike
       std::vector<double> rotation;    ///< kg m^2, [n_nodes]; empty for a solid
     };
 
-    NodalMechanics(const std::vector<Node> &nodes, const Masses &masses, const Supports &supports, Loads loads,
-                   ThreadPool &pool);
+    NodalMechanics(const Mesh &mesh, const Masses &masses, const Supports &supports, Loads loads, ThreadPool &pool);
+    ~NodalMechanics();
 
     /// Velocities of formulas and of a rigid spin about the origin, held unknowns excepted. Throws InputError.
     void initialize_velocity(const BladeParameters::Loads &parameters);
     /// Watches the nodes nearest to the points of a list "name: x y z; ...", as far as they are owned. Throws
     /// InputError.
-    void watch(const std::string &probes, const BladeMesh<n_unknowns == 6 ? 2 : 3> &mesh);
+    void watch(const std::string &probes, const Mesh &mesh);
     /// From now on the nodes of a solid have the mass matrix of column_mass.h; `coupling` (kg) as there.
     void scale(const NodeColumns &columns, std::vector<double> coupling) requires(n_unknowns == 3);
 
@@ -77,17 +80,7 @@ namespace birdstrike
     }
 
     /// Forces of the elements for the increment since the last call, and of the loads at the present time.
-    template <class Elements>
-    void compute_internal_forces(Elements &elements)
-    {
-      if (increment_time > 0.)
-        elements.compute_internal_forces(position.data(), increment.data(), increment_time, force.data());
-      increment_time = 0.;
-      added.clear();
-      update_loads();
-      if (scaled)
-        scaled->update_forces(force.data(), external.data());
-    }
+    void compute_internal_forces(Elements &elements);
 
     void add_internal_forces(std::span<const NodalForce> forces); ///< see Blade
 
@@ -102,22 +95,13 @@ namespace birdstrike
     void                     add_fields(std::vector<Field> &fields) const;
     std::size_t              bytes() const;
 
-    const double *positions() const
-    {
-      return position.data();
-    }
-    const double *reference_positions() const
-    {
-      return reference.data();
-    }
-    const double *displacements() const
-    {
-      return displacement.data();
-    }
+    const double *positions() const;      ///< m
+    const double *displacements() const;  ///< m and rad
     const double *element_forces() const; ///< without what others have added
 
   private:
     using Sums = std::array<double, 12>;
+    struct Vectors; ///< nodal_vectors.h: deal.II's headers stay with the sources that read entries
 
     void update_loads();
     void kick_loaded(double half_step, bool is_first);
@@ -128,19 +112,19 @@ namespace birdstrike
     std::array<double, 2> kinetic(double half, double half_of_contact) const;
     void                  follow_step(double half_step);
 
-    /// Calls body(begin, end) over ranges of nodes.
+    /// Calls body(begin, end) over ranges of the first n nodes.
     template <class Body>
-    void for_nodes(const Body &body);
-    /// Sums of term(node, sums) over all nodes in fixed chunks, bitwise the same for any number of threads.
+    void for_nodes(std::size_t n, const Body &body);
+    /// Sums of term(node, sums) over owned nodes in fixed chunks, bitwise the same for any number of threads.
     template <class Term>
     Sums sum_nodes(const Term &term) const;
 
-    /// Sums of n quantities over the components of all nodes: term(i, sums) adds what entries [i, i + 8) of the
-    /// node-major arrays contribute. Fixed chunks, bitwise the same for any number of threads.
+    /// Sums of n quantities over the components of owned nodes: term(at, sums) adds what the Entries `at` contribute.
+    /// Fixed chunks, bitwise the same for any number of threads.
     template <std::size_t n, class Term>
     std::array<std::array<double, n_unknowns>, n> sum_components(const Term &term) const;
 
-    static constexpr std::size_t block = 24;                ///< entries
+    static constexpr std::size_t block = 24;                ///< entries of 4 nodes of a shell, 8 of a solid
     static constexpr std::size_t chunk = 3072 / n_unknowns; ///< nodes, whole blocks
     /// Chunks a thread takes at least: offering a range to one that is awake costs 1-2 us, a kick of some hundred
     /// nodes.
@@ -150,16 +134,13 @@ namespace birdstrike
     Loads                         loads;
     std::vector<std::uint32_t>    held_dofs;
     std::vector<Supports::Driven> driven;
-    std::size_t                   n_nodes, n_padded; ///< n_padded: entries
+    std::size_t                   n_nodes, n_owned; ///< ghosts come last
 
-    AlignedVector<double>                              displacement, velocity, force, mass; ///< [n_padded]
-    AlignedVector<double>                              inverse_mass, increment, contact, external;
-    AlignedVector<double>                              reference, position; ///< [3 n_nodes]
-    std::vector<double>                                node_inverse_mass;   ///< [n_nodes], 0 where all three are held
-    std::vector<std::pair<std::string, std::uint32_t>> watched;             ///< probes: name, node
-    std::unique_ptr<ScaledNodes>                       scaled;              ///< none: masses are those of the nodes
-    std::vector<NodalForce>                            added;               ///< to `force`, since it was computed
-    mutable std::vector<double>                        of_elements;         ///< N, `force` without them
+    std::unique_ptr<Vectors>                           vectors;
+    std::vector<std::pair<std::string, std::uint32_t>> watched;     ///< probes: name, node
+    std::unique_ptr<ScaledNodes>                       scaled;      ///< none: masses are those of the nodes
+    std::vector<NodalForce>                            added;       ///< to the forces, since they were computed
+    mutable std::vector<double>                        of_elements; ///< N, forces without them
 
     double time           = 0.;                   ///< s
     double increment_time = 0.;                   ///< s since the last compute_internal_forces

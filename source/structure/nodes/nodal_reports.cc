@@ -1,5 +1,4 @@
-#include "structure/nodes/nodal_mechanics.h"
-#include "structure/nodes/nodal_sums.h"
+#include "structure/nodes/nodal_vectors.h"
 
 #include <birdstrike/core/expression.h>
 #include <birdstrike/core/text_lists.h>
@@ -11,42 +10,42 @@
 namespace birdstrike
 {
   template <unsigned int n_unknowns>
-  NodalMechanics<n_unknowns>::NodalMechanics(const std::vector<Node> &nodes, const Masses &masses,
-                                             const Supports &supports, Loads given_loads, ThreadPool &pool)
+  NodalMechanics<n_unknowns>::NodalMechanics(const Mesh &mesh, const Masses &masses, const Supports &supports,
+                                             Loads given_loads, ThreadPool &pool)
     : pool(pool)
     , loads(std::move(given_loads))
     , held_dofs(supports.held_dofs)
     , driven(supports.driven)
-    , n_nodes(nodes.size())
-    , n_padded((n_unknowns * n_nodes + block - 1) / block * block)
-    , partial((n_nodes + chunk - 1) / chunk)
+    , n_nodes(mesh.space.size())
+    , n_owned(mesh.space.n_owned())
+    , vectors(std::make_unique<Vectors>(mesh.space))
+    , partial((n_owned + chunk - 1) / chunk)
   {
-    for (auto *vector : {&displacement, &velocity, &force, &mass, &inverse_mass, &increment, &contact, &external})
-      vector->assign(n_padded, 0.);
-    reference.resize(3 * n_nodes);
+    double *mass = vectors->mass.begin(), *inverse = vectors->inverse_mass.begin();
     for (std::size_t n = 0; n < n_nodes; ++n)
       {
         for (unsigned int d = 0; d < 3; ++d)
-          reference[3 * n + d] = nodes[n][d];
+          vectors->reference.begin()[3 * n + d] = vectors->position.begin()[3 * n + d] = mesh.nodes[n][d];
         for (unsigned int c = 0; c < n_unknowns; ++c)
           {
-            mass[n_unknowns * n + c]         = c < 3 ? masses.translation[n] : masses.rotation[n];
-            inverse_mass[n_unknowns * n + c] = 1. / mass[n_unknowns * n + c];
+            mass[n_unknowns * n + c]    = c < 3 ? masses.translation[n] : masses.rotation[n];
+            inverse[n_unknowns * n + c] = 1. / mass[n_unknowns * n + c];
           }
       }
-    position = reference;
     added.reserve(n_nodes);
     for (const std::uint32_t dof : held_dofs)
-      inverse_mass[dof] = 0.;
+      inverse[dof] = 0.;
     for (std::size_t n = 0; n < n_nodes; ++n)
       {
-        bool is_held = true;
-        for (unsigned int d = 0; d < 3; ++d)
-          is_held = is_held && inverse_mass[n_unknowns * n + d] == 0.;
-        node_inverse_mass.push_back(is_held ? 0. : 1. / masses.translation[n]);
+        const double *i                       = inverse + n_unknowns * n;
+        const bool    is_held                 = i[0] == 0. && i[1] == 0. && i[2] == 0.;
+        vectors->node_inverse_mass.begin()[n] = is_held ? 0. : 1. / masses.translation[n];
       }
     update_loads();
   }
+
+  template <unsigned int n_unknowns>
+  NodalMechanics<n_unknowns>::~NodalMechanics() = default;
 
   template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::initialize_velocity(const BladeParameters::Loads &parameters)
@@ -62,16 +61,18 @@ namespace birdstrike
     std::vector<Expression> field;
     if (is_present(parameters.initial_velocity))
       field.emplace_back(parameters.initial_velocity, 3, "Loads/Initial velocity");
+    double *velocity = vectors->velocity.begin();
     for (std::size_t n = 0; n < n_nodes; ++n)
       {
-        const Point3 turning = spin.cross(Point3(&reference[3 * n]));
+        const double *x       = vectors->reference.begin() + 3 * n;
+        const Point3  turning = spin.cross(Point3(x));
         for (unsigned int d = 0; d < 3; ++d)
           {
             velocity[n_unknowns * n + d] = turning[d];
             if constexpr (n_unknowns == 6)
               velocity[6 * n + 3 + d] = spin[d];
             for (const auto &expression : field)
-              velocity[n_unknowns * n + d] += expression.value(&reference[3 * n], 0., d);
+              velocity[n_unknowns * n + d] += expression.value(x, 0., d);
           }
       }
     for (const std::uint32_t dof : held_dofs)
@@ -83,7 +84,7 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
-  void NodalMechanics<n_unknowns>::watch(const std::string &probes, const BladeMesh<n_unknowns == 6 ? 2 : 3> &mesh)
+  void NodalMechanics<n_unknowns>::watch(const std::string &probes, const Mesh &mesh)
   {
     for (const auto &[name, where] : parse_pairs(probes, "Probes"))
       {
@@ -96,19 +97,20 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   std::array<double, 2> NodalMechanics<n_unknowns>::kinetic(const double h, const double h_c) const
   {
-    const double          decay = std::exp(-loads.damping() * h);
-    const double         *v = velocity.data(), *f = scaled ? scaled->forces() : force.data(), *m = mass.data();
-    const double         *f_contact  = scaled ? scaled->contact() : contact.data();
-    const double         *f_external = external.data(), *inverse = inverse_mass.data();
+    const double  decay = std::exp(-loads.damping() * h);
+    const double *v = vectors->velocity.begin(), *f = scaled ? scaled->forces() : vectors->force.begin(),
+                 *m                  = vectors->mass.begin();
+    const double         *f_contact  = scaled ? scaled->contact() : vectors->contact.begin();
+    const double         *f_external = vectors->external.begin(), *inverse = vectors->inverse_mass.begin();
     const double          back = 1. - 1. / decay;
-    const auto            sums = sum_components<2>([=](const std::size_t i, Eight *sum) {
+    const auto            sums = sum_components<2>([=](const auto &at, Eight *sum) {
       Eight speed, inner, outer_contact, outer_load, inertia, mobility;
-      read(v + i, speed);
-      read(f + i, inner);
-      read(m + i, inertia);
-      read(f_contact + i, outer_contact);
-      read(f_external + i, outer_load);
-      read(inverse + i, mobility);
+      at.read(v, speed);
+      at.read(f, inner);
+      at.read(m, inertia);
+      at.read(f_contact, outer_contact);
+      at.read(f_external, outer_load);
+      at.read(inverse, mobility);
       const Eight change = (h * (inner + outer_load) + h_c * outer_contact) * mobility + back * speed;
       sum[0] += 0.5 * inertia * (speed * speed);
       sum[1] += 0.5 * inertia * (change * change);
@@ -138,7 +140,7 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   MomentumReport NodalMechanics<n_unknowns>::momenta() const
   {
-    const double  *v = velocity.data(), *m = mass.data(), *x = position.data();
+    const double  *v = vectors->velocity.begin(), *m = vectors->mass.begin(), *x = vectors->position.begin();
     const auto     sums   = sum_nodes([=](const std::size_t n, Sums &sum) {
       const double *p = x + 3 * n, *w = v + n_unknowns * n;
       const double  inertia = m[n_unknowns * n];
@@ -171,7 +173,7 @@ namespace birdstrike
       }
     if (in_transit > 0.)
       {
-        const double *f      = contact.data();
+        const double *f      = vectors->contact.begin();
         const auto    coming = sum_nodes([=](const std::size_t n, Sums &sum) {
           const double *p = x + 3 * n, *g = f + n_unknowns * n;
           for (unsigned int d = 0; d < 3; ++d)
@@ -194,10 +196,10 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   std::array<double, 3> NodalMechanics<n_unknowns>::contact_force() const
   {
-    const double *f    = contact.data();
-    const auto    sums = sum_components<1>([=](const std::size_t i, Eight *sum) {
+    const double *f    = vectors->contact.begin();
+    const auto    sums = sum_components<1>([=](const auto &at, Eight *sum) {
       Eight entries;
-      read(f + i, entries);
+      at.read(f, entries);
       sum[0] += entries;
     });
     return {{sums[0][0], sums[0][1], sums[0][2]}};
@@ -213,9 +215,9 @@ namespace birdstrike
         value.name = name;
         for (unsigned int d = 0; d < 3; ++d)
           {
-            value.position[d]     = reference[3 * n + d];
-            value.displacement[d] = displacement[n_unknowns * n + d];
-            value.velocity[d]     = velocity[n_unknowns * n + d];
+            value.position[d]     = vectors->reference.begin()[3 * n + d];
+            value.displacement[d] = vectors->displacement.begin()[n_unknowns * n + d];
+            value.velocity[d]     = vectors->velocity.begin()[n_unknowns * n + d];
           }
         values.push_back(value);
       }
@@ -225,16 +227,35 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   NodeArrays NodalMechanics<n_unknowns>::arrays()
   {
-    return {n_nodes,         n_unknowns,   reference.data(), position.data(),    displacement.data(),
-            velocity.data(), force.data(), mass.data(),      inverse_mass.data()};
+    return {n_nodes,
+            n_unknowns,
+            vectors->reference.begin(),
+            vectors->position.begin(),
+            vectors->displacement.begin(),
+            vectors->velocity.begin(),
+            vectors->force.begin(),
+            vectors->mass.begin(),
+            vectors->inverse_mass.begin()};
+  }
+
+  template <unsigned int n_unknowns>
+  const double *NodalMechanics<n_unknowns>::positions() const
+  {
+    return vectors->position.begin();
+  }
+
+  template <unsigned int n_unknowns>
+  const double *NodalMechanics<n_unknowns>::displacements() const
+  {
+    return vectors->displacement.begin();
   }
 
   template <unsigned int n_unknowns>
   const double *NodalMechanics<n_unknowns>::element_forces() const
   {
     if (added.empty())
-      return force.data();
-    of_elements.assign(force.begin(), force.end());
+      return vectors->force.begin();
+    of_elements.assign(vectors->force.begin(), vectors->force.begin() + n_unknowns * n_nodes);
     for (const NodalForce &one : added)
       for (unsigned int d = 0; d < 3; ++d)
         of_elements[n_unknowns * one.node + d] -= one.force[d];
@@ -246,9 +267,9 @@ namespace birdstrike
   {
     FacetsView view;
     view.n_nodes         = n_nodes;
-    view.position        = position.data();
-    view.velocity        = velocity.data();
-    view.inverse_mass    = node_inverse_mass.data();
+    view.position        = vectors->position.begin();
+    view.velocity        = vectors->velocity.begin();
+    view.inverse_mass    = vectors->node_inverse_mass.begin();
     view.velocity_stride = n_unknowns;
     return view;
   }
@@ -263,15 +284,15 @@ namespace birdstrike
         field.values.insert(field.values.end(), values + n_unknowns * n, values + n_unknowns * n + 3);
       fields.push_back(std::move(field));
     };
-    add("displacement", "m", displacement.data());
-    add("velocity", "m/s", velocity.data());
+    add("displacement", "m", vectors->displacement.begin());
+    add("velocity", "m/s", vectors->velocity.begin());
   }
 
   template <unsigned int n_unknowns>
   std::size_t NodalMechanics<n_unknowns>::bytes() const
   {
     // eight vectors of unknowns, two of coordinates, one scalar, one of forces with their nodes
-    return sizeof(double) * (8 * n_padded + 11 * n_nodes) + (scaled ? scaled->bytes() : 0);
+    return sizeof(double) * (8 * n_unknowns + 11) * n_nodes + (scaled ? scaled->bytes() : 0);
   }
 
   template class NodalMechanics<3>;
