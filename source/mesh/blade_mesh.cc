@@ -68,11 +68,13 @@ namespace birdstrike
     {
       SurfaceMesh &skin = mesh.skin;
       skin              = SurfaceMesh();
+      skin.space        = mesh.space;
       skin.nodes.assign(mesh.nodes.begin(), mesh.nodes.begin() + static_cast<std::ptrdiff_t>(mesh.n_skin_nodes));
       for (const auto &face : mesh.boundary)
         {
           skin.cells.push_back(face.nodes);
           skin.material_ids.push_back(mesh.material_ids[face.cell]);
+          skin.n_owned_cells += skin.is_owned(skin.cells.size() - 1);
         }
       join_facets(skin, n_lines, [&](const std::size_t facet, const unsigned int side) {
         const auto &face   = mesh.boundary[facet];
@@ -160,7 +162,7 @@ namespace birdstrike
     dealii::IndexSet owned(dofs.n_dofs() / n_unknowns);
     owned.add_range(first, last);
     dealii::IndexSet here = owned;
-    for (unsigned int layer = dim; layer < 4 && owned.n_elements() < owned.size(); ++layer)
+    for (unsigned int layer = 0; layer < 2 && owned.n_elements() < owned.size(); ++layer)
       {
         const dealii::IndexSet before = here;
         for (const auto &cell : dofs.active_cell_iterators())
@@ -192,6 +194,7 @@ namespace birdstrike
           number[cell->active_cell_index()] = static_cast<std::int32_t>(here.size());
           here.push_back(cell);
         }
+    this->n_owned_cells = 0;
     this->cells.resize(here.size());
     this->neighbors.resize(here.size());
     for (std::uint32_t n = 0; n < here.size(); ++n)
@@ -206,6 +209,7 @@ namespace birdstrike
             for (unsigned int d = 0; d < 3; ++d)
               this->nodes[node][d] = cell->vertex(v)[d];
           }
+        this->n_owned_cells += this->is_owned(n);
         this->material_ids.push_back(cell->material_id());
         for (unsigned int f = 0; f < this->n_sides; ++f)
           {

@@ -11,12 +11,14 @@ namespace birdstrike
     BladeCensus count(const Mesh &mesh)
     {
       BladeCensus census;
-      census.n_elements    = mesh.cells.size();
-      census.n_nodes       = mesh.nodes.size();
+      census.n_elements    = mesh.n_owned_cells;
+      census.n_nodes       = mesh.space.n_owned();
       census.smallest_edge = std::numeric_limits<double>::infinity();
       double largest       = 0.;
       for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
         {
+          if (!mesh.is_owned(cell))
+            continue;
           const double edge = mesh.smallest_edge(cell);
           largest           = std::max(largest, edge);
           if (edge < census.smallest_edge)
@@ -34,7 +36,7 @@ namespace birdstrike
     {
       double area = 0.;
       for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
-        area += mesh.area_vector(cell).norm();
+        area += mesh.is_owned(cell) ? mesh.area_vector(cell).norm() : 0.;
       return area;
     }
   } // namespace

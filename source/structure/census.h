@@ -5,7 +5,7 @@
 
 namespace birdstrike
 {
-  /// Counts, area and edge lengths of a surface; mass, held unknowns and bytes are left to its owner.
+  /// Counts, area and edge lengths of what is owned of a surface; mass, held unknowns and bytes are left to its owner.
   BladeCensus compute_census(const SurfaceMesh &mesh);
   /// The same of a solid: the area is that of its skin.
   BladeCensus compute_census(const VolumeMesh &mesh);

@@ -16,6 +16,7 @@ namespace birdstrike
     , surface(Kind::make_surface(mesh, lumped))
     , can_fail(parameters.material.metal().failure.can_fail())
   {
+    elements.set_owned(mesh);
     elements.use_nodal_masses(lumped.node);
     scaling = Kind::finish(parameters, mesh, lumped, elements, motion);
     motion.initialize_velocity(parameters.loads);

@@ -77,11 +77,11 @@ namespace birdstrike
     }
     std::size_t n_elements() const override
     {
-      return elements.n_elements();
+      return mesh.n_owned_cells;
     }
     std::size_t n_nodes() const override
     {
-      return mesh.nodes.size();
+      return mesh.space.n_owned();
     }
     double mass() const override
     {

@@ -81,14 +81,15 @@ namespace birdstrike
   FailureReport DeformableBlade<Kind>::failure() const
   {
     FailureReport report;
-    report.can_fail   = can_fail;
-    report.n_elements = elements.n_failed();
-    if (report.n_elements == 0)
+    report.can_fail = can_fail;
+    if (elements.n_failed() == 0)
       return report;
+    for (std::size_t e = 0; e < mesh.cells.size(); ++e)
+      report.n_elements += mesh.is_owned(e) && elements.is_failed(e);
     report.n_collapsed = elements.n_collapsed();
     report.n_at_root   = root.count_failed(elements);
     report.mass        = elements.failed_mass();
-    for (std::size_t n = 0; n < lumped.node.size(); ++n)
+    for (std::size_t n = 0; n < mesh.space.n_owned(); ++n)
       if (elements.is_free(n))
         {
           ++report.n_free_nodes;

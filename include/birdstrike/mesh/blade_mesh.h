@@ -32,7 +32,7 @@ namespace birdstrike
   public:
     static constexpr unsigned int n_unknowns = dim == 2 ? 6 : 3; ///< of a node
 
-    /// Lumped mass: row sums of the consistent matrix. Ghosts lack the cells that are not here.
+    /// Lumped mass: row sums of the consistent matrix. Ghosts that no owned cell has lack cells that are not here.
     struct Mass
     {
       std::vector<double> node;              ///< kg
@@ -44,8 +44,8 @@ namespace birdstrike
 
     explicit BladeMesh(const GeometryParameters &parameters);
 
-    /// What a process has that owns these nodes, a range of global numbers: cells that touch them, and of a shell those
-    /// that touch these (normals at ghosts need them). The triangulation is shared.
+    /// What a process has that owns these nodes, a range of global numbers: cells that touch them, and cells that touch
+    /// these (masses, and normals of a shell, at ghosts need them). The triangulation is shared.
     BladeMesh part(std::uint32_t first, std::uint32_t last) const;
 
     /// Row sums by two Gauss points in each direction, exact for a trilinear cell and a flat element of constant

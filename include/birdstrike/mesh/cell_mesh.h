@@ -31,6 +31,7 @@ namespace birdstrike
     NodeSpace                                      space;
     std::vector<std::array<double, 3>>             nodes; ///< m
     std::vector<Cell>                              cells;
+    std::size_t                                    n_owned_cells = 0;
     std::vector<std::array<std::int32_t, n_sides>> neighbors;      ///< cell across a side, or as FacetsView says
     std::vector<unsigned int>                      material_ids;   ///< per cell
     std::vector<BoundarySide>                      boundary;       ///< without

@@ -37,6 +37,7 @@ namespace birdstrike
   {
     static constexpr unsigned int n_corners = n;
 
+    Lanes         owned = 0.;         ///< 1, or 0: no element, or one that another process books and lets vote
     Lanes         inverse_mass;       ///< 1/kg, of the least mass that the nodes carry for the element
     Lanes         bound;              ///< see above
     std::uint32_t record[n][n_lanes]; ///< where the corners' records begin, in doubles
@@ -77,6 +78,7 @@ namespace birdstrike
           {
             Batch            &batch = batches[slot / n_lanes];
             const std::size_t k = slot % n_lanes, e = element_of(slot);
+            batch.owned[k]     = slot == e ? 1. : 0.;
             batch.record[i][k] = this->place.cells[e][i] * (sizeof(Record) / sizeof(double));
             batch.corner[i][k] =
               slot == e ? blocks.corner_row[n_corners * this->place.number[e] + i] : std::uint32_t(blocks.n_rows);
@@ -106,6 +108,10 @@ namespace birdstrike
         x += (1. / n_corners) * Point3(place.records[n].position);
       return {"element", place.number[element], {{x[0], x[1], x[2]}}};
     }
+    bool is_owned(const std::size_t element) const
+    {
+      return lane(batches[element / n_lanes].owned, element % n_lanes) != 0.;
+    }
     double sum(Lanes ElementChunk::*energy) const
     {
       double result = 0.;
@@ -124,7 +130,7 @@ namespace birdstrike
         {
           batches[b].bound    = bound(b);
           ElementChunk &chunk = chunks[b / ElementBlocks::batches_per_chunk];
-          chunk.bound         = max(chunk.bound, batches[b].bound);
+          chunk.bound         = max(chunk.bound, Lanes(batches[b].owned * batches[b].bound));
         }
     }
 

@@ -60,7 +60,8 @@ namespace birdstrike
     for (std::size_t e = 0; e < n_elements(); ++e)
       {
         const auto [group, k] = find(e);
-        if (const double value = lane(group.batches[k / n_lanes].bound, k % n_lanes); value > largest)
+        if (const double value = lane(group.batches[k / n_lanes].bound, k % n_lanes);
+            value > largest && group.is_owned(k))
           {
             largest = value;
             worst   = e;
@@ -120,7 +121,12 @@ namespace birdstrike
   {
     double energy = 0.;
     for (const Group &group : groups)
-      energy += group.erosion ? group.erosion->energy() : 0.;
+      {
+        double of_group = 0.;
+        for (std::size_t b = 0; group.erosion && b < group.batches.size(); ++b)
+          of_group += stdx::reduce(group.batches[b].owned * group.erosion->batches[b].energy);
+        energy += of_group;
+      }
     return energy;
   }
 
@@ -238,7 +244,7 @@ namespace birdstrike
     for (std::size_t e = 0; e < n_elements(); ++e)
       {
         const auto [group, k] = find(e);
-        if (const double strain = group.largest_plastic_strain(k); strain > result.value)
+        if (const double strain = group.largest_plastic_strain(k); strain > result.value && group.is_owned(k))
           result = {strain, e};
       }
     return result;
@@ -260,9 +266,13 @@ namespace birdstrike
   typename Elements<Group>::SectionSums Elements<Group>::section_sums(const std::size_t section) const
   {
     const Group &group = groups.at(section);
-    SectionSums  sums{group.n_elements(), 0., group.sum(&ElementChunk::plastic)};
-    for (const double mass : group.mass)
-      sums.mass += mass;
+    SectionSums  sums{0, 0., group.sum(&ElementChunk::plastic)};
+    for (std::size_t e = 0; e < group.n_elements(); ++e)
+      if (group.is_owned(e))
+        {
+          ++sums.n_elements;
+          sums.mass += group.mass[e];
+        }
     return sums;
   }
 

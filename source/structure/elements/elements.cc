@@ -72,6 +72,7 @@ namespace birdstrike
                             const std::vector<Extra> &extra, const Sections<Section> &sections, ThreadPool &pool)
     : pool(pool)
     , n_nodes(points.size())
+    , n_owned_nodes(n_nodes)
     , blocks({checked(cells, n_nodes)[0].data(), Group::n_corners * cells.size()}, order(sections, cells.size()),
              n_nodes)
     , corner_force(blocks.n_rows + 1)
@@ -140,7 +141,8 @@ namespace birdstrike
                 }
               read(node_force[node].value, old);
               read(nodes.records[node].increment, u); // and rotation; what follows meets zeros
-              sum += 0.5 * (old + f) * u;
+              if (node < n_owned_nodes)
+                sum += 0.5 * (old + f) * u;
               write(f, node_force[node].value);
               f = -f;
               std::memcpy(force + n_unknowns * node, &f, n_unknowns * sizeof(double));
@@ -168,7 +170,8 @@ namespace birdstrike
                   if (k >= group.n_elements_of(b))
                     continue;
                   const Cell &cell = group.place.cells[b * n_lanes + k];
-                  group.erosion->count_out(group.mass[b * n_lanes + k], (of_batch.collapsed >> k & 1u) != 0);
+                  group.erosion->count_out(group.is_owned(b * n_lanes + k), group.mass[b * n_lanes + k],
+                                           (of_batch.collapsed >> k & 1u) != 0);
                   nodes.take_out(cell);
                   for (const auto n : cell)
                     --n_left[n];
@@ -177,6 +180,15 @@ namespace birdstrike
           }
     if (has_new)
       nodes.close(position);
+  }
+
+  template <class Group>
+  void Elements<Group>::set_owned(const CellMesh<Group::n_corners == 4 ? 2 : 3> &mesh)
+  {
+    n_owned_nodes = mesh.space.n_owned();
+    for (std::size_t e = 0; e < n_elements(); ++e)
+      groups[place[e].group].batches[place[e].number / n_lanes].owned[place[e].number % n_lanes] =
+        mesh.is_owned(e) ? 1. : 0.;
   }
 
   template <class Group>

@@ -5,6 +5,7 @@
 #include <birdstrike/core/archive.h>
 #include <birdstrike/core/prices.h>
 #include <birdstrike/core/thread_pool.h>
+#include <birdstrike/mesh/cell_mesh.h>
 
 #include <span>
 #include <vector>
@@ -67,6 +68,9 @@ namespace birdstrike
     /// shortened by the bulk viscosity. No safety factor.
     StepLimit step_limit() const;
     double    largest_stable_step() const; ///< s, the value of the same without its words: nothing is searched
+    /// From now on energies, votes and reports are those of the elements and nodes that the process owns, but of all
+    /// n_failed and is_failed: the others are computed for their forces on owned nodes.
+    void set_owned(const CellMesh<Group::n_corners == 4 ? 2 : 3> &mesh);
     /// Masses (kg) that the nodes really carry, [n_nodes]: the bound then allows for other shares of the elements'.
     void use_nodal_masses(std::span<const double> mass);
     /// An equal part of each element's mass to each of its nodes (kg), [n_nodes].
@@ -161,7 +165,7 @@ namespace birdstrike
     std::vector<std::uint32_t> order(const Sections<Section> &sections, std::size_t n_elements);
 
     ThreadPool                &pool;
-    std::size_t                n_nodes;
+    std::size_t                n_nodes, n_owned_nodes;
     std::vector<Place>         place;  ///< [n_elements]
     std::vector<Chunk>         chunks; ///< of all groups, one after the other
     ElementBlocks              blocks;

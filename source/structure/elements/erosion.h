@@ -31,9 +31,9 @@ namespace birdstrike
     AlignedVector<OfBatch>            batches;
     std::vector<AlignedVector<Lanes>> damage;           ///< [sections], D of their points; empty while elastic
     unsigned int                      n_needed    = 1;  ///< failed points that make an element fail
-    std::size_t                       n_failed    = 0;  ///< elements
-    std::size_t                       n_collapsed = 0;  ///< of these
-    double                            mass        = 0.; ///< kg, of the failed
+    std::size_t                       n_failed    = 0;  ///< elements, not only owned ones
+    std::size_t                       n_collapsed = 0;  ///< owned ones of these
+    double                            mass        = 0.; ///< kg, of the failed that are owned
 
     bool is_failed(const std::size_t element) const
     {
@@ -54,20 +54,12 @@ namespace birdstrike
         }
     }
 
-    double energy() const ///< J
-    {
-      double sum = 0.;
-      for (const OfBatch &of_batch : batches)
-        sum += stdx::reduce(of_batch.energy);
-      return sum;
-    }
-
     /// Counts an element out.
-    void count_out(const double element_mass, const bool collapses)
+    void count_out(const bool is_owned, const double element_mass, const bool collapses)
     {
       ++n_failed;
-      n_collapsed += collapses;
-      mass += element_mass;
+      n_collapsed += is_owned && collapses;
+      mass += is_owned ? element_mass : 0.;
     }
 
     double largest_damage(const std::size_t element, const std::size_t n_sections) const

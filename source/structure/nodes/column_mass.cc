@@ -24,8 +24,9 @@ namespace birdstrike
   } // namespace
 
   ColumnMass::ColumnMass(const NodeColumns &columns, std::vector<double> given_coupling, const double *inverse_mass,
-                         ThreadPool &pool)
+                         const std::size_t n_owned, ThreadPool &pool)
     : pool(pool)
+    , n_owned(n_owned)
     , nodes(columns.nodes)
     , begin(columns.begin)
     , coupling(std::move(given_coupling))
@@ -109,7 +110,7 @@ namespace birdstrike
     return pool.ordered_sums<3>(coupling.size(), [&](const std::size_t first, const std::size_t last) {
       std::array<double, 3> sums{};
       for (std::size_t p = first; p < last; ++p)
-        if (coupling[p] > 0.)
+        if (is_booked(p))
           {
             const std::size_t i = 3 * std::size_t(nodes[p]), j = 3 * std::size_t(nodes[p + 1]);
             const Point3      x = Point3(position + j) - Point3(position + i);

@@ -30,7 +30,9 @@ namespace birdstrike
   public:
     /// `coupling` (kg) by place in the columns, not negative, without meaning at the last place of each; `inverse_mass`
     /// [n_nodes][3] (1/kg), 0 where held. The pool must outlive this.
-    ColumnMass(const NodeColumns &columns, std::vector<double> coupling, const double *inverse_mass, ThreadPool &pool);
+    /// Sums leave out the edges whose first node is no owned one, less than `n_owned`.
+    ColumnMass(const NodeColumns &columns, std::vector<double> coupling, const double *inverse_mass,
+               std::size_t n_owned, ThreadPool &pool);
 
     /// effective + external kicks by m^{-1} as force + external do by M_s^{-1}; `external` may be null.
     void compute_effective_forces(const double *force, const double *external, double *effective);
@@ -42,7 +44,7 @@ namespace birdstrike
       return pool.ordered_sum(coupling.size(), [&](const std::size_t begin, const std::size_t end) {
         double sum = 0.;
         for (std::size_t p = begin; p < end; ++p)
-          if (coupling[p] > 0.)
+          if (is_booked(p))
             for (unsigned int c = 0; c < 3; ++c)
               sum += coupling[p] * term(3 * std::size_t(nodes[p]) + c, 3 * std::size_t(nodes[p + 1]) + c);
         return sum;
@@ -66,12 +68,17 @@ namespace birdstrike
       double right[4], force[4];
     };
 
+    bool is_booked(const std::size_t place) const
+    {
+      return coupling[place] > 0. && nodes[place] < n_owned;
+    }
     template <class External>
     void compute_column(std::size_t column, const double *force, double *effective, const External &external);
 
     static constexpr std::size_t columns_per_chunk = 512;
 
     ThreadPool                &pool;
+    std::size_t                n_owned;
     std::vector<std::uint32_t> nodes, begin;
     std::vector<double>        coupling;
     AlignedVector<Factor>      factors; ///< [n_nodes]

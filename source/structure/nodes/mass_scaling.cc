@@ -37,9 +37,10 @@ namespace birdstrike
              const std::span<const double> nodal_mass)
         : mesh(mesh), columns(columns), elements(elements), is_halved(is_halved)
       {
-        double mass   = 0.;
-        Point3 centre = Point3::Zero();
-        for (std::size_t n = 0; n < nodal_mass.size(); ++n)
+        const std::size_t n_owned = mesh.space.n_owned();
+        double            mass    = 0.;
+        Point3            centre  = Point3::Zero();
+        for (std::size_t n = 0; n < n_owned; ++n)
           {
             mass += nodal_mass[n];
             centre += nodal_mass[n] * mesh.node(n);
@@ -48,7 +49,7 @@ namespace birdstrike
         if (is_halved)
           centre[1] = 0.;
         own = Inertia::Zero();
-        for (std::size_t n = 0; n < nodal_mass.size(); ++n)
+        for (std::size_t n = 0; n < n_owned; ++n)
           own += inertia_of(nodal_mass[n], mesh.node(n) - centre);
         mirror(own);
       }
@@ -63,7 +64,7 @@ namespace birdstrike
             result.scale.push_back({columns.axis[e], factors[e]});
             for (unsigned int edge = 0; edge < 4; ++edge)
               result.coupling[columns.edge_place(mesh, e, edge)] += 0.5 * (factors[e] - 1.) * elements.edge_mass(e);
-            result.report.n_scaled += factors[e] > 1.;
+            result.report.n_scaled += mesh.is_owned(e) && factors[e] > 1.;
             result.report.largest_factor = std::max(result.report.largest_factor, factors[e]);
           }
         result.report.step                 = step;
@@ -76,7 +77,7 @@ namespace birdstrike
       {
         Inertia added = Inertia::Zero();
         for (std::size_t p = 0; p < coupling.size(); ++p)
-          if (coupling[p] > 0.)
+          if (coupling[p] > 0. && mesh.space.is_owned(columns.nodes[p]))
             added += inertia_of(coupling[p], mesh.node(columns.nodes[p + 1]) - mesh.node(columns.nodes[p]));
         mirror(added);
         return Eigen::GeneralizedSelfAdjointEigenSolver<Inertia>(added, own, Eigen::EigenvaluesOnly).eigenvalues()[2];

@@ -269,7 +269,7 @@ namespace birdstrike
       throw InputError("Blade/Mass scaling/Method: 'selective' does not know driven supports.\nSet it to off, or hold "
                        "what Supports/Driven moves.");
     scaled = std::make_unique<ScaledNodes>(
-      ColumnMass(columns, std::move(coupling), vectors->inverse_mass.begin(), pool), n_unknowns * n_nodes);
+      ColumnMass(columns, std::move(coupling), vectors->inverse_mass.begin(), n_owned, pool), n_unknowns * n_nodes);
     scaled->update_forces(vectors->force.begin(), vectors->external.begin());
   }
 

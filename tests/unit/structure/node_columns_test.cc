@@ -180,7 +180,7 @@ TEST(ColumnMass, GivesEffectiveForcesOfTheScaledMatrix)
   for (const unsigned int n_threads : {1u, 2u})
     {
       ThreadPool pool(n_threads);
-      ColumnMass matrix(columns, coupling, inverse.data(), pool);
+      ColumnMass matrix(columns, coupling, inverse.data(), mesh.nodes.size(), pool);
       auto      &effective = results[n_threads - 1];
       effective.assign(3 * n, 1e300);
       matrix.compute_effective_forces(force.data(), external.data(), effective.data());
@@ -248,7 +248,7 @@ TEST(ColumnMass, AngularMomentumOfADifferenceDoesNotDependOnTheOrigin)
           v[3 * k + c]       = turning[c] + 7.;
         }
     }
-  const ColumnMass matrix(columns, coupling, ones.data(), pool);
+  const ColumnMass matrix(columns, coupling, ones.data(), mesh.nodes.size(), pool);
   const auto h = matrix.angular_momentum(x.data(), v.data()), far = matrix.angular_momentum(shifted.data(), v.data());
   for (std::size_t p = 0; p + 1 < n; ++p)
     inertia += coupling[p] * spin.cross(mesh.node(columns.nodes[p + 1]) - mesh.node(columns.nodes[p])).squaredNorm();

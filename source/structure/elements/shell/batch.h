@@ -48,12 +48,6 @@ namespace birdstrike
       }
   }
 
-  /// Copies of the last element, which fill up its batch, do not count.
-  [[gnu::always_inline]] inline Lanes first_lanes(const Lanes &value, const std::size_t n)
-  {
-    return select(Lanes([](const auto k) { return double(k); }) < Lanes(double(n)), value, Lanes(0.));
-  }
-
   /// Neither infinite nor NaN.
   [[gnu::always_inline]] inline LanesMask is_finite(const Corners (&force)[2], const Lanes &eigenvalue)
   {

@@ -86,8 +86,9 @@ namespace birdstrike
         const Lanes hourglass = release_stabilisation(law, fails, none, stress[b], eroded);
         const Lanes area      = volume / stress[b].thickness;
         energy += area * eroded;
-        for (std::size_t k = 0; k < n_elements_of(b); ++k)
-          chunk.hourglass[k] -= area[k] * hourglass[k];
+        for (std::size_t k = 0; k < n_lanes; ++k)
+          if (batches[b].owned[k] > 0.)
+            chunk.hourglass[k] -= area[k] * hourglass[k];
       }
     for (std::size_t k = 0; k < n_elements_of(b); ++k)
       if (fails[k])
@@ -114,6 +115,6 @@ namespace birdstrike
       return;
     chunk.bound = Lanes(0.);
     for (std::size_t b = c * ElementBlocks::batches_per_chunk; b < end; ++b)
-      chunk.bound = max(chunk.bound, batches[b].bound);
+      chunk.bound = max(chunk.bound, Lanes(batches[b].owned * batches[b].bound));
   }
 } // namespace birdstrike

@@ -40,10 +40,9 @@ namespace birdstrike
     Lanes                       area     = geometry.area;
     if (n_in_plane > 1)
       area = full_integration::PlaneGeometry<Lanes>(geometry, law.elasticity.poisson).point[point].area;
-    if (b + 1 == batches.size())
-      area = first_lanes(area, n_elements_of(b));
+    area *= batches[b].owned;
     if (erosion)
-      area = select(erosion->batches[b].alive > Lanes(0.), area, Lanes(0.));
+      area *= erosion->batches[b].alive;
     // the energy taken in on a straight path to a volume strain e: integral of V du = V u (1 - e/3 + ...)
     const Lanes volume_strain = volume_compliance(law) * (s.mean[0] + s.mean[1]);
     const Lanes volume        = s.thickness * area * (1. - (1. / 3.) * volume_strain);

@@ -62,12 +62,12 @@ namespace birdstrike
         for (int k = 0; k < n_points; ++k)
           section_of_point[k] = compute_resultants(sections[n_points * b + k]);
       }
-    chunk.plastic += b + 1 == batches.size() ? first_lanes(plastic, n_elements_of(b)) : plastic;
+    chunk.plastic += batch.owned * plastic;
 
     const auto end = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
     plane          = PlaneGeometry<Lanes>(end, poisson);
     batch.bound    = compute_eigenvalue_bound<true>(end, thickness, batch.inverse_mass, law);
-    chunk.bound    = max(chunk.bound, batch.bound);
+    chunk.bound    = max(chunk.bound, Lanes(batch.owned * batch.bound));
     ShellModes<Lanes> f, fd;
     Corners           force[2];
     full_integration::compute_mode_forces(end, integrate_resultants(plane, section_of_point), f, fd);

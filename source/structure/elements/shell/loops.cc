@@ -79,13 +79,12 @@ namespace birdstrike
 
     const auto end = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
     batch.bound    = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, law);
-    chunk.bound    = max(chunk.bound, batch.bound);
+    chunk.bound    = max(chunk.bound, Lanes(batch.owned * batch.bound));
     Corners force[2];
     compute_corner_forces<physical>(end, state, section.hourglass_coefficient, nodes.normal, force);
     store_corner_forces(force, batch.corner, place.corner_force);
 
-    if (b + 1 == batches.size())
-      area = first_lanes(area, n_elements_of(b));
+    area *= batch.owned;
     chunk.plastic += area * work.plastic;
     chunk.hourglass += area * work.hourglass;
 

@@ -36,10 +36,9 @@ namespace birdstrike
         if (!layers.empty() && !layers[b].empty())
           state.density[0] += compute_residual_density(law.elasticity, rule, layers[b]);
       }
-    const std::size_t n = n_elements_of(b);
-    for (std::size_t l = 0; l < n_lanes; ++l)
-      if (l >= n || (erosion && erosion->batches[b].alive[l] == 0.))
-        state.volume[l] = 0.;
+    state.volume *= batches[b].owned;
+    if (erosion)
+      state.volume *= erosion->batches[b].alive;
     return state;
   }
 } // namespace birdstrike

@@ -175,17 +175,14 @@ namespace birdstrike
         const SolidModes<Lanes> copy = end.x; // only this goes to memory
         batch.bound = compute_scaled_frequency(copy, step.stiff_det, batch.inverse_mass, step.drag, mass_factors[b]);
       }
-    chunk.bound = max(chunk.bound, batch.bound);
+    chunk.bound = max(chunk.bound, Lanes(batch.owned * batch.bound));
     Corners corner;
     force.sum_at_corners(corner);
     store_corner_forces(corner, batch.corner, place.corner_force);
 
-    Lanes counts = 1.;
-    if (b + 1 == batches.size()) // copies of the last element do not count
-      counts =
-        select(Lanes([](const auto k) { return double(k); }) < Lanes(double(n_elements_of(b))), counts, Lanes(0.));
-    chunk.plastic += counts * step.plastic;
-    chunk.viscous -= counts * (0.5 * (batch.viscous_pressure + step.pressure) * step.dilatation * step.midpoint_volume);
+    chunk.plastic += batch.owned * step.plastic;
+    chunk.viscous -=
+      batch.owned * (0.5 * (batch.viscous_pressure + step.pressure) * step.dilatation * step.midpoint_volume);
     batch.viscous_pressure = step.pressure;
 
     const Lanes total =
