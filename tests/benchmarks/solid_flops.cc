@@ -95,8 +95,8 @@ namespace birdstrike::benchmarks
         add_stress(law.elasticity, strain, stabilisation);
         Squares<Counted>(stabilisation).compute_bound(von_mises_squared(points[0].stress));
         if (is_plastic)
-          Layers<Counted>{law, rule}.update(end, one_point_solid::Axes<Counted>(end), 0.3e-6, points[0], stabilisation,
-                                            layers);
+          Layers<Counted>{law, rule}.update(end, one_point_solid::Axes<Counted>(end), 0.3e-6, true, points[0],
+                                            stabilisation, layers);
         compute_varying_work(stabilisation, strain);
       }
     };

@@ -34,20 +34,26 @@ namespace birdstrike
     return points;
   }
 
-  inline ShellElements make_elements(const ShellMesh &mesh, const std::string &formulation, ThreadPool &pool)
+  inline ShellElements make_elements(const ShellMesh &mesh, const std::string &formulation, ThreadPool &pool,
+                                     const double yield = 880e6)
   {
     ShellSection section;
-    section.formulation = formulation == "physical"          ? ShellFormulation::one_point_physical
-                          : formulation == "Belytschko-Tsay" ? ShellFormulation::belytschko_tsay
-                                                             : ShellFormulation::fully_integrated;
+    section.formulation              = formulation == "physical"          ? ShellFormulation::one_point_physical
+                                       : formulation == "Belytschko-Tsay" ? ShellFormulation::belytschko_tsay
+                                                                          : ShellFormulation::fully_integrated;
+    section.material.hardening.yield = yield;
     return ShellElements(points_of(mesh.nodes), mesh.cells, std::vector<double>(mesh.cells.size(), 0.004), section,
                          pool);
   }
 
-  inline SolidElements make_elements(const SolidMesh &mesh, const std::string &formulation, ThreadPool &pool)
+  inline SolidElements make_elements(const SolidMesh &mesh, const std::string &formulation, ThreadPool &pool,
+                                     const double yield = 880e6)
   {
     SolidSection section;
-    section.formulation = formulation == "B-bar" ? SolidFormulation::b_bar : SolidFormulation::one_point;
+    section.formulation              = formulation == "B-bar"         ? SolidFormulation::b_bar
+                                       : formulation == "solid-shell" ? SolidFormulation::solid_shell
+                                                                      : SolidFormulation::one_point;
+    section.material.hardening.yield = yield;
     return SolidElements(points_of(mesh.nodes), mesh.cells, section, pool);
   }
 

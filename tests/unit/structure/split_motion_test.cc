@@ -20,7 +20,7 @@ namespace birdstrike
       BladeParameters p        = twisted_blade();
       p.supports.driven        = "1: ux = 2e-4*sin(3e4*t)";
       p.loads.damping          = 300.;
-      p.loads.initial_velocity = "20; 30*sin(40*x); 50*x/0.3";
+      p.loads.initial_velocity = "120; 180*sin(40*x); 300*x/0.3";
       return p;
     }
 
@@ -39,10 +39,11 @@ namespace birdstrike
         return {mass.node, mass.rotary};
       }
 
-      Process(const BladeMesh<dim> &mesh, const BladeParameters &p, const std::string &formulation, ThreadPool &pool)
+      Process(const BladeMesh<dim> &mesh, const BladeParameters &p, const std::string &formulation, const double yield,
+              ThreadPool &pool)
         : mesh(mesh)
         , mass(mass_of(mesh))
-        , elements(make_elements(mesh, formulation, pool))
+        , elements(make_elements(mesh, formulation, pool, yield))
         , motion(mesh, masses(mass), Supports(p.supports, mesh), Loads(p.loads, mesh, mesh.surface().cells), pool)
       {
         elements.set_owned(mesh);
@@ -85,20 +86,22 @@ namespace birdstrike
       }
     };
 
-    /// Round-off of sums of some hundred terms, of either sign.
+    /// Tolerance: round-off of sums of some hundred terms, of either sign.
     void expect_sum(const double whole, const double one, const double other, const double scale, const char *what)
     {
       EXPECT_NEAR(whole, one + other, 1e-12 * scale) << what;
     }
 
+    constexpr double no_yield = 1e15; // Pa
+
     template <int dim>
-    void expect_same_motion(const std::string &formulation)
+    void expect_same_motion(const std::string &formulation, const double yield)
     {
       const Halves<dim>     blade;
       const BladeParameters p = struck_blade();
       ThreadPool            pool(2);
-      Process<dim>          whole(blade.whole, p, formulation, pool), one(blade.parts[0], p, formulation, pool),
-        other(blade.parts[1], p, formulation, pool);
+      Process<dim> whole(blade.whole, p, formulation, yield, pool), one(blade.parts[0], p, formulation, yield, pool),
+        other(blade.parts[1], p, formulation, yield, pool);
       one.receive(other);
       other.receive(one);
       const double dt = 0.6 * whole.elements.largest_stable_step();
@@ -110,9 +113,10 @@ namespace birdstrike
           other.receive(one);
           for (auto *process : {&whole, &one, &other})
             process->end_step(dt, k);
-          EXPECT_EQ(whole.elements.largest_stable_step(),
-                    std::min(one.elements.largest_stable_step(), other.elements.largest_stable_step()));
-          EXPECT_EQ(whole.elements.step_limit().value,
+          ASSERT_EQ(whole.elements.largest_stable_step(),
+                    std::min(one.elements.largest_stable_step(), other.elements.largest_stable_step()))
+            << formulation << ", yield stress " << yield;
+          ASSERT_EQ(whole.elements.step_limit().value,
                     std::min(one.elements.step_limit().value, other.elements.step_limit().value));
         }
 
@@ -125,7 +129,7 @@ namespace birdstrike
             << formulation << ", velocity of node " << part->mesh.space.global(node);
 
       const EnergyReport e = whole.energies(), a = one.energies(), b = other.energies();
-      EXPECT_GT(e.plastic, 0.);
+      EXPECT_EQ(e.plastic > 0., yield < no_yield);
       EXPECT_NE(e.damped * e.external_work * e.contact_work, 0.);
       for (const EnergyKind &kind : energy_kinds)
         expect_sum(e.*kind.value, a.*kind.value, b.*kind.value, e.kinetic, kind.name);
@@ -159,13 +163,21 @@ namespace birdstrike
     TEST(SplitMotion, ShellsMoveAsTheWhole)
     {
       for (const char *formulation : {"physical", "Belytschko-Tsay", "fully integrated"})
-        expect_same_motion<2>(formulation);
+        expect_same_motion<2>(formulation, no_yield);
     }
 
     TEST(SplitMotion, BricksMoveAsTheWhole)
     {
-      for (const char *formulation : {"one point", "B-bar"})
-        expect_same_motion<3>(formulation);
+      for (const char *formulation : {"one point", "B-bar", "solid-shell"})
+        expect_same_motion<3>(formulation, no_yield);
+    }
+
+    // Not shells and one-point bricks: where they flow, all lanes of a batch iterate until the last has converged, so
+    // that last bits depend on which elements share one.
+    TEST(SplitMotion, BricksFlowAsTheWhole)
+    {
+      for (const char *formulation : {"B-bar", "solid-shell"})
+        expect_same_motion<3>(formulation, 880e6);
     }
 
     TEST(SplitMotion, CensusesAddUp)

@@ -86,7 +86,8 @@ namespace birdstrike
     void  update_one_point(std::size_t batch, double dt, ElementChunk &chunk);
     Lanes update_section(std::size_t batch, const Matrix3<Lanes> &gradient, const Stabilisation &strain, double dt,
                          const SolidModes<Lanes> &end);
-    solid_shell::LayerWork<Lanes> update_layers(std::size_t batch, double dt, const SolidModes<Lanes> &end);
+    solid_shell::LayerWork<Lanes> update_layers(std::size_t batch, double dt, const LanesMask &can_yield,
+                                                const SolidModes<Lanes> &end);
     template <bool can_fail>
     void update_b_bar(std::size_t batch, double dt, ElementChunk &chunk);
     void finish(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &force, const Step &step,

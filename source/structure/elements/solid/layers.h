@@ -35,17 +35,20 @@ namespace birdstrike
           }
       }
 
-      /// `mean` and `s`: of the elastic trial in, admissible out; `axes` and `x` of the end of the step.
+      using Mask = typename SolidShellReturn<Number>::Mask;
+
+      /// `mean` and `s`: of the elastic trial in, admissible out; `axes` and `x` of the end of the step. Lanes that
+      /// cannot yield keep all they have, as does every lane whose points do not.
       LayerWork<Number> update(const SolidModes<Number> &x, const one_point_solid::Axes<Number> &axes, const double dt,
-                               SolidPoint<Number> &mean, one_point_solid::Stabilisation<Number> &s,
-                               LayerPoint<Number> *points) const
+                               const Mask &can_yield, SolidPoint<Number> &mean,
+                               one_point_solid::Stabilisation<Number> &s, LayerPoint<Number> *points) const
       {
         const Frame<Number>      frame(x, axes);
         const Squares<Number>    squares(s);
         Number                   of_mean[5], stress[7][5];
         SolidShellReturn<Number> section(law.elasticity, law.hardening, rule);
         frame.turn_in(mean.stress, of_mean);
-        bool yields = false;
+        Mask yields(false);
         for (unsigned int k = 0; k < rule.n; ++k)
           {
             const double z = rule.position[k];
@@ -58,25 +61,27 @@ namespace birdstrike
             p.varying           = squares.varying + (z * z) * squares.bent;
             p.yield             = points[k].yield;
             const Number trial2 = 0.25 * t[0] * t[0] + p.rest + p.varying;
-            yields              = yields || any(trial2 > p.yield * p.yield);
+            yields              = yields || trial2 > p.yield * p.yield;
           }
-        if (!yields)
+        yields = yields && can_yield;
+        if (!any(yields))
           return {Number(0.), Number(0.)};
         for (unsigned int k = 0; k < rule.n; ++k)
           {
             section.point[k].plastic_strain = points[k].plastic_strain;
             section.point[k].softening      = law.compute_softening(points[k].plastic_work);
           }
-        section.solve(dt);
-        const LayerWork<Number> work = flow(section, dt, stress, s, points);
-        store(frame, section.shift, of_mean, stress, mean, s, points);
+        section.solve(dt, yields);
+        const LayerWork<Number> work = flow(section, dt, yields, stress, s, points);
+        store(frame, section.shift, yields, of_mean, stress, mean, s, points);
         return work;
       }
 
     private:
       /// Stresses, strains and work of the points after the return.
-      LayerWork<Number> flow(const SolidShellReturn<Number> &section, const double dt, Number (&stress)[7][5],
-                             one_point_solid::Stabilisation<Number> &s, LayerPoint<Number> *points) const
+      LayerWork<Number> flow(const SolidShellReturn<Number> &section, const double dt, const Mask &yields,
+                             Number (&stress)[7][5], one_point_solid::Stabilisation<Number> &s,
+                             LayerPoint<Number> *points) const
       {
         Number plastic = 0., mean_factor = 0., moment_factor = 0.;
         for (unsigned int k = 0; k < rule.n; ++k)
@@ -87,11 +92,15 @@ namespace birdstrike
             stress[k][0] = p.trace_factor * section.shifted_trace(p);
             for (int c = 1; c < 5; ++c)
               stress[k][c] *= p.rest_factor;
+            const Number yield = points[k].yield;
             law.add_flow(strain, work, dt, points[k]);
+            points[k].yield = select(yields, points[k].yield, yield);
             plastic += w * (work - p.chi * (p.varying_factor * p.varying_factor * p.varying));
             mean_factor += w * p.varying_factor;
             moment_factor += (3. * w * z * z) * p.varying_factor;
           }
+        mean_factor         = select(yields, mean_factor, Number(1.));
+        moment_factor       = select(yields, moment_factor, Number(1.));
         const Number before = compute_varying_energy(law.elasticity, s);
         for (int k = 0; k < 2; ++k)
           {
@@ -104,8 +113,9 @@ namespace birdstrike
       }
 
       /// Mean, moment and residual stress of the points.
-      void store(const Frame<Number> &frame, const Number &shift, Number (&old_mean)[5], const Number (&stress)[7][5],
-                 SolidPoint<Number> &mean, one_point_solid::Stabilisation<Number> &s, LayerPoint<Number> *points) const
+      void store(const Frame<Number> &frame, const Number &shift, const Mask &yields, Number (&old_mean)[5],
+                 const Number (&stress)[7][5], SolidPoint<Number> &mean, one_point_solid::Stabilisation<Number> &s,
+                 LayerPoint<Number> *points) const
       {
         Number sum[5], moment[3];
         for (int c = 0; c < 5; ++c)
@@ -124,11 +134,15 @@ namespace birdstrike
           }
         for (unsigned int k = 0; k < rule.n; ++k)
           for (int c = 0; c < 5; ++c)
-            points[k].residual[c] = stress[k][c] - sum[c] - (c < 3 ? Number(rule.position[k] * moment[c]) : Number(0.));
+            {
+              const Number varying  = c < 3 ? Number(rule.position[k] * moment[c]) : Number(0.);
+              points[k].residual[c] = select(yields, Number(stress[k][c] - sum[c] - varying), points[k].residual[c]);
+            }
         for (int c = 0; c < 5; ++c)
-          old_mean[c] = sum[c] - old_mean[c];
+          old_mean[c] = select(yields, Number(sum[c] - old_mean[c]), Number(0.));
         frame.add_to(old_mean, shift, mean.stress);
-        std::copy(moment, moment + 3, s.linear[2]);
+        for (int c = 0; c < 3; ++c)
+          s.linear[2][c] = select(yields, moment[c], s.linear[2][c]);
       }
     };
   } // namespace solid_shell

@@ -62,11 +62,13 @@ namespace birdstrike
     Stabilisation     &s    = stabilisation[b];
     mean.rotate_and_strain(law.elasticity, gradient);
     add_stress(law.elasticity, strain, s);
-    const Lanes bound = Squares<Lanes>(s).compute_bound(von_mises_squared(mean.stress));
-    if (layers[b].empty() && !any(bound > mean.yield * mean.yield))
+    const Lanes     bound = Squares<Lanes>(s).compute_bound(von_mises_squared(mean.stress));
+    const LanesMask can_yield =
+      bound > mean.yield * mean.yield || mean.plastic_strain > Lanes(0.); // by its points from then on
+    if (!any(can_yield))
       return Lanes(0.);
     const Lanes                         trial = compute_varying_work(s, strain);
-    const solid_shell::LayerWork<Lanes> work  = update_layers(b, dt, end);
+    const solid_shell::LayerWork<Lanes> work  = update_layers(b, dt, can_yield, end);
     // less what flow took of the energy of the trial, and of the work on it
     return work.plastic + (0.5 * (compute_varying_work(s, strain) - trial) - work.varying);
   }

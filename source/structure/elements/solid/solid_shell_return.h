@@ -25,10 +25,12 @@ namespace birdstrike
   /// 3 - 2 B and 3 whatever the points do. Steps of chi are those of plane_stress_return; d then follows exactly from
   /// the factors f, so the pressure is kept by any iterate and d stays within the range of T/3. Starts at chi = 0 with
   /// perfect plasticity, ends with the step after q is within 1e-7 of s_y (quadratic: what is left is round-off); that
-  /// is the third or fourth. All lanes wait for the last.
+  /// is the third or fourth. Each lane ends by itself: what it gets does not depend on its neighbours.
   template <class Number>
   struct SolidShellReturn
   {
+    using Mask = decltype(Number() > Number());
+
     struct Point
     {
       Number trace, rest, varying;             ///< T (Pa), r^2, z^2 (Pa^2) of the trial
@@ -64,20 +66,22 @@ namespace birdstrike
              p.varying * p.varying_factor * p.varying_factor;
     }
 
-    /// From the trial to chi, factors and shift, once.
-    void solve(const double dt)
+    /// From the trial to chi, factors and shift, once, of the lanes that yield.
+    void solve(const double dt, const Mask &yields)
     {
-      bool goes_on = true;
-      for (unsigned int iteration = 0; goes_on && iteration < 80; ++iteration)
+      Mask goes_on = yields;
+      for (unsigned int iteration = 0; any(goes_on) && iteration < 80; ++iteration)
         {
           // what the points' steps make of the pressure, and its slope
-          Number residual = Number(0.), slope = Number(3.);
-          goes_on = false;
+          Number     residual = Number(0.), slope = Number(3.);
+          const Mask steps = goes_on;
+          goes_on          = Mask(false);
           for (unsigned int k = 0; k < rule.n; ++k)
-            goes_on |= linearize(point[k], 0.5 * rule.weight[k], dt, residual, slope);
+            goes_on = linearize(point[k], 0.5 * rule.weight[k], dt, residual, slope) || goes_on;
+          goes_on           = goes_on && steps;
           const Number move = -residual / slope;
           for (unsigned int k = 0; k < rule.n; ++k)
-            step(point[k], move, iteration);
+            step(point[k], move, iteration, steps);
           update_shift();
         }
       for (Point &p : point) // those that another point's flow has unloaded
@@ -88,12 +92,13 @@ namespace birdstrike
     static constexpr double smallest = 1e-13; ///< of E chi/(2 (1 - nu)): less than round-off of the stress
     /// Never more than nine tenths of the way back to zero. Where a kink (the threshold of a rate) throws Newton to and
     /// fro, the way shrinks until it stays; trials of more than twice the yield stress may stay 1e-5 off.
-    [[gnu::always_inline]] void step(Point &p, const Number &move, const unsigned int iteration) const
+    [[gnu::always_inline]] void step(Point &p, const Number &move, const unsigned int iteration,
+                                     const Mask &steps) const
     {
       const Number target = max(Number(p.chi + p.step + p.step_by_shift * move), Number(0.1 * p.chi));
       const double most   = iteration < 8 ? 1e300 : std::exp2(24. * std::pow(0.75, iteration - 8.));
       const Number held   = min(max(target, Number((1. / most) * p.chi)), Number(p.chi * most));
-      p.chi               = select(p.chi > Number(0.), held, target);
+      p.chi               = select(steps, select(p.chi > Number(0.), held, target), p.chi);
     }
 
     /// Factors of the points, and the shift that keeps the pressure with them.
@@ -116,8 +121,8 @@ namespace birdstrike
       shift = lost / slope;
     }
 
-    /// Newton's step of a point; adds its share to the equation of the pressure. True while it is not converged.
-    [[gnu::always_inline]] bool linearize(Point &p, const double weight, const double dt, Number &residual,
+    /// Newton's step of a point; adds its share to the equation of the pressure. True where it is not converged.
+    [[gnu::always_inline]] Mask linearize(Point &p, const double weight, const double dt, Number &residual,
                                           Number &slope) const
     {
       const Number trace = shifted_trace(p), f = p.trace_factor, f2 = f * f;
@@ -140,7 +145,7 @@ namespace birdstrike
       residual += change * p.step;
       slope += change * p.step_by_shift - (2. * shift_factor * weight) * f;
       // quadratic: what was below 1e-7 is round-off after this step
-      return any(yields && (abs(q - y) > 1e-7 * y) && (trace_rate * p.chi > Number(smallest) || !flows));
+      return yields && (abs(q - y) > 1e-7 * y) && (trace_rate * p.chi > Number(smallest) || !flows);
     }
 
     const Hardening       &hardening;
