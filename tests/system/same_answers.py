@@ -57,7 +57,7 @@ def run(program, case, settings, folder):
     if result.returncode != 0:
         sys.exit(f"{' '.join(command)}\nends with {result.returncode}:\n{result.stdout[-2000:]}")
     with open(folder / "history.csv", newline="") as file:
-        rows = list(csv.reader(file))
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
     return rows[0], rows[1:]
 
 
