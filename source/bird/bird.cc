@@ -84,7 +84,7 @@ namespace birdstrike
   void Bird::set_closing_speed(const double speed)
   {
     hugoniot_slope = eos.hugoniot_slope(speed);
-    closing_energy = 0.5 * packed.mass() * speed * speed;
+    closing_energy = 0.5 * packed.particle_mass * packed.points.size() * speed * speed;
   }
 
   double Bird::largest_step() const
@@ -278,6 +278,6 @@ namespace birdstrike
     if (particles.size() > 0)
       list.update(particles, pool);
     ++revision;
-    return share.particles;
+    return packed.plane.whole(share.particles);
   }
 } // namespace birdstrike

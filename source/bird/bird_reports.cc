@@ -86,6 +86,7 @@ namespace birdstrike
     view.hugoniot_slope = hugoniot_slope;
     view.largest_step   = largest_step();
     view.revision       = revision;
+    view.plane          = packed.plane;
     return view;
   }
 
@@ -169,7 +170,7 @@ namespace birdstrike
     report.retired      = retired_share.energy;
     report.retired_made = retired_share.made;
     report.contact_work = contact_work;
-    return report;
+    return packed.plane.whole(report);
   }
 
   MomentumReport Bird::momenta() const
@@ -203,7 +204,12 @@ namespace birdstrike
       }
     report.moment_scale  = particles.mass * sums[6];
     report.impulse_scale = particles.mass * sums[7];
-    return report;
+    return packed.plane.whole(report);
+  }
+
+  std::size_t Bird::n_particles() const
+  {
+    return packed.plane.whole(particles.size());
   }
 
   FieldSnapshot Bird::snapshot() const

@@ -168,7 +168,7 @@ namespace birdstrike
       p = packing.centre + attitude * p;
     if (parameters.is_halved)
       {
-        packing.copies = 2;
+        packing.plane = SymmetryPlane(true);
         std::erase_if(packing.points, [](const Point3 &p) { return p[1] < 0.; });
         if (2 * packing.points.size() != n)
           throw InputError("Section 'Bird': the packing is not symmetric about y = 0.\nCompute the whole bird.");
@@ -180,7 +180,8 @@ namespace birdstrike
   {
     return fmt::format("bird: {} particles{} of {:.6g} g, spacing {:.5g} mm, mass {:.9g} kg; length {:.5g} mm (nominal "
                        "{:.5g}), diameter {:.5g} mm (nominal {:.5g})",
-                       points.size(), copies == 2 ? " and their mirror images" : "", 1e3 * particle_mass, 1e3 * spacing,
-                       mass(), 1e3 * length, 1e3 * shape.length(), 1e3 * diameter, 1e3 * shape.diameter());
+                       points.size(), plane.exists() ? " and their mirror images" : "", 1e3 * particle_mass,
+                       1e3 * spacing, mass(), 1e3 * length, 1e3 * shape.length(), 1e3 * diameter,
+                       1e3 * shape.diameter());
   }
 } // namespace birdstrike

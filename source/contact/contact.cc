@@ -82,7 +82,7 @@ namespace birdstrike
         add_forces_of_touches(scene, sink, pool);
       }
     is_first = false;
-    sum_report();
+    sum_report(points.plane);
     update_peaks(points.spacing);
   }
 
@@ -237,7 +237,7 @@ namespace birdstrike
     return std::max(of_layer, points.largest_step); // lighter facets meet a modulus chosen for that step
   }
 
-  void Contact::sum_report()
+  void Contact::sum_report(const SymmetryPlane &plane)
   {
     last.force         = {};
     last.stored_energy = last.dissipation_power = last.penetration = 0.;
@@ -256,8 +256,15 @@ namespace birdstrike
         for (std::size_t k = 0; k < patches.size(); ++k)
           last.patch_pressures[k] += block.patch_pressures[k];
       }
-    last.dissipated_energy = dissipation.energy();
-    last.dissipation_fall  = dissipation.fall();
+    last.force             = plane.whole(last.force);
+    last.stored_energy     = plane.whole(last.stored_energy);
+    last.dissipation_power = plane.whole(last.dissipation_power);
+    last.dissipated_energy = plane.whole(dissipation.energy());
+    last.dissipation_fall  = plane.whole(dissipation.fall());
+    last.n_touching        = plane.whole(last.n_touching);
+    for (std::size_t k = 0; k < patches.size(); ++k)
+      if (patches[k].centre[1] == 0.) // half of the disc is computed
+        last.patch_pressures[k] = plane.whole(last.patch_pressures[k]);
     last.touches += last.n_touching;
     last.points_near += search.n_near();
     last.pairs_listed += search.n_pairs();

@@ -1,4 +1,5 @@
 #include "report/quantities.h"
+#include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/closing.h>
 #include <birdstrike/report/summary.h>
 #include <birdstrike/report/text.h>
@@ -20,7 +21,7 @@ namespace birdstrike
       Closing(const RunView &run, const Summary &summary)
         : run(run), summary(summary), table("Ended at t = " + format_quantity(run.time, "s") + ": " + run.end_reason)
       {
-        if (run.n_images == 2)
+        if (run.parameters.has_symmetry_plane())
           table.add_heading("Symmetry plane y = 0: half of the scene is computed; energies, momenta, forces, masses "
                             "and counts are those of the whole.");
         if (run.blade && run.blade->is_deformable())

@@ -7,25 +7,6 @@
 
 namespace birdstrike
 {
-  namespace
-  {
-    RootSectionReport whole(RootSectionReport root, const unsigned int n_images)
-    {
-      for (double *part : {&root.normal_force, &root.bending_moment, &root.transverse_force})
-        *part *= n_images;
-      return root;
-    }
-
-    FailureReport whole(FailureReport failure, const unsigned int n_images)
-    {
-      for (std::size_t *count : {&failure.n_elements, &failure.n_collapsed, &failure.n_at_root, &failure.n_free_nodes})
-        *count *= n_images;
-      for (double *mass : {&failure.mass, &failure.free_mass})
-        *mass *= n_images;
-      return failure;
-    }
-  } // namespace
-
   void Observed::start(const Blade &blade)
   {
     if (const std::optional<SpanLine> line = blade.span_line())
@@ -39,7 +20,7 @@ namespace birdstrike
       mid_chord->compute_deflection(mid_chord_at_peak);
     first_tip_peak.update(time, tip.mid_chord, has_contact ? contact.force() : 0.);
 
-    root                = whole(blade.root_section(), plane.n_images());
+    root                = blade.root_section();
     const double stress = root.peak_stress();
     if (stress > root_stress.value())
       root_at_peak_stress = root;
@@ -60,8 +41,8 @@ namespace birdstrike
   void Observed::update_present(const Blade &blade)
   {
     plastic = blade.peak_plastic_strain();
-    failure = whole(blade.failure(), plane.n_images());
+    failure = blade.failure();
     probes  = blade.probes();
-    force   = plane.whole(blade.contact_force());
+    force   = blade.contact_force();
   }
 } // namespace birdstrike

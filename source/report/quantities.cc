@@ -46,10 +46,10 @@ namespace birdstrike
         {"blade_step", "", "s", [](View run) { return run.blade_step; }},
         {"", "blade/kind", "",
          [](View run) { return blade_kinds().name(run.blade ? run.blade->kind() : BladeKind::none); }, "blade"},
-        {"", "blade/elements", "count",
-         [](View run) { return run.blade ? run.n_images * run.blade->n_elements() : std::size_t(0); }, "elements"},
+        {"", "blade/elements", "count", [](View run) { return run.blade ? run.blade->n_elements() : std::size_t(0); },
+         "elements"},
         {"", "blade/nodes", "count", [](View run) { return run.blade ? run.blade->n_nodes() : std::size_t(0); }},
-        {"", "blade/mass", "kg", [](View run) { return run.blade ? run.n_images * run.blade->mass() : 0.; }},
+        {"", "blade/mass", "kg", [](View run) { return run.blade ? run.blade->mass() : 0.; }},
         {"", "blade/added_rotary_inertia", "share", // by selective mass scaling, of its own
          [](View run) { return run.blade ? run.blade->census().mass_scaling.added_rotary_inertia : 0.; }},
         {"", "steps/blade", "count", [](View run) { return run.n_blade_steps; }, "steps of the blade"},
@@ -87,8 +87,7 @@ namespace birdstrike
         {"", "bird/mass", "kg", [](View run) { return run.bird_at_start.mass; }},
         {"", "bird/kinetic_energy", "J", [](View run) { return run.bird_at_start.kinetic_energy; }},
         {"", "bird/momentum", "N s", [](View run) { return run.bird_at_start.momentum; }},
-        {"particles", "", "-",
-         [](View run) { return run.bird ? double(run.n_images * run.bird->state().size()) : 0.; }},
+        {"particles", "", "-", [](View run) { return run.bird ? double(run.bird->n_particles()) : 0.; }},
       };
     }
 
@@ -123,7 +122,7 @@ namespace birdstrike
     {
       return {
         {"points_in_contact", "", "-",
-         [](View run) { return run.contact ? double(run.n_images * run.contact->report().n_touching) : 0.; }},
+         [](View run) { return run.contact ? double(run.contact->report().n_touching) : 0.; }},
         {"penetration", "", "m", [](View run) { return run.contact ? run.contact->report().penetration : 0.; }},
         {"", "contact/max_penetration", "m", [](View run) { return run.observed.contact.max_penetration(); },
          "largest penetration"},

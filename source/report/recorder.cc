@@ -94,15 +94,10 @@ namespace birdstrike
   {
     const auto patches = run.parameters.contact.pressure_patches();
     for (std::size_t p = 0; p < patches.size(); ++p)
-      {
-        // half of a disc about a point of the symmetry plane carries half of its force
-        const double share = patches[p].centre[1] == 0. ? run.n_images : 1.;
-        add_column("pressure_" + column_name(patches[p].name), "Pa", [p, share](const RunView &now) {
-          return now.contact && !now.contact->report().patch_pressures.empty()
-                   ? share * now.contact->report().patch_pressures[p]
-                   : 0.;
-        });
-      }
+      add_column("pressure_" + column_name(patches[p].name), "Pa", [p](const RunView &now) {
+        return now.contact && !now.contact->report().patch_pressures.empty() ? now.contact->report().patch_pressures[p]
+                                                                             : 0.;
+      });
   }
 
   void Recorder::add_probes(const RunView &run)

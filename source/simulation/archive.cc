@@ -28,8 +28,8 @@ namespace birdstrike
   {
     const auto group = archive.group("stepper");
     archive("in transit", in_transit);
-    archive("steps", done.bird, done.blade, done.particle_steps, done.element_steps);
-    archive("steps not done", done.particle_steps_not_done, done.element_steps_not_done);
+    archive("steps", done.bird, done.blade, done.particle_steps);
+    archive("steps not done", done.particle_steps_not_done, done.blade_not_done);
   }
 
   void Scene::archive(Archive &archive)

@@ -62,6 +62,6 @@ namespace birdstrike
           }
         sum += points.mass[p] * speed;
       }
-    return sum;
+    return points.plane.whole(sum);
   }
 } // namespace birdstrike

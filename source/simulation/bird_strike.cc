@@ -47,7 +47,6 @@ namespace birdstrike
     , sections{timings.section("retirement"), timings.section("step votes"), timings.section("balance and output")}
     , balance(parameters.time.energy_error_limit)
     , row_balance(INFINITY)
-    , observed(scene.symmetry)
     , progress(parameters.time.end_time, parameters.output.console_interval)
   {
     if (!folder.empty())
@@ -55,10 +54,9 @@ namespace birdstrike
     has_contact = scene.contact != nullptr;
     if (scene.bird)
       {
-        n_particles_at_start = scene.bird->state().size();
-        bird_mass            = scene.symmetry.n_images() * scene.bird->packing().mass();
-        bird_kinetic         = scene.state().bird.kinetic;
-        bird_momentum        = scene.state().bird_momentum.momentum;
+        const Bird &bird = *scene.bird;
+        n_at_start       = bird.state().size();
+        bird_at_start = {bird.n_particles(), bird.packing().mass(), bird.energies().kinetic, bird.momenta().momentum};
       }
   }
 
@@ -164,13 +162,14 @@ namespace birdstrike
     const double         horizon = std::min(retirement_horizon, parameters.time.end_time - now);
     if (parameters.bird.retire)
       n_retired += scene.retire_particles(horizon);
-    const std::size_t n_left = scene.bird->state().size();
+    const std::size_t n_left = scene.bird->n_particles();
     if (n_left > 0 && !is_bird_phase_over(horizon))
       return;
     log().info("The bird's phase ends at t = {}: {} particles are left, {:.2g} N s is the most that they could still "
                "give. From here the blade runs on alone.",
                format_quantity(now, "s"), n_left, reachable_impulse);
-    n_dropped = n_left;
+    n_retired += n_left;
+    n_dropped = scene.bird->state().size();
     stepper.drop_bird();
     scene.drop_bird();
     time_bird_gone    = now;
@@ -224,14 +223,13 @@ namespace birdstrike
                 scene.blade.get(),
                 scene.bird.get(),
                 scene.contact.get(),
-                scene.self_contact != nullptr,
-                scene.symmetry.n_images()};
+                scene.self_contact != nullptr};
     run.time          = now;
     run.n_steps       = n_steps;
     run.bird_step     = scene.last_plan().bird_step();
     run.blade_step    = scene.last_plan().blade_step();
-    run.bird_at_start = {scene.symmetry.n_images() * n_particles_at_start, bird_mass, bird_kinetic, bird_momentum};
-    run.n_retired     = scene.symmetry.n_images() * (n_retired + n_dropped);
+    run.bird_at_start = bird_at_start;
+    run.n_retired     = n_retired;
     run.end_reason    = why_ended;
     run.n_blade_steps = stepper.counts().blade;
     run.n_bird_steps  = stepper.counts().bird;

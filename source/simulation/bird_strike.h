@@ -64,6 +64,7 @@ namespace birdstrike
       double particle_step = 0., element_step = 0., contact_step = 0.;
     };
     UnitCosts                compute_unit_costs() const;
+    double                   n_elements() const;                ///< that are computed
     double                   estimate_seconds_per_time() const; ///< run time per simulated second, as things stand
     std::vector<SkippedWork> compute_skipped() const;
     void                     add_parts_never_built(std::vector<SkippedWork> &skipped) const;
@@ -88,14 +89,13 @@ namespace birdstrike
     Schedule      schedule;
     std::string   why_ended;
 
-    // What the bird was, kept when it has gone.
-    std::size_t           n_particles_at_start = 0, n_retired = 0, n_dropped = 0;
-    double                bird_mass = 0., bird_kinetic = 0.;
-    std::array<double, 3> bird_momentum{};
-    double                time_bird_gone    = -1.; ///< s
-    bool                  has_contact       = false;
-    unsigned long         n_steps_with_bird = 0;
-    double                last_touch        = 0.; ///< s
-    double                reachable_impulse = 0.; ///< N s, of the particles left when the bird's phase ended
+    BirdAtStart   bird_at_start;
+    std::size_t   n_retired  = 0;
+    std::size_t   n_at_start = 0, n_dropped = 0; ///< particles that are computed
+    double        time_bird_gone    = -1.;       ///< s
+    bool          has_contact       = false;
+    unsigned long n_steps_with_bird = 0;
+    double        last_touch        = 0.; ///< s
+    double        reachable_impulse = 0.; ///< N s, of the particles left when the bird's phase ended
   };
 } // namespace birdstrike

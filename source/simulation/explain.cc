@@ -60,7 +60,7 @@ namespace birdstrike
     {
       table.add_heading("Bird: " + bird_shapes().name(parameters.shape) + ", " +
                         particle_formulations().name(parameters.formulation));
-      table.add("particles", format_count(bird.state().size()));
+      table.add("particles", format_count(bird.n_particles()));
       table.add("mass", fmt::format("{:.9g} kg", bird.packing().mass()));
       table.add("packing", bird.summary());
       table.add("kinetic energy", bird.energies().kinetic, "J");
@@ -120,7 +120,9 @@ namespace birdstrike
   {
     TextTable table(parameters.name + (parameters.description.empty() ? "" : ": " + parameters.description));
     if (parameters.has_symmetry_plane())
-      table.add_heading("Symmetry plane y = 0: this is the half that is computed.");
+      table.add_heading("Symmetry plane y = 0: half of the scene is computed; steps, memory and files are the half's, "
+                        "all else is of the "
+                        "whole.");
     if (scene.blade)
       add_blade(table, *scene.blade, parameters.blade);
     if (scene.bird)

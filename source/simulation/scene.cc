@@ -42,7 +42,6 @@ namespace birdstrike
 
   Scene::Scene(const CaseParameters &parameters)
     : pool(parameters.time.n_threads())
-    , symmetry(parameters.has_symmetry_plane())
     , parameters(parameters)
     , largest_bird_step(INFINITY)
     , has_multirate(parameters.time.multirate)
@@ -148,11 +147,6 @@ namespace birdstrike
         state.self_contact.elastic    = self_contact->report().stored_energy;
         state.self_contact.dissipated = self_contact->report().dissipated_energy;
       }
-    for (const PartOfSystem part : parts_of_system)
-      state.*part = symmetry.whole(state.*part);
-    state.bird_momentum  = symmetry.whole(state.bird_momentum);
-    state.blade_momentum = symmetry.whole(state.blade_momentum);
-    state.contact_dissipation_fall *= symmetry.n_images();
     return state;
   }
 
@@ -175,7 +169,7 @@ namespace birdstrike
 
   double Scene::compute_reachable_impulse(const double horizon)
   {
-    return symmetry.n_images() * birdstrike::compute_reachable_impulse(bird->points(), blade->facets(), horizon);
+    return birdstrike::compute_reachable_impulse(bird->points(), blade->facets(), horizon);
   }
 
   std::uint64_t Scene::n_list_changes() const

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <birdstrike/contact/report.h>
-#include <birdstrike/core/symmetry_plane.h>
 #include <birdstrike/core/thread_pool.h>
 #include <birdstrike/report/balance.h>
 #include <birdstrike/time_control/schedule.h>
@@ -33,8 +32,7 @@ namespace birdstrike
     std::unique_ptr<Blade>       blade;
     std::unique_ptr<Bird>        bird;
     std::unique_ptr<Contact>     contact;
-    std::unique_ptr<SelfContact> self_contact; ///< of a deformable blade
-    SymmetryPlane                symmetry;
+    std::unique_ptr<SelfContact> self_contact;     ///< of a deformable blade
     double                       flight_time = 0.; ///< s, skipped before first touch
     ContactReport                gone_contact;     ///< the last report of a contact that has been dropped
 

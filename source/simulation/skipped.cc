@@ -7,8 +7,9 @@
 
 #include <cmath>
 
-/// What a run did not compute, and what that saved. Every saving is units skipped times the measured time of one such
-/// unit in this run, over the run time plus that saving:  p = s / (run time + s).
+/// What a run did not compute, and what that saved, counted in the entities that it does compute. Every saving is units
+/// skipped times the measured time of one such unit in this run, over the run time plus that saving:  p = s / (run time
+/// + s).
 namespace birdstrike
 {
   namespace
@@ -19,13 +20,18 @@ namespace birdstrike
     }
   } // namespace
 
+  double BirdStrike::n_elements() const
+  {
+    return scene.blade ? static_cast<double>(scene.blade->prices().n_elements) : 0.;
+  }
+
   BirdStrike::UnitCosts BirdStrike::compute_unit_costs() const
   {
     const Stepper::Counts &counts = stepper.counts();
     UnitCosts              costs;
     const Stepper::Seconds seconds = stepper.seconds();
     costs.particle_step            = ratio(seconds.bird, static_cast<double>(counts.particle_steps));
-    costs.element_step             = ratio(seconds.blade, static_cast<double>(counts.element_steps));
+    costs.element_step             = ratio(seconds.blade, n_elements() * static_cast<double>(counts.blade));
     const ContactReport &report    = scene.contact ? scene.contact->report() : scene.gone_contact;
     costs.contact_step             = ratio(seconds.contact, static_cast<double>(report.calls - report.skipped));
     return costs;
@@ -40,7 +46,7 @@ namespace birdstrike
                   (scene.contact ? costs.contact_step : 0.)) *
                  ratio(static_cast<double>(stepper.counts().bird), now);
     if (scene.blade)
-      seconds += costs.element_step * ratio(static_cast<double>(stepper.counts().element_steps), now);
+      seconds += costs.element_step * n_elements() * ratio(static_cast<double>(stepper.counts().blade), now);
     return seconds;
   }
 
@@ -48,7 +54,7 @@ namespace birdstrike
   {
     const Stepper::Counts   &counts = stepper.counts();
     const UnitCosts          costs  = compute_unit_costs();
-    const double             n      = static_cast<double>(n_particles_at_start);
+    const double             n = static_cast<double>(n_at_start), n_cells = n_elements();
     std::vector<SkippedWork> skipped;
     const auto               add = [&](const char *what, const double count, const char *unit, const double seconds) {
       if (count > 0.)
@@ -57,7 +63,7 @@ namespace birdstrike
     const double bird_time = time_bird_gone >= 0. ? time_bird_gone : now;
     add("flight before first touch", scene.flight_time, "s",
         scene.flight_time * (n * costs.particle_step * ratio(static_cast<double>(counts.bird), bird_time) +
-                             costs.element_step * ratio(static_cast<double>(counts.element_steps), now)));
+                             n_cells * costs.element_step * ratio(static_cast<double>(counts.blade), now)));
 
     const ContactReport &report  = scene.contact ? scene.contact->report() : scene.gone_contact;
     const double         apart   = static_cast<double>(report.skipped);
@@ -69,17 +75,16 @@ namespace birdstrike
     add("retired particles", retired, "particle-steps", retired * costs.particle_step);
     add("bird and contact after the bird's phase", without, "steps",
         without * (dropped * costs.particle_step + costs.contact_step));
-    add("blade steps by multirate", static_cast<double>(counts.element_steps_not_done), "element-steps",
-        static_cast<double>(counts.element_steps_not_done) * costs.element_step);
+    const double not_done = n_cells * static_cast<double>(counts.blade_not_done);
+    add("blade steps by multirate", not_done, "element-steps", not_done * costs.element_step);
     add("bird steps by multirate", static_cast<double>(counts.particle_steps_not_done), "particle-steps",
         static_cast<double>(counts.particle_steps_not_done) * costs.particle_step);
     if (scene.blade && scene.blade->is_deformable())
       {
         // the number at the end: points are never given back, so that more elements went without before
         const ElementPrices prices = scene.blade->prices();
-        add("points of elements that never yielded",
-            static_cast<double>(scene.blade->n_elements() - prices.n_with_points), "elements",
-            prices.of_points_spared / prices.of_step * stepper.seconds().blade);
+        add("points of elements that never yielded", static_cast<double>(prices.n_elements - prices.n_with_points),
+            "elements", prices.of_points_spared / prices.of_step * stepper.seconds().blade);
       }
     if (why_ended == tip_peak_passed)
       add("time after the tip's peak", parameters.time.end_time - now, "s",
@@ -87,7 +92,7 @@ namespace birdstrike
     if (parameters.has_symmetry_plane()) // the other half: as much again
       add("the mirrored half", 2., "times less work",
           costs.particle_step * static_cast<double>(counts.particle_steps) +
-            costs.element_step * static_cast<double>(counts.element_steps) + stepper.seconds().contact);
+            costs.element_step * n_cells * static_cast<double>(counts.blade) + stepper.seconds().contact);
     add_parts_never_built(skipped);
     return skipped;
   }
@@ -99,7 +104,7 @@ namespace birdstrike
       add("blade");
     else if (!scene.blade->is_deformable())
       add("finite elements of the rigid target");
-    if (n_particles_at_start == 0)
+    if (n_at_start == 0)
       add("bird");
     if (!has_contact)
       add("contact");

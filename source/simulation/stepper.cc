@@ -75,7 +75,7 @@ namespace birdstrike
       }
     compute_blade_forces(schedule.step);
     kick_blade(0.5 * schedule.step, HalfKick::second);
-    done.element_steps_not_done += (schedule.n_bird - 1) * scene.blade->n_elements();
+    done.blade_not_done += schedule.n_bird - 1;
   }
 
   void Stepper::compute_initial_forces(const double step)
@@ -135,7 +135,6 @@ namespace birdstrike
       scene.blade->add_internal_forces(contact.forces());
     });
     ++done.blade;
-    done.element_steps += scene.blade->n_elements();
   }
 
   void Stepper::compute_contact_forces(const double step)

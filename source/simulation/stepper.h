@@ -29,9 +29,8 @@ namespace birdstrike
       std::uint64_t bird           = 0; ///< bird steps
       std::uint64_t blade          = 0; ///< blade steps
       std::uint64_t particle_steps = 0;
-      std::uint64_t element_steps  = 0;
       /// What a single rate would have done more.
-      std::uint64_t particle_steps_not_done = 0, element_steps_not_done = 0;
+      std::uint64_t particle_steps_not_done = 0, blade_not_done = 0;
     };
     /// Run time, s.
     struct Seconds

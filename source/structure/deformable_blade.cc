@@ -5,7 +5,8 @@ namespace birdstrike
 {
   template <class Kind>
   DeformableBlade<Kind>::DeformableBlade(const BladeParameters &parameters, ThreadPool &pool)
-    : mesh(parameters)
+    : plane(parameters.is_halved)
+    , mesh(parameters)
     , supports(parameters.supports, mesh)
     , lumped(Kind::compute_mass(mesh, parameters))
     , elements(Kind::make_elements(mesh, lumped, parameters, pool))
@@ -58,6 +59,7 @@ namespace birdstrike
   {
     FacetsView view = motion.facets();
     view.n_nodes    = Kind::n_nodes_in_contact(mesh, can_fail);
+    view.plane      = plane;
     surface.offer(view);
     return view;
   }

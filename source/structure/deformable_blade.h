@@ -5,6 +5,8 @@
 #include "structure/solid_kind.h"
 #include <birdstrike/structure/blade.h>
 
+#include <algorithm>
+
 namespace birdstrike
 {
   /// A blade of finite elements: deal.II mesh and DoFs, our own element and nodal loops. Its nodes move as
@@ -64,7 +66,7 @@ namespace birdstrike
     }
     std::array<double, 3> contact_force() const override
     {
-      return motion.contact_force();
+      return plane.whole(motion.contact_force());
     }
 
     BladeKind kind() const override
@@ -77,20 +79,22 @@ namespace birdstrike
     }
     std::size_t n_elements() const override
     {
-      return mesh.n_owned_cells;
+      return plane.whole(mesh.n_owned_cells);
     }
     std::size_t n_nodes() const override
     {
-      return mesh.space.n_owned();
+      const auto &on_plane = mesh.symmetry_nodes; // ascending, owned ones first
+      const auto  owned    = std::lower_bound(on_plane.begin(), on_plane.end(), mesh.space.n_owned());
+      return plane.whole(mesh.space.n_owned(), owned - on_plane.begin());
     }
     double mass() const override
     {
-      return lumped.total;
+      return plane.whole(lumped.total);
     }
     EnergyReport   energies() const override;
     MomentumReport momenta() const override
     {
-      return motion.momenta();
+      return plane.whole(motion.momenta());
     }
     BladeCensus              census() const override;
     FieldSnapshot            snapshot() const override;
@@ -112,6 +116,7 @@ namespace birdstrike
   private:
     void update_failed(); ///< after elements have failed
 
+    SymmetryPlane                    plane;
     typename Kind::Mesh              mesh;
     Supports                         supports;
     typename Kind::Mesh::Mass        lumped;

@@ -8,20 +8,22 @@ namespace birdstrike
   {
     EnergyReport report = motion.energies();
     elements.add_energies(report);
-    return report;
+    return plane.whole(report);
   }
 
   template <class Kind>
   BladeCensus DeformableBlade<Kind>::census() const
   {
     BladeCensus census            = compute_census(mesh);
-    census.mass                   = mass();
-    census.n_held_dofs            = supports.held_dofs.size();
-    census.n_elements_with_points = elements.n_promoted();
-    census.mass_scaling           = scaling;
     census.bytes                  = motion.bytes() + elements.bytes() + Kind::bytes_per_cell * census.n_elements;
-    census.bytes_per_snapshot     = 8. * (9. * census.n_nodes + Kind::fields_per_cell * census.n_elements) +
-                                Kind::bytes_per_cell_in_file * census.n_elements;
+    census.n_elements             = n_elements();
+    census.n_nodes                = n_nodes();
+    census.mass                   = mass();
+    census.area                   = plane.whole(census.area);
+    census.n_held_dofs            = supports.held_dofs.size();
+    census.n_elements_with_points = plane.whole(elements.n_promoted());
+    census.mass_scaling           = scaling;
+    census.mass_scaling.n_scaled  = plane.whole(scaling.n_scaled);
     return census;
   }
 
@@ -54,7 +56,10 @@ namespace birdstrike
   template <class Kind>
   RootSectionReport DeformableBlade<Kind>::root_section() const
   {
-    return root.compute_report(motion.element_forces(), motion.positions(), elements);
+    RootSectionReport report = root.compute_report(motion.element_forces(), motion.positions(), elements);
+    for (double *sum : {&report.normal_force, &report.bending_moment, &report.transverse_force})
+      *sum = plane.whole(*sum);
+    return report;
   }
 
   template <class Kind>
@@ -84,16 +89,17 @@ namespace birdstrike
     report.can_fail = can_fail;
     if (elements.n_failed() == 0)
       return report;
+    std::size_t n_owned_failed = 0;
     for (std::size_t e = 0; e < mesh.cells.size(); ++e)
-      report.n_elements += mesh.is_owned(e) && elements.is_failed(e);
-    report.n_collapsed = elements.n_collapsed();
-    report.n_at_root   = root.count_failed(elements);
-    report.mass        = elements.failed_mass();
+      n_owned_failed += mesh.is_owned(e) && elements.is_failed(e);
+    report.n_elements  = plane.whole(n_owned_failed);
+    report.n_collapsed = plane.whole(elements.n_collapsed());
+    report.n_at_root   = plane.whole(root.count_failed(elements));
+    report.mass        = plane.whole(elements.failed_mass());
     for (std::size_t n = 0; n < mesh.space.n_owned(); ++n)
       if (elements.is_free(n))
         {
-          ++report.n_free_nodes;
-          report.free_mass += lumped.node[n];
+          report.free_mass += plane.whole(lumped.node[n]);
         }
     report.has_lost_tip = tip.has_any([&](const std::uint32_t n) { return elements.is_free(n); });
     return report;

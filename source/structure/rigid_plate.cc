@@ -10,23 +10,23 @@
 namespace birdstrike
 {
   RigidPlate::RigidPlate(const BladeParameters &parameters)
-    : is_free(parameters.rigid.motion == RigidMotion::free_along_normal), plate_mass(parameters.rigid.mass)
+    : plane(parameters.is_halved)
+    , is_free(parameters.rigid.motion == RigidMotion::free_along_normal)
+    , plate_mass(parameters.rigid.mass / plane.whole(1.))
   {
     const auto  &n    = parameters.rigid.normal;
     const double norm = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     normal            = {{n[0] / norm, n[1] / norm, n[2] / norm}};
-    if (parameters.is_halved)
-      plate_mass *= 0.5;
     if (parameters.rigid.surface == RigidSurface::mesh)
       take_mesh(ShellMesh(parameters));
     else
-      take_mesh(make_rectangle(parameters.rigid, parameters.is_halved));
+      take_mesh(make_rectangle(parameters.rigid));
     half_thickness.assign(surface.cells.size(), parameters.rigid.half_thickness);
     if (parameters.bird_velocity)
       is_turned = looks_at_strike(Point3(normal[0], normal[1], normal[2]), Point3(parameters.bird_velocity->data()));
   }
 
-  SurfaceMesh RigidPlate::make_rectangle(const BladeParameters::Rigid &parameters, const bool is_halved) const
+  SurfaceMesh RigidPlate::make_rectangle(const BladeParameters::Rigid &parameters) const
   {
     const Point3 n(normal[0], normal[1], normal[2]);
     // The first in-plane direction is the global axis that is least aligned with the normal, made tangent: x for n = z.
@@ -39,13 +39,13 @@ namespace birdstrike
     SurfaceMesh  mesh;
     for (const Point3 &p : {Point3(centre - along - across), Point3(centre + along - across),
                             Point3(centre + along + across), Point3(centre - along + across)})
-      mesh.nodes.push_back({{p[0], is_halved && p[1] < 1e-6 * parameters.length ? 0. : p[1], p[2]}});
+      mesh.nodes.push_back({{p[0], plane.exists() && p[1] < 1e-6 * parameters.length ? 0. : p[1], p[2]}});
     mesh.cells        = {{{0, 1, 2, 3}}};
     mesh.neighbors    = {{{-1, -1, -1, -1}}};
     mesh.material_ids = {0};
     for (unsigned int side = 0; side < 4; ++side)
       mesh.boundary.push_back({0, side, mesh.side_nodes(0, side), 0});
-    if (is_halved)
+    if (plane.exists())
       mesh.cut_at_symmetry_plane();
     return mesh;
   }
@@ -82,7 +82,7 @@ namespace birdstrike
 
   void RigidPlate::kick_contact(const double half_step, const HalfKick half)
   {
-    const auto   total  = contact_force();
+    const Point3 total  = total_force();
     const double along  = total[0] * normal[0] + total[1] * normal[1] + total[2] * normal[2];
     const double before = normal_speed;
     if (is_free && half == HalfKick::first && half_step != last_half)
@@ -161,15 +161,22 @@ namespace birdstrike
     view.nodes           = surface.cells.data();
     view.neighbor        = surface.neighbors.data();
     view.half_thickness  = half_thickness.data();
+    view.plane           = plane;
     return view;
+  }
+
+  Point3 RigidPlate::total_force() const
+  {
+    Point3 total = Point3::Zero();
+    for (std::size_t i = 0; i < force.size(); ++i)
+      total[i % 3] += force[i];
+    return total;
   }
 
   std::array<double, 3> RigidPlate::contact_force() const
   {
-    std::array<double, 3> total{};
-    for (std::size_t i = 0; i < force.size(); ++i)
-      total[i % 3] += force[i];
-    return total;
+    const Point3 total = total_force();
+    return plane.whole(std::array<double, 3>{{total[0], total[1], total[2]}});
   }
 
   EnergyReport RigidPlate::energies() const
@@ -180,7 +187,7 @@ namespace birdstrike
         report.kinetic = 0.5 * plate_mass * normal_speed * normal_speed;
         report.staggering -= 0.5 * second_impulse * second_impulse / plate_mass;
       }
-    return report;
+    return plane.whole(report);
   }
 
   MomentumReport RigidPlate::momenta() const
@@ -195,7 +202,7 @@ namespace birdstrike
         report.momentum[d]         = carried[d];
         report.angular_momentum[d] = angular[d];
       }
-    return report;
+    return plane.whole(report);
   }
 
   Point3 RigidPlate::centre() const
@@ -208,17 +215,17 @@ namespace birdstrike
 
   std::size_t RigidPlate::n_elements() const
   {
-    return surface.cells.size();
+    return plane.whole(surface.cells.size());
   }
 
   std::size_t RigidPlate::n_nodes() const
   {
-    return surface.nodes.size();
+    return plane.whole(surface.nodes.size(), surface.symmetry_nodes.size());
   }
 
   double RigidPlate::mass() const
   {
-    return is_free ? plate_mass : std::numeric_limits<double>::infinity();
+    return is_free ? plane.whole(plate_mass) : std::numeric_limits<double>::infinity();
   }
 
   double RigidPlate::speed() const
@@ -229,6 +236,9 @@ namespace birdstrike
   BladeCensus RigidPlate::census() const
   {
     BladeCensus census = compute_census(surface);
+    census.n_elements  = n_elements();
+    census.n_nodes     = n_nodes();
+    census.area        = plane.whole(census.area);
     census.mass        = mass();
     census.bytes       = 8. * 13. * surface.nodes.size() + 40. * surface.cells.size();
     return census;

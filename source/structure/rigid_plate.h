@@ -11,8 +11,8 @@ namespace birdstrike
   /// A surface that does not deform: a rectangle of one facet, or the facets of a mesh. No finite element and no
   /// DoFHandler is built. It is fixed, or free to move along its normal with a given mass (a body in a frictionless
   /// guide):
-  /// Halved by y = 0, it is the half y >= 0 with half the mass.
   ///   M dw/dt = F_contact . n;  what the guide or the ground takes is booked as impulse on the supports.
+  /// Halved by y = 0, it computes with the half y >= 0 and half the mass, and reports the whole.
   class RigidPlate : public Blade
   {
   public:
@@ -49,16 +49,18 @@ namespace birdstrike
     void   move(); ///< its nodes, to the present displacement and speed
     Point3 centre() const;
 
-    SurfaceMesh make_rectangle(const BladeParameters::Rigid &parameters, bool is_halved) const;
+    SurfaceMesh make_rectangle(const BladeParameters::Rigid &parameters) const;
     void        take_mesh(SurfaceMesh mesh);
+    Point3      total_force() const; ///< N, of contact on what is computed
 
+    SymmetryPlane         plane;
     SurfaceMesh           surface;
     std::vector<double>   reference, position, velocity, force; ///< [n][3]
     std::vector<double>   inverse_mass, half_thickness;
     std::array<double, 3> normal;
     bool                  is_free;
     bool                  is_turned = false;   ///< the bird flies against the normal
-    double                plate_mass;          ///< kg, if free
+    double                plate_mass;          ///< kg, if free, of what is computed
     double                normal_speed   = 0.; ///< m/s
     double                displacement   = 0.; ///< m along the normal
     double                second_impulse = 0.; ///< N s, of the last second half kick

@@ -20,9 +20,8 @@ namespace birdstrike
     using Nodes    = NodalMechanics<6>;
 
     static constexpr unsigned int n_unknowns = 6, dim = 2;
-    static constexpr BladeKind    kind            = BladeKind::shell;
-    static constexpr double       bytes_per_cell  = 600.; ///< of deal.II's mesh, about
-    static constexpr double       fields_per_cell = 19., bytes_per_cell_in_file = 16.;
+    static constexpr BladeKind    kind           = BladeKind::shell;
+    static constexpr double       bytes_per_cell = 600.; ///< of deal.II's mesh, about
 
     static Mesh::Mass    compute_mass(const Mesh &mesh, const BladeParameters &parameters);
     static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,

@@ -25,9 +25,8 @@ namespace birdstrike
     using Nodes    = NodalMechanics<3>;
 
     static constexpr unsigned int n_unknowns = 3, dim = 3;
-    static constexpr BladeKind    kind            = BladeKind::solid;
-    static constexpr double       bytes_per_cell  = 1200.; ///< of deal.II's mesh, about
-    static constexpr double       fields_per_cell = 9., bytes_per_cell_in_file = 32.;
+    static constexpr BladeKind    kind           = BladeKind::solid;
+    static constexpr double       bytes_per_cell = 1200.; ///< of deal.II's mesh, about
 
     static Mesh::Mass    compute_mass(const Mesh &mesh, const BladeParameters &parameters);
     static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,

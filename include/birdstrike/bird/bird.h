@@ -36,7 +36,8 @@ namespace birdstrike
   /// and dissipated is what the integration of density and heat in time is wrong by, mostly the error of prediction.
   ///
   /// Raises NumericalFailure from compute_rates (density, motion), InputError from the constructor. Knows no blade:
-  /// contact adds to what clear_contact_forces() hands over, before compute_rates().
+  /// contact adds to what clear_contact_forces() hands over, before compute_rates(). Reports are of the whole bird
+  /// where half of it is computed; `state`, `points` and `snapshot` are what is computed.
   class Bird
   {
   public:
@@ -84,6 +85,7 @@ namespace birdstrike
     EnergyReport   energies() const;
     MomentumReport momenta() const;
     FieldSnapshot  snapshot() const;
+    std::size_t    n_particles() const;
     std::string    summary() const;
 
     const Particles &state() const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/bird/shape.h>
+#include <birdstrike/core/symmetry_plane.h>
 
 #include <array>
 #include <string>
@@ -23,11 +24,11 @@ namespace birdstrike
     Point3                axis;                 ///< unit vector of the bird's axis
     Point3                centre;               ///< m, at the start
 
-    int copies = 1; ///< 2 if a mirror image of the points belongs to the bird
+    SymmetryPlane plane; ///< beyond which there are as many points
 
-    double mass() const ///< kg, of the points
+    double mass() const ///< kg, of the whole
     {
-      return particle_mass * points.size();
+      return plane.whole(particle_mass * points.size());
     }
     /// One line: particles, spacing, achieved mass, nominal and achieved dimensions.
     std::string summary(const Shape &shape) const;

@@ -95,7 +95,7 @@ namespace birdstrike
     void choose_modulus(const PointsView &points, double step, const TouchRecord &touch, const CandidateBlock &block);
     void add_forces_of_touches(const ContactScene &scene, const Sink &sink, ThreadPool &pool);
     void update_limit(const PointsView &points, const FacetsView &facets, const NodeSums::Largest &nodes);
-    void sum_report();
+    void sum_report(const SymmetryPlane &plane);
     void update_peaks(double spacing);
     void size_touches(); ///< for the present lists
     void archive_report(Archive &archive);

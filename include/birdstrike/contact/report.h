@@ -7,7 +7,7 @@
 
 namespace birdstrike
 {
-  /// What contact did in its last call, and the peaks over all calls.
+  /// What contact did in its last call, and the peaks over all calls: of the whole, work excepted.
   struct ContactReport
   {
     std::array<double, 3> force{};                ///< N, on the facets

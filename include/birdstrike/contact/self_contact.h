@@ -11,7 +11,7 @@
 
 namespace birdstrike
 {
-  /// What self-contact did in its last call, and over all calls.
+  /// What self-contact did in its last call, and over all calls: of the whole, work excepted.
   struct SelfContactReport
   {
     double        stored_energy     = 0.; ///< J, sum of k d^2 / 2
@@ -72,10 +72,7 @@ namespace birdstrike
     /// What the next call depends on, besides the view, which must be that of the archived state.
     void archive(Archive &archive, const FacetsView &facets);
 
-    const SelfContactReport &report() const
-    {
-      return last;
-    }
+    SelfContactReport report() const;
 
   private:
     void   book_second_halves(const FacetsView &facets, double step);
@@ -94,6 +91,7 @@ namespace birdstrike
     std::vector<double>                       weight_sums; // [n_nodes], S_k
     std::vector<std::uint32_t>                place;       // [n_nodes], in nodal_forces + 1; 0: none
     std::vector<NodalForce>                   nodal_forces;
-    SelfContactReport                         last;
+    SelfContactReport                         last; // of what is computed
+    SymmetryPlane                             plane;
   };
 } // namespace birdstrike

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/core/symmetry_plane.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +28,7 @@ namespace birdstrike
     double                        hugoniot_slope = 0.; ///< s in p = rho c u (1 + s u/c), from the equation of state
     double                        largest_step   = 0.; ///< s, the longest that these points can be stepped with
     std::uint64_t                 revision       = 0;  ///< grows whenever points are re-ordered or removed
+    SymmetryPlane                 plane;               ///< beyond which there are as many
   };
 
   /// Quadrilateral (or triangular: last node repeated) facets of a deformable or rigid surface.
@@ -44,6 +47,7 @@ namespace birdstrike
     const double *half_thickness = nullptr; ///< [n_facets], m: material beyond the facet's surface
     bool          two_sided      = true;    ///< false for the skin of a solid: only the normal side is outside
     std::uint64_t revision       = 0;       ///< grows whenever facets appear or vanish
+    SymmetryPlane plane;                    ///< beyond which there are as many
   };
 
   /// Contact forces on points, N, as `position` lies.

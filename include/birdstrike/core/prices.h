@@ -43,13 +43,14 @@ namespace birdstrike
   struct ElementPrices
   {
     double      of_step = 0., of_points_spared = 0.;
-    std::size_t n_with_points = 0;
+    std::size_t n_elements = 0, n_with_points = 0;
 
     /// n elements, some with points; ns of one without and of one with them.
     void add(const std::size_t n, const std::size_t n_with, const double elastic, const double yielding)
     {
       of_step += elastic * static_cast<double>(n - n_with) + yielding * static_cast<double>(n_with);
       of_points_spared += (yielding - elastic) * static_cast<double>(n - n_with);
+      n_elements += n;
       n_with_points += n_with;
     }
   };

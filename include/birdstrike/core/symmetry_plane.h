@@ -5,25 +5,38 @@
 namespace birdstrike
 {
   /// From the computed half to the whole, the other half being its mirror image at y = 0. A part computes with what it
-  /// holds and speaks of the whole at its face; nothing above knows.
+  /// holds and speaks of the whole at its face (views and fields excepted: they are what is computed); nothing above
+  /// knows.
   ///
-  /// Scalars that add up double, vectors double in x and z and cancel in y, axial vectors (angular momentum) double in
-  /// y and cancel in x and z. Positions, stresses and deflections stay. Without a plane all stays.
+  /// Scalars that add up and numbers of entities double, vectors double in x and z and cancel in y, axial vectors
+  /// (angular momentum) double in y and cancel in x and z. Positions, stresses and deflections stay. Without a plane
+  /// all stays.
   class SymmetryPlane
   {
   public:
+    SymmetryPlane() = default;
     explicit SymmetryPlane(const bool exists) : n(exists ? 2 : 1)
     {
     }
 
-    unsigned int n_images() const ///< 2 with a plane, else 1
+    bool exists() const
     {
-      return n;
+      return n == 2;
+    }
+
+    double whole(const double sum) const
+    {
+      return n * sum;
+    }
+
+    std::size_t whole(const std::size_t count, const std::size_t n_on_plane = 0) const ///< those are their own images
+    {
+      return n * count - (n - 1) * n_on_plane;
     }
 
     std::array<double, 3> whole(const std::array<double, 3> &a) const
     {
-      return n == 2 ? std::array<double, 3>{{2. * a[0], 0., 2. * a[2]}} : a;
+      return exists() ? std::array<double, 3>{{2. * a[0], 0., 2. * a[2]}} : a;
     }
 
     EnergyReport whole(EnergyReport energy) const
@@ -38,7 +51,7 @@ namespace birdstrike
       for (const MomentumKind &kind : momentum_kinds)
         if (auto &a = momentum.*kind.value; !kind.is_axial)
           a = whole(a);
-        else if (n == 2)
+        else if (exists())
           a = {{0., 2. * a[1], 0.}};
       for (const auto scale : momentum_scales)
         momentum.*scale *= n;
@@ -46,6 +59,6 @@ namespace birdstrike
     }
 
   private:
-    unsigned int n;
+    unsigned int n = 1; ///< the half and its images
   };
 } // namespace birdstrike

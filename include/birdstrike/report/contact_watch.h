@@ -1,7 +1,6 @@
 #pragma once
 
 #include <birdstrike/contact/report.h>
-#include <birdstrike/core/symmetry_plane.h>
 #include <birdstrike/time_control/peak.h>
 
 #include <cmath>
@@ -13,19 +12,14 @@ namespace birdstrike
   class ContactWatch
   {
   public:
-    explicit ContactWatch(const SymmetryPlane &plane) : plane(plane)
-    {
-    }
-
     /// After each evaluation; `step` (s) leads to it from the one before, of which there is none at first.
     void update(const ContactReport &report, const double step)
     {
       clock += is_first ? 0. : step;
-      is_first         = false;
-      const auto force = plane.whole(report.force);
-      present          = std::hypot(force[0], force[1], force[2]);
-      penetration      = report.max_penetration;
-      over_spacing     = report.max_penetration_over_spacing;
+      is_first     = false;
+      present      = std::hypot(report.force[0], report.force[1], report.force[2]);
+      penetration  = report.max_penetration;
+      over_spacing = report.max_penetration_over_spacing;
       whole_run.update(clock, present);
       this_row.update(clock, present);
     }
@@ -69,9 +63,8 @@ namespace birdstrike
     }
 
   private:
-    SymmetryPlane plane;
-    Peak          whole_run, this_row;
-    double        present = 0., penetration = 0., over_spacing = 0., clock = 0.;
-    bool          is_first = true;
+    Peak   whole_run, this_row;
+    double present = 0., penetration = 0., over_spacing = 0., clock = 0.;
+    bool   is_first = true;
   };
 } // namespace birdstrike

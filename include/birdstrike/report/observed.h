@@ -19,12 +19,6 @@ namespace birdstrike
   /// those of energies over a fixed stride of steps: none depends on when output is due.
   struct Observed
   {
-    explicit Observed(const SymmetryPlane &plane) : plane(plane), contact(plane)
-    {
-    }
-
-    SymmetryPlane plane;
-
     RootSectionReport        root;
     TipDeflection            tip;
     PeakPlasticStrain        plastic;

@@ -25,6 +25,14 @@ namespace birdstrike
     double      saved = 0.;
   };
 
+  /// What the bird was when the clock started.
+  struct BirdAtStart
+  {
+    std::size_t           particles = 0;
+    double                mass = 0., kinetic_energy = 0.; ///< kg, J
+    std::array<double, 3> momentum{};                     ///< N s
+  };
+
   /// All that is known of a run at one instant: what every quantity (source/report/quantities.h) is taken from. Parts
   /// that the case lacks, or that have gone, are null. What is said of the whole run is known at its end only.
   struct RunView
@@ -37,19 +45,13 @@ namespace birdstrike
     const Bird           *bird;
     const Contact        *contact;
     bool                  has_self_contact;
-    unsigned int          n_images; ///< 2 where a half is computed of a scene with a plane of symmetry
 
     double        time      = 0.; ///< s, since first touch
     unsigned long n_steps   = 0;
     double        bird_step = 0., blade_step = 0.; ///< s
 
-    struct
-    {
-      std::size_t           particles = 0;
-      double                mass = 0., kinetic_energy = 0.; ///< kg, J
-      std::array<double, 3> momentum{};                     ///< N s
-    } bird_at_start{};
-    std::size_t n_retired = 0; ///< particles that the computation has let go
+    BirdAtStart bird_at_start = {};
+    std::size_t n_retired     = 0; ///< particles that the computation has let go
 
     std::string end_reason    = {};
     std::size_t n_blade_steps = 0, n_bird_steps = 0;

@@ -25,7 +25,8 @@ namespace birdstrike
   /// the two may be called at different rates (r-RESPA, Tuckerman et al. 1992). `drift` may be called several times
   /// before `compute_internal_forces`, which takes the whole increment since its last call.
   ///
-  /// Units are SI. Verbs throw NumericalFailure when the state is lost.
+  /// Units are SI. Verbs throw NumericalFailure when the state is lost. Reports are of the whole where half of it is
+  /// computed; facets() and snapshot() are what is computed.
   class Blade
   {
   public:

@@ -29,10 +29,9 @@ namespace birdstrike
     double                smallest_edge = 0.;          ///< m
     std::array<double, 3> smallest_at{};               ///< m, centroid of the element with that edge
     double                largest_edge_ratio     = 1.; ///< longest over shortest `smallest_edge` of all elements
-    std::size_t           n_held_dofs            = 0;
+    std::size_t           n_held_dofs            = 0;  ///< of what is computed, as are bytes
     std::size_t           n_elements_with_points = 0;  ///< that hold points through the thickness at present
     double                bytes                  = 0.; ///< estimated memory of state, elements and surface
-    double                bytes_per_snapshot     = 0.;
     MassScalingReport     mass_scaling;
   };
 
@@ -45,7 +44,6 @@ namespace birdstrike
     std::size_t n_elements   = 0;     ///< failed
     std::size_t n_collapsed  = 0;     ///< of these, not by damage but by the smallest step
     std::size_t n_at_root    = 0;     ///< of these, at the root section
-    std::size_t n_free_nodes = 0;
     double      mass         = 0.;    ///< kg, of failed elements
     double      free_mass    = 0.;    ///< kg, on free nodes
     bool        has_lost_tip = false; ///< a watched node of the tip row is free

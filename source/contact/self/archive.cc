@@ -65,6 +65,7 @@ namespace birdstrike
   void SelfContact::archive(Archive &archive, const FacetsView &facets)
   {
     const auto group = archive.group("self-contact");
+    plane            = facets.plane;
     topology.archive(archive);
     search.archive(archive, facets);
     narrow.archive(archive);

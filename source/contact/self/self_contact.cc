@@ -35,8 +35,18 @@ namespace birdstrike
   {
   }
 
+  SelfContactReport SelfContact::report() const
+  {
+    SelfContactReport whole = last;
+    whole.stored_energy     = plane.whole(last.stored_energy);
+    whole.dissipated_energy = plane.whole(last.dissipated_energy);
+    whole.n_touching        = plane.whole(last.n_touching);
+    return whole;
+  }
+
   void SelfContact::update(const FacetsView &facets, const double step)
   {
+    plane = facets.plane;
     topology.update(facets);
     touched.clear();
     for (const SelfTouch &touch : before)

@@ -64,6 +64,33 @@ namespace
   constexpr double g = 1.5e-3;
 } // namespace
 
+// What is beyond the plane is as much again: forces on parts are those of the half, the report is of the whole.
+TEST(Contact, ReportsTheWholeOfAHalf)
+{
+  ContactParameters parameters;
+  parameters.patches = "on: 0 0 0 0.02; off: 0.005 0.005 0 0.02";
+  FreeMasses half = two_masses(), all = half;
+  half.plane = SymmetryPlane(true);
+  Contact    of_half(parameters), of_all(parameters);
+  ThreadPool pool;
+  half.compute_contact(of_half, 1e-7, pool);
+  all.compute_contact(of_all, 1e-7, pool);
+  for (int k = 0; k < 3; ++k)
+    {
+      half.advance(of_half, 1e-7, pool);
+      all.advance(of_all, 1e-7, pool);
+    }
+  const ContactReport &whole = of_half.report(), &part = of_all.report();
+  ASSERT_GT(part.force[2] * part.force[2], 0.);
+  EXPECT_EQ(half.force_on_point(0), all.force_on_point(0));
+  EXPECT_EQ(whole.force, SymmetryPlane(true).whole(part.force));
+  EXPECT_EQ(whole.stored_energy, 2. * part.stored_energy);
+  EXPECT_EQ(whole.dissipated_energy, 2. * part.dissipated_energy);
+  EXPECT_EQ(whole.n_touching, 2 * part.n_touching);
+  EXPECT_EQ(whole.patch_pressures[0], 2. * part.patch_pressures[0]) << "the other half of the disc is the image's";
+  EXPECT_EQ(whole.patch_pressures[1], part.patch_pressures[1]);
+}
+
 TEST(Contact, TwoMassesReboundElastically)
 {
   // benchmark D1: period, depth, force, impulse exact; leapfrog's own error at omega dt = 0.01 is below 1e-4

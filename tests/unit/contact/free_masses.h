@@ -31,6 +31,7 @@ namespace birdstrike::test
     double                                    spacing = 1e-3, hugoniot_slope = 0.;
     bool                                      two_sided       = true;
     std::uint64_t                             points_revision = 1, facets_revision = 0;
+    SymmetryPlane                             plane;
 
     /// Facets of a structured patch of nx x ny cells; map(i, j) gives a node.
     template <class Map>
@@ -108,6 +109,7 @@ namespace birdstrike::test
       view.spacing        = spacing;
       view.hugoniot_slope = hugoniot_slope;
       view.revision       = points_revision;
+      view.plane          = plane;
       return view;
     }
 
@@ -137,6 +139,7 @@ namespace birdstrike::test
       view.half_thickness  = half_thickness.data();
       view.two_sided       = two_sided;
       view.revision        = facets_revision;
+      view.plane           = plane;
       return view;
     }
 

@@ -53,10 +53,25 @@ namespace
   /// What the bodies have lost, against what contact says it has stored and dissipated, relative to `scale`.
   double energy_error(const SelfMasses &scene, const double scale)
   {
-    const SelfContactReport &report = scene.contact.report();
+    const SelfContactReport report = scene.contact.report();
     return (-scene.work - report.stored_energy - report.dissipated_energy) / scale;
   }
 } // namespace
+
+TEST(SelfContact, ReportsTheWholeOfAHalf)
+{
+  Plates half(0.1, 0.1, 10., SelfContact::default_damping_ratio, false), all = half;
+  half.scene.masses.plane = SymmetryPlane(true);
+  half.run(2e-6, 28, 10.);
+  all.run(2e-6, 28, 10.);
+  const SelfContactReport whole = half.scene.contact.report(), part = all.scene.contact.report();
+  ASSERT_GT(part.stored_energy, 0.);
+  EXPECT_EQ(half.scene.work, all.scene.work);
+  EXPECT_EQ(whole.stored_energy, 2. * part.stored_energy);
+  EXPECT_EQ(whole.dissipated_energy, 2. * part.dissipated_energy);
+  EXPECT_EQ(whole.n_touching, 2 * part.n_touching);
+  EXPECT_EQ(whole.max_penetration, part.max_penetration);
+}
 
 TEST(SelfContact, EqualPlatesExchangeTheirVelocitiesWithoutADamper)
 {

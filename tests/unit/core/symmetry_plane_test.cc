@@ -21,4 +21,7 @@ TEST(SymmetryPlane, TheWholeIsTheHalfAndItsMirrorImage)
       EXPECT_EQ(whole.angular_momentum[d], l[d]);
       EXPECT_EQ(SymmetryPlane(false).whole(momentum).momentum[d], v[d]);
     }
+  const std::size_t three = 3;
+  EXPECT_EQ(SymmetryPlane(true).whole(three, 2), 4u) << "two are their own images";
+  EXPECT_EQ(SymmetryPlane(false).whole(three, 2), three);
 }

@@ -16,9 +16,9 @@ inline birdstrike::Summary make_empty_summary(const std::string &name)
 {
   birdstrike::CaseParameters parameters;
   parameters.name = name;
-  const birdstrike::Observed observed{birdstrike::SymmetryPlane(false)};
+  const birdstrike::Observed observed;
   const birdstrike::Balance  balance(1.);
-  return birdstrike::Summary({parameters, observed, balance, balance, nullptr, nullptr, nullptr, false, 1});
+  return birdstrike::Summary({parameters, observed, balance, balance, nullptr, nullptr, nullptr, false});
 }
 
 /// A run folder as a run leaves it, without the run: a blade that vibrates about `stays` (m) with a period of 10 ms.

@@ -54,12 +54,12 @@ namespace
   struct SomeRun
   {
     CaseParameters parameters;
-    Observed       observed{SymmetryPlane(false)};
+    Observed       observed;
     Balance        balance{1e9};
 
     RunView view() const
     {
-      return {parameters, observed, balance, balance, nullptr, nullptr, nullptr, false, 1};
+      return {parameters, observed, balance, balance, nullptr, nullptr, nullptr, false};
     }
   };
 } // namespace

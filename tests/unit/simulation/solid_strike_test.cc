@@ -70,6 +70,7 @@ TEST(SolidStrike, HalfTheSceneGivesTheAnswerOfTheWhole)
   const Summary a = run_solid(mesh).summary, b = run_solid(mirrored_mesh).summary;
   ASSERT_EQ(a.number("bird/particles"), b.number("bird/particles"));
   ASSERT_EQ(a.number("blade/elements"), b.number("blade/elements"));
+  ASSERT_EQ(a.number("blade/nodes"), b.number("blade/nodes"));
   const auto expect_same = [](const char *what, const double whole, const double mirrored) {
     EXPECT_NEAR(mirrored, whole, 0.005 * std::abs(whole)) << what;
   };

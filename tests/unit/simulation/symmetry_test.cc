@@ -16,6 +16,7 @@ TEST(Symmetry, HalfTheSceneGivesTheAnswerOfTheWhole)
   const Summary b = test::run_shipped("quickstart.prm", half).summary;
   ASSERT_EQ(a.number("bird/particles"), b.number("bird/particles"));
   ASSERT_EQ(a.number("blade/elements"), b.number("blade/elements"));
+  ASSERT_EQ(a.number("blade/nodes"), b.number("blade/nodes"));
   const auto expect_same = [](const char *what, const double whole, const double mirrored) {
     std::printf("  %s %+.3f %%\n", what, 100. * (mirrored / whole - 1.));
     EXPECT_NEAR(mirrored, whole, 0.005 * std::abs(whole)) << what;
