@@ -1,9 +1,8 @@
 #include <birdstrike/contact/parameters.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text_lists.h>
 
 #include <deal.II/base/parameter_handler.h>
-
-#include <sstream>
 
 namespace birdstrike
 {
@@ -52,24 +51,15 @@ namespace birdstrike
 
   std::vector<PressurePatch> ContactParameters::pressure_patches() const
   {
+    const std::string          entry = "Contact/Pressure patches";
     std::vector<PressurePatch> result;
-    std::istringstream         list(patches);
-    for (std::string item; std::getline(list, item, ';');)
+    for (const auto &[name, disc] : parse_pairs(patches, entry))
       {
-        if (item.find_first_not_of(" \t\n") == std::string::npos)
-          continue;
-        const auto         colon = item.find(':');
-        PressurePatch      patch;
-        std::istringstream name(item.substr(0, colon));
-        std::istringstream numbers(colon == std::string::npos ? std::string() : item.substr(colon + 1));
-        std::string        rest;
-        const bool         is_read = bool(name >> patch.name) &&
-                             bool(numbers >> patch.centre[0] >> patch.centre[1] >> patch.centre[2] >> patch.radius);
-        if (!is_read || name >> rest || numbers >> rest || !(patch.radius > 0.))
-          throw InputError("Contact/Pressure patches holds '" + item +
-                           "'.\nAllowed: 'name: x y z radius', numbers in m, radius more than 0, patches separated by "
-                           "semicolons.\nExample: centre: 0 0 0 0.005");
-        result.push_back(patch);
+        const auto x = parse_numbers(disc, 4, entry);
+        if (!(x[3] > 0.) || name.find(' ') != std::string::npos)
+          throw InputError(entry + " holds '" + name + ": " + disc +
+                           "'.\nAllowed: 'name: x y z radius', names without blanks, a radius of more than 0.");
+        result.push_back({name, {x[0], x[1], x[2]}, x[3]});
       }
     return result;
   }

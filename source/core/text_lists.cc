@@ -16,7 +16,7 @@ namespace birdstrike
 
     [[noreturn]] void refuse(const std::string &entry, const std::string &piece, const std::string &allowed)
     {
-      throw InputError("Blade/" + entry + ": cannot read '" + piece + "'.\nAllowed: " + allowed + ".");
+      throw InputError(entry + ": cannot read '" + piece + "'.\nAllowed: " + allowed + ".");
     }
 
     /// Without surrounding blanks and without empty ones.

@@ -1,5 +1,6 @@
 #include "io/parameter_tree.h"
 #include "io/symmetry_check.h"
+#include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
 
@@ -15,17 +16,17 @@ namespace birdstrike
 {
   namespace
   {
-    ParameterGroup describe_case(std::string &name, std::string &description, std::string &plane)
+    ParameterGroup describe_case(std::string &name, std::string &description, bool &is_halved)
     {
-      const auto declare = [&](dealii::ParameterHandler &prm) {
+      static const NamedChoices<bool> planes{{"none", false}, {"y", true}};
+      const auto                      declare = [&](dealii::ParameterHandler &prm) {
         prm.enter_subsection("Case");
         prm.add_parameter("Name", name, "Name of the case; empty stands for the file's name without its ending. [-]");
         prm.add_parameter("Description", description, "One sentence that says what is computed. [-]");
-        prm.add_parameter("Symmetry plane", plane,
-                          "Plane of symmetry, none or y: the scene is mirrored at the plane y = 0, and half of the "
-                          "bird and of the blade "
-                          "is computed. [-]",
-                          dealii::Patterns::Selection("none|y"));
+        declare_choice(prm, "Symmetry plane", is_halved, planes,
+                                            "Plane of symmetry, none or y: the scene is mirrored at the plane y = 0, and half of the "
+                                                                 "bird and of the blade "
+                                                                 "is computed. [-]");
         prm.leave_subsection();
       };
       return {declare, [] {}};
@@ -66,7 +67,7 @@ namespace birdstrike
   } // namespace
 
   CaseParameters::CaseParameters()
-    : file({describe_case(name, description, symmetry_plane), ParameterGroup::of(blade, "Blade"),
+    : file({describe_case(name, description, has_symmetry_plane), ParameterGroup::of(blade, "Blade"),
             ParameterGroup::of(bird), ParameterGroup::of(equation_of_state, "Bird"), ParameterGroup::of(contact),
             ParameterGroup::of(time), ParameterGroup::of(output)})
   {
@@ -75,19 +76,14 @@ namespace birdstrike
   void CaseParameters::read(const std::string &path, const std::vector<std::string> &overrides)
   {
     file.read(path, overrides);
-    blade.is_halved = bird.is_halved = has_symmetry_plane();
+    blade.is_halved = bird.is_halved = has_symmetry_plane;
     if (bird.enabled)
       blade.bird_velocity = bird.velocity;
-    if (has_symmetry_plane())
+    if (has_symmetry_plane)
       require_symmetry(*this);
     require_stable_bird_step(*this);
     if (name.empty())
       file.set("Case/Name=" + std::filesystem::path(path).stem().string()); // so that the printed file knows it too
-  }
-
-  bool CaseParameters::has_symmetry_plane() const
-  {
-    return symmetry_plane == "y";
   }
 
   std::string CaseParameters::run_directory() const

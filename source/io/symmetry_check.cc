@@ -124,7 +124,7 @@ namespace birdstrike
     void require_both_edges(const std::string &ids, const std::string &entry)
     {
       constexpr unsigned int leading = 2, trailing = 3; // boundaries of the flat plate
-      const auto             list = parse_ids(ids, entry);
+      const auto             list = parse_ids(ids, "Blade/" + entry);
       const auto has = [&](const unsigned int id) { return std::find(list.begin(), list.end(), id) != list.end(); };
       refuse_unless(has(leading) == has(trailing), "Blade/" + entry, "both edges (2 and 3) or neither");
     }
@@ -165,8 +165,8 @@ namespace birdstrike
 
     void require_visible(const CaseParameters &parameters)
     {
-      for (const auto &[name, where] : parse_pairs(parameters.blade.probes, "Probes"))
-        refuse_unless(parse_numbers(where, 3, "Probes")[1] >= 0., "Blade/Probes: '" + name + "'",
+      for (const auto &[name, where] : parse_pairs(parameters.blade.probes, "Blade/Probes"))
+        refuse_unless(parse_numbers(where, 3, "Blade/Probes")[1] >= 0., "Blade/Probes: '" + name + "'",
                       "y >= 0, the half that is computed");
       for (const PressurePatch &patch : parameters.contact.pressure_patches())
         refuse_unless(patch.centre[1] == 0. || patch.centre[1] >= patch.radius,

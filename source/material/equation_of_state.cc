@@ -1,5 +1,5 @@
+#include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
-#include <birdstrike/core/named_choices.h>
 #include <birdstrike/material/equation_of_state.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -7,29 +7,23 @@
 
 namespace birdstrike
 {
-  namespace
+  const NamedChoices<EosType> &eos_types()
   {
-    using Type = EquationOfState::Type;
-
-    const NamedChoices<Type> &types()
-    {
-      static const NamedChoices<Type> choices{{"linear", Type::linear},
-                                              {"murnaghan", Type::murnaghan},
-                                              {"polynomial", Type::polynomial},
-                                              {"us-up", Type::us_up}};
-      return choices;
-    }
-  } // namespace
+    static const NamedChoices<EosType> choices{{"linear", EosType::linear},
+                                               {"murnaghan", EosType::murnaghan},
+                                               {"polynomial", EosType::polynomial},
+                                               {"us-up", EosType::us_up}};
+    return choices;
+  }
 
   void EosParameters::declare(dealii::ParameterHandler &prm)
   {
     using namespace dealii;
     const Patterns::Double positive(1e-300);
     prm.enter_subsection("Equation of state");
-    prm.add_parameter("Type", type,
-                      "Law of the bird's pressure: linear p = K(1/V - 1), murnaghan p = B((rho/rho0)^gamma - 1), "
-                      "polynomial in mu = rho/rho0 - 1, or us-up (shock speed linear in particle speed). [-]",
-                      Patterns::Selection(types().selection()));
+    declare_choice(prm, "Type", type, eos_types(),
+                   "Law of the bird's pressure: linear p = K(1/V - 1), murnaghan p = B((rho/rho0)^gamma - 1), "
+                   "polynomial in mu = rho/rho0 - 1, or us-up (shock speed linear in particle speed). [-]");
     prm.add_parameter("Bulk modulus", bulk_modulus, "Modulus K of the linear law. [Pa]", positive);
     prm.add_parameter("Murnaghan modulus", murnaghan_modulus, "Modulus B of the Murnaghan law. [Pa]", positive);
     prm.add_parameter("Murnaghan exponent", murnaghan_exponent, "Exponent gamma of the Murnaghan law. [-]",
@@ -45,30 +39,30 @@ namespace birdstrike
 
   void EosParameters::check() const
   {
-    if (type == "us-up" && shock_slope < 0.5)
+    if (type == EosType::us_up && shock_slope < 0.5)
       throw InputError("Section 'Equation of state', entry 'Shock slope': " + std::to_string(shock_slope) +
                        " is too small.\nBelow 0.5 the us-up law softens under compression and carries no shock."
                        "\nGive a slope of at least 0.5 (water and birds: 2).");
   }
 
   EquationOfState::EquationOfState(const EosParameters &parameters, const double reference_density)
-    : type(types().at(parameters.type)), rho0(reference_density)
+    : type(parameters.type), rho0(reference_density)
   {
     switch (type)
       {
-      case Type::linear:
+      case EosType::linear:
         a1 = parameters.bulk_modulus;
         break;
-      case Type::murnaghan:
+      case EosType::murnaghan:
         a1 = parameters.murnaghan_modulus;
         a2 = parameters.murnaghan_exponent;
         break;
-      case Type::polynomial:
+      case EosType::polynomial:
         a1 = parameters.c1;
         a2 = parameters.c2;
         a3 = parameters.c3;
         break;
-      case Type::us_up:
+      case EosType::us_up:
         a1 = rho0 * parameters.sound_speed * parameters.sound_speed;
         a2 = parameters.shock_slope;
         break;
@@ -81,16 +75,16 @@ namespace birdstrike
     const double linear = a1 * first / rho0;
     switch (type)
       {
-      case Type::linear:
+      case EosType::linear:
         return linear;
-      case Type::murnaghan:
+      case EosType::murnaghan:
         return a1 / rho0 * ((a2 == 1. ? log : compute_power_less_one(mu, a2 - 1.) / (a2 - 1.)) - eta);
-      case Type::polynomial:
+      case EosType::polynomial:
         {
           const double second = mu - log - first, third = 0.5 * mu * mu - 2. * second - first;
           return mu > 0. ? (a1 * first + a2 * second + a3 * third) / rho0 : linear;
         }
-      case Type::us_up:
+      case EosType::us_up:
         return mu > 0. ? a1 / rho0 * (std::log1p(-a2 * eta) / (a2 * a2) + eta / (a2 * (1. - a2 * eta))) : linear;
       }
     return 0.;
@@ -105,7 +99,7 @@ namespace birdstrike
   {
     const auto excess = [&](const double mu) { return pressure(mu) * mu / (1. + mu) - rho0 * v * v; };
     // The us-up law has a pole at eta = 1/k; the state sought lies before it.
-    double low = 0., high = type == Type::us_up && a2 > 1.5 ? (1. - 1e-12) / (a2 - 1.) : 2.;
+    double low = 0., high = type == EosType::us_up && a2 > 1.5 ? (1. - 1e-12) / (a2 - 1.) : 2.;
     if (excess(high) < 0.)
       throw InputError("The equation of state carries no shock of " + std::to_string(v) +
                        " m/s below threefold compression.\nLower the speed or check the constants in section "

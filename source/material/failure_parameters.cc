@@ -1,7 +1,7 @@
 #include "material/table_entry.h"
 
+#include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
-#include <birdstrike/core/named_choices.h>
 #include <birdstrike/material/failure_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -35,11 +35,10 @@ namespace birdstrike
 
   void FailureParameters::declare(dealii::ParameterHandler &prm)
   {
-    prm.add_parameter("Failure", law,
-                      "When a point of the metal fails and carries nothing any more: never, at a plastic strain, or at "
-                      "Johnson and Cook's damage, sum dp / e_f = 1 with e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) "
-                      "(1 + D5 T*) and s* the mean over the von Mises stress, positive in tension. [-]",
-                      Patterns::Selection(failure_laws().selection()));
+    declare_choice(prm, "Failure", law, failure_laws(),
+                   "When a point of the metal fails and carries nothing any more: never, at a plastic strain, or at "
+                   "Johnson and Cook's damage, sum dp / e_f = 1 with e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) "
+                   "(1 + D5 T*) and s* the mean over the von Mises stress, positive in tension. [-]");
     prm.add_parameter("Failure strain", plastic_strain,
                       "Equivalent plastic strain at which a point fails (Failure = plastic strain). [-]",
                       Patterns::Double(1e-6, 100.));
@@ -63,7 +62,7 @@ namespace birdstrike
   Failure FailureParameters::failure(const Failure &table, const std::string &metal) const
   {
     Failure result        = table;
-    result.law            = failure_laws().at(law);
+    result.law            = law;
     result.plastic_strain = plastic_strain;
     result.failed_share   = failed_share;
     result.smallest_step  = smallest_step;

@@ -63,9 +63,9 @@ namespace birdstrike
   ThicknessLaw make_thickness_law(const GeometryParameters &parameters)
   {
     std::map<unsigned int, double> by_material;
-    for (const auto &[key, value] : parse_pairs(parameters.thickness.by_material, "Thickness/By material"))
-      for (const unsigned int id : parse_ids(key, "Thickness/By material"))
-        by_material[id] = parse_numbers(value, 1, "Thickness/By material")[0];
+    for (const auto &[key, value] : parse_pairs(parameters.thickness.by_material, "Blade/Thickness/By material"))
+      for (const unsigned int id : parse_ids(key, "Blade/Thickness/By material"))
+        by_material[id] = parse_numbers(value, 1, "Blade/Thickness/By material")[0];
     return [by_material, law = make_base_law(parameters)](const double *position, const unsigned int material_id) {
       const auto found = by_material.find(material_id);
       return found != by_material.end() ? found->second : law(position, material_id);

@@ -19,9 +19,11 @@ namespace birdstrike
     {
     public:
       Closing(const RunView &run, const Summary &summary)
-        : run(run), summary(summary), table("Ended at t = " + format_quantity(run.time, "s") + ": " + run.end_reason)
+        : run(run)
+        , summary(summary)
+        , table("Ended at t = " + format_quantity(run.time, "s") + ": " + end_reasons().name(run.end_reason))
       {
-        if (run.parameters.has_symmetry_plane())
+        if (run.parameters.has_symmetry_plane)
           table.add_heading("Symmetry plane y = 0: half of the scene is computed; energies, momenta, forces, masses "
                             "and counts are those of the whole.");
         if (run.blade && run.blade->is_deformable())

@@ -145,7 +145,8 @@ namespace birdstrike
     bool lacks_profiles(const std::vector<ComparedRun> &runs)
     {
       return std::any_of(runs.begin(), runs.end(), [](const ComparedRun &run) {
-        return !run.record.column("tip_mid_chord").empty() && run.record.summary().text("blade/kind") != "rigid" &&
+        return !run.record.column("tip_mid_chord").empty() &&
+               run.record.summary().text("blade/kind") != blade_kinds().name(BladeKind::rigid) &&
                run.record.dataset("history/time").empty();
       });
     }

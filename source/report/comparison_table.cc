@@ -2,6 +2,7 @@
 #include "report/curve_features.h"
 #include "report/quantities.h"
 #include <birdstrike/report/text.h>
+#include <birdstrike/structure/choices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,8 @@ namespace birdstrike
     /// What the blade has at the end, less what it had at the start: a spinning blade brings energy of its own.
     double compute_absorbed(const RunRecord &run)
     {
-      if (run.summary().text("blade/kind") == "none" || run.column("blade_kinetic").empty() || !run.is_complete())
+      if (run.summary().text("blade/kind") == blade_kinds().name(BladeKind::none) ||
+          run.column("blade_kinetic").empty() || !run.is_complete())
         return absent;
       double initial = 0., final = 0.;
       for (const LedgerEntry &entry : ledger)

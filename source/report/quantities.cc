@@ -40,7 +40,7 @@ namespace birdstrike
         {"", "program/version", "", [](View) { return program_identity().version; }},
         {"", "program/build", "", [](View) { return program_identity().build; }},
         {"time", "end/time", "s", [](View run) { return run.time; }, "end time"},
-        {"", "end/reason", "", [](View run) { return run.end_reason; }, "ended"},
+        {"", "end/reason", "", [](View run) { return end_reasons().name(run.end_reason); }, "ended"},
         {"step", "", "-", [](View run) { return static_cast<double>(run.n_steps); }},
         {"bird_step", "", "s", [](View run) { return run.bird ? run.bird_step : 0.; }},
         {"blade_step", "", "s", [](View run) { return run.blade_step; }},

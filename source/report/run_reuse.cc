@@ -40,9 +40,10 @@ namespace birdstrike
         return "another release of the program made it";
       if (run.summary().text("program/build") != program_identity().build)
         return "another build of the program made it";
-      if (run.summary().text("end/reason") == stopped_by_signal)
+      const std::string ended = run.summary().text("end/reason");
+      if (ended == end_reasons().name(EndReason::signal))
         return "a signal ended it";
-      if (run.summary().text("end/reason") == stopped_by_clock)
+      if (ended == end_reasons().name(EndReason::wall_time))
         return "Time/Maximum wall time ended it, which depends on the machine";
       if (run.state() != "done")
         return "its state is '" + run.state() + "'";

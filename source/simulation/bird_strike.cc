@@ -65,7 +65,7 @@ namespace birdstrike
     try
       {
         start();
-        while ((why_ended = reason_to_stop()).empty())
+        while ((why_ended = reason_to_stop()) == EndReason::none)
           advance();
         finish();
       }
@@ -186,18 +186,18 @@ namespace birdstrike
     return reachable_impulse <= tolerated;
   }
 
-  std::string BirdStrike::reason_to_stop() const
+  EndReason BirdStrike::reason_to_stop() const
   {
     const TimeParameters &limits = parameters.time;
     if (now >= limits.end_time * (1. - 1e-12))
-      return "end time reached";
+      return EndReason::end_time;
     if (stop_requested)
-      return stopped_by_signal;
+      return EndReason::signal;
     if (limits.maximum_wall_time > 0. && timings.wall() > limits.maximum_wall_time)
-      return stopped_by_clock;
+      return EndReason::wall_time;
     if (limits.stop_at_tip_peak && observed.first_tip_peak.is_passed(now, limits.tip_peak_wait))
-      return tip_peak_passed;
-    return "";
+      return EndReason::tip_peak;
+    return EndReason::none;
   }
 
   void BirdStrike::finish()

@@ -45,18 +45,16 @@ namespace birdstrike
     std::string closing_report() const;
 
   private:
-    void        plan();
-    void        step();    ///< one macro step of the parts; a debug build asserts that it allocates nothing
-    void        observe(); ///< peaks after each step; balance and rows when they are due
-    void        record(const SystemState &state);
-    void        retire_particles();
-    bool        is_bird_phase_over(double horizon);
-    void        finish();
-    RunView     view() const;           ///< the present
-    RunView     view_whole_run() const; ///< with its costs and what it skipped
-    std::string reason_to_stop() const;
-
-    static constexpr const char *tip_peak_passed = "tip peak passed";
+    void      plan();
+    void      step();    ///< one macro step of the parts; a debug build asserts that it allocates nothing
+    void      observe(); ///< peaks after each step; balance and rows when they are due
+    void      record(const SystemState &state);
+    void      retire_particles();
+    bool      is_bird_phase_over(double horizon);
+    void      finish();
+    RunView   view() const;           ///< the present
+    RunView   view_whole_run() const; ///< with its costs and what it skipped
+    EndReason reason_to_stop() const;
 
     /// Measured in this run, s.
     struct UnitCosts
@@ -87,7 +85,7 @@ namespace birdstrike
     double        now        = 0.; ///< s since first touch
     unsigned long n_steps    = 0;
     Schedule      schedule;
-    std::string   why_ended;
+    EndReason     why_ended = EndReason::none;
 
     BirdAtStart   bird_at_start;
     std::size_t   n_retired  = 0;

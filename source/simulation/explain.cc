@@ -119,7 +119,7 @@ namespace birdstrike
   std::string explain(const CaseParameters &parameters, const Scene &scene)
   {
     TextTable table(parameters.name + (parameters.description.empty() ? "" : ": " + parameters.description));
-    if (parameters.has_symmetry_plane())
+    if (parameters.has_symmetry_plane)
       table.add_heading("Symmetry plane y = 0: half of the scene is computed; steps, memory and files are the half's, "
                         "all else is of the "
                         "whole.");

@@ -29,7 +29,7 @@ namespace birdstrike
     /// What helps where an element is crushed to nothing.
     const char *advice_on_crushed_elements(const BladeParameters &blade)
     {
-      const bool can_fail = blade.material.failure.law != "none";
+      const bool can_fail = blade.material.failure.law != FailureLaw::none;
       if (can_fail && blade.material.failure.smallest_step == 0.)
         return "Set Blade/Material/Smallest step (0.1, say) to take such elements away.";
       if (can_fail)

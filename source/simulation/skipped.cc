@@ -86,10 +86,10 @@ namespace birdstrike
         add("points of elements that never yielded", static_cast<double>(prices.n_elements - prices.n_with_points),
             "elements", prices.of_points_spared / prices.of_step * stepper.seconds().blade);
       }
-    if (why_ended == tip_peak_passed)
+    if (why_ended == EndReason::tip_peak)
       add("time after the tip's peak", parameters.time.end_time - now, "s",
           (parameters.time.end_time - now) * estimate_seconds_per_time());
-    if (parameters.has_symmetry_plane()) // the other half: as much again
+    if (parameters.has_symmetry_plane) // the other half: as much again
       add("the mirrored half", 2., "times less work",
           costs.particle_step * static_cast<double>(counts.particle_steps) +
             costs.element_step * n_cells * static_cast<double>(counts.blade) + stepper.seconds().contact);

@@ -24,7 +24,7 @@ namespace birdstrike
       prm.declare_entry(entry, value(member[0]) + ", " + value(member[1]) + ", " + value(member[2]),
                         List(Double(), 3, 3, ","), text);
       prm.add_action(entry, [&member, entry](const std::string &given) {
-        const auto numbers = parse_numbers(given, 3, entry);
+        const auto numbers = parse_numbers(given, 3, "Blade/" + entry);
         std::copy(numbers.begin(), numbers.end(), member.begin());
       });
     }

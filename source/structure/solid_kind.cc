@@ -54,7 +54,7 @@ namespace birdstrike
     PressedFacets pressed;
     if (!is_present(loads.pressure))
       return pressed;
-    const auto ids = parse_ids(loads.pressure_boundaries, "Loads/Pressure boundaries");
+    const auto ids = parse_ids(loads.pressure_boundaries, "Blade/Loads/Pressure boundaries");
     for (const auto &face : mesh.boundary)
       if (std::find(ids.begin(), ids.end(), face.id) != ids.end())
         {

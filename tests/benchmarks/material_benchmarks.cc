@@ -88,7 +88,7 @@ namespace birdstrike::benchmarks
     void add_equation_of_state(const std::string &type)
     {
       EosParameters parameters;
-      parameters.type = type;
+      parameters.type = eos_types().at(type);
       const EquationOfState eos(parameters, 950.);
       AlignedVector<double> mu(n_points), sink(n_points);
       for (std::size_t p = 0; p < n_points; ++p)

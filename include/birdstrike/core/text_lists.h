@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
-/// The small grammars of list entries in section "Blade", whose items are deal.II's Patterns. Each throws InputError
-/// that names the entry, the piece of text that could not be read and what is allowed.
+/// The small grammars of list entries, whose items are deal.II's Patterns. Each throws InputError
+/// that names the entry as it is given here, by its whole path, the piece of text that could not be read and what is
+/// allowed.
 namespace birdstrike
 {
   /// "0, 1, 7" -> boundary or material ids.

@@ -16,9 +16,9 @@ namespace birdstrike
   /// Everything one case is made of. The members are bound to `file`, so the object can neither be copied nor moved.
   struct CaseParameters
   {
-    std::string name;                    ///< empty in the file: the file's name without ".prm"
-    std::string description;             ///< one sentence
-    std::string symmetry_plane = "none"; ///< none | y: half of the scene is computed, mirrored at y = 0
+    std::string name;                       ///< empty in the file: the file's name without ".prm"
+    std::string description;                ///< one sentence
+    bool        has_symmetry_plane = false; ///< half of the scene is computed, mirrored at y = 0
 
     BladeParameters   blade;
     BirdParameters    bird;
@@ -35,8 +35,6 @@ namespace birdstrike
 
     /// Reads and checks a case; see ParameterFile::read. Raises InputError.
     void read(const std::string &path, const std::vector<std::string> &overrides = {});
-
-    bool has_symmetry_plane() const;
 
     /// Where the run writes: `Output/Directory`, or runs/<case name>.
     std::string run_directory() const;

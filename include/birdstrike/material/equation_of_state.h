@@ -1,9 +1,8 @@
 #pragma once
 
+#include <birdstrike/core/named_choices.h>
 #include <birdstrike/core/number.h>
 #include <birdstrike/material/power_law.h>
-
-#include <string>
 
 namespace dealii
 {
@@ -12,18 +11,28 @@ namespace dealii
 
 namespace birdstrike
 {
+  enum class EosType
+  {
+    linear,
+    murnaghan,
+    polynomial,
+    us_up
+  };
+
+  const NamedChoices<EosType> &eos_types();
+
   /// User entries of the bird's equation of state. The reference density belongs to the bird (section "Bird").
   struct EosParameters
   {
-    std::string type               = "murnaghan";
-    double      bulk_modulus       = 2.2e9;   ///< Pa, linear
-    double      murnaghan_modulus  = 128.e6;  ///< Pa, B
-    double      murnaghan_exponent = 7.98;    ///< gamma
-    double      c1                 = 2060.e6; ///< Pa, polynomial
-    double      c2                 = 6190.e6;
-    double      c3                 = 10300.e6;
-    double      sound_speed        = 1482.9; ///< m/s, linear Us-up
-    double      shock_slope        = 2.;     ///< k in Us = c0 + k u
+    EosType type               = EosType::murnaghan;
+    double  bulk_modulus       = 2.2e9;   ///< Pa, linear
+    double  murnaghan_modulus  = 128.e6;  ///< Pa, B
+    double  murnaghan_exponent = 7.98;    ///< gamma
+    double  c1                 = 2060.e6; ///< Pa, polynomial
+    double  c2                 = 6190.e6;
+    double  c3                 = 10300.e6;
+    double  sound_speed        = 1482.9; ///< m/s, linear Us-up
+    double  shock_slope        = 2.;     ///< k in Us = c0 + k u
 
     void declare(dealii::ParameterHandler &prm);
     void check() const;
@@ -46,18 +55,10 @@ namespace birdstrike
   ///
   /// In tension (mu < 0) polynomial and us-up continue with their slope at zero, where their cubic and pole mean
   /// nothing. Sound speed c = sqrt(dp/drho). Units: Pa, m/s, kg/m^3. No temperature: shock heat does not change p.
-  /// It does not cut tension off; the bird does. Raises std::out_of_range for an unknown type.
+  /// It does not cut tension off; the bird does.
   class EquationOfState
   {
   public:
-    enum class Type
-    {
-      linear,
-      murnaghan,
-      polynomial,
-      us_up
-    };
-
     EquationOfState(const EosParameters &parameters, double reference_density);
 
     template <class Number>
@@ -92,11 +93,11 @@ namespace birdstrike
     double hugoniot_slope(double v) const;
 
   private:
-    Type   type;
-    double rho0;
-    double a1 = 0.; ///< Pa: K, B, C1 or rho0 c0^2
-    double a2 = 0.; ///< -: gamma or k; Pa: C2
-    double a3 = 0.; ///< Pa: C3
+    EosType type;
+    double  rho0;
+    double  a1 = 0.; ///< Pa: K, B, C1 or rho0 c0^2
+    double  a2 = 0.; ///< -: gamma or k; Pa: C2
+    double  a3 = 0.; ///< Pa: C3
   };
 
   template <class Number>
@@ -104,13 +105,13 @@ namespace birdstrike
   {
     switch (type)
       {
-      case Type::linear:
+      case EosType::linear:
         return a1 * mu;
-      case Type::murnaghan:
+      case EosType::murnaghan:
         return a1 * compute_power_less_one(mu, a2);
-      case Type::polynomial:
+      case EosType::polynomial:
         return select(mu > Number(0.), mu * (a1 + mu * (a2 + mu * a3)), a1 * mu);
-      case Type::us_up:
+      case EosType::us_up:
         const Number eta = mu / (1. + mu), gap = 1. - a2 * eta;
         return select(mu > Number(0.), a1 * eta / (gap * gap), a1 * mu);
       }
@@ -122,13 +123,13 @@ namespace birdstrike
   {
     switch (type)
       {
-      case Type::linear:
+      case EosType::linear:
         return Number(a1 / rho0);
-      case Type::murnaghan:
+      case EosType::murnaghan:
         return a2 * (pressure + a1) / (rho0 * (1. + mu));
-      case Type::polynomial:
+      case EosType::polynomial:
         return select(mu > Number(0.), (a1 + mu * (2. * a2 + mu * 3. * a3)) / rho0, Number(a1 / rho0));
-      case Type::us_up:
+      case EosType::us_up:
         // d eta/d mu = 1/(1 + mu)^2, dp/d eta = a1 (1 + k eta)/(1 - k eta)^3
         const Number eta = mu / (1. + mu), gap = 1. - a2 * eta, v = 1. + mu;
         return select(mu > Number(0.), a1 / rho0 * (1. + a2 * eta) / (gap * gap * gap * v * v), Number(a1 / rho0));

@@ -16,7 +16,7 @@ namespace birdstrike
   /// metal) stands beside numbers; `failure` refuses any other text.
   struct FailureParameters
   {
-    std::string                law            = "none";
+    FailureLaw                 law            = FailureLaw::none;
     double                     plastic_strain = Failure().plastic_strain; ///< -
     std::array<std::string, 5> d              = {{"table", "table", "table", "table", "table"}};
     double                     failed_share   = Failure().failed_share;  ///< -

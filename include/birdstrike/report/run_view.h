@@ -2,6 +2,7 @@
 
 #include <birdstrike/report/balance.h>
 #include <birdstrike/report/observed.h>
+#include <birdstrike/time_control/end_reason.h>
 
 #include <array>
 #include <cstddef>
@@ -53,7 +54,7 @@ namespace birdstrike
     BirdAtStart bird_at_start = {};
     std::size_t n_retired     = 0; ///< particles that the computation has let go
 
-    std::string end_reason    = {};
+    EndReason   end_reason    = EndReason::none;
     std::size_t n_blade_steps = 0, n_bird_steps = 0;
     double      wall = 0., particle_step = 0., element_step = 0.; ///< s of run time: in all, per step of an entity
 

@@ -11,11 +11,6 @@
 
 namespace birdstrike
 {
-  /// Key "end/reason" of a run that was ended from outside: its results are not those of its parameters.
-  inline constexpr const char *stopped_by_signal = "stopped by a signal";
-  /// The same of a run whose time was up on the wall's clock.
-  inline constexpr const char *stopped_by_clock = "maximum wall time reached";
-
   /// The outcome of a run in stable keys for scripts (summary.json): SI units, absent parts are zero, a quantity that
   /// could not be computed (NaN) becomes null. The keys are those of source/report/quantities.h and, with one entry for
   /// each name, energy/parts (J at the end, see ledger.h), energy/error_origins (J), inputs and skipped.

@@ -31,9 +31,9 @@ namespace birdstrike
     double             reach   = 0.;
     for (std::size_t facet = 0; facet < surface.cells.size(); ++facet)
       reach = std::max(reach, surface.smallest_edge(facet));
-    for (const auto &[where, what] : parse_pairs(parameters.point_loads, "Loads/Point loads", '|'))
+    for (const auto &[where, what] : parse_pairs(parameters.point_loads, "Blade/Loads/Point loads", '|'))
       {
-        const auto x    = parse_numbers(where, 3, "Loads/Point loads");
+        const auto x    = parse_numbers(where, 3, "Blade/Loads/Point loads");
         const auto p    = Point3(x[0], x[1], x[2]);
         const auto node = mesh.nearest_node(p, dim == 3);
         if (!node)

@@ -86,9 +86,9 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::watch(const std::string &probes, const Mesh &mesh)
   {
-    for (const auto &[name, where] : parse_pairs(probes, "Probes"))
+    for (const auto &[name, where] : parse_pairs(probes, "Blade/Probes"))
       {
-        const auto x = parse_numbers(where, 3, "Probes");
+        const auto x = parse_numbers(where, 3, "Blade/Probes");
         if (const auto node = mesh.nearest_node(Point3(x[0], x[1], x[2])))
           watched.emplace_back(name, *node);
       }

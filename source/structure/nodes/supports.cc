@@ -51,7 +51,7 @@ namespace birdstrike
     template <unsigned int n_unknowns>
     std::array<bool, 6> read_components(const std::string &text, const std::string &entry)
     {
-      const auto held     = parse_components(text, entry);
+      const auto held     = parse_components(text, "Blade/" + entry);
       const bool has_some = held[3] || held[4] || held[5], has_all = held[3] && held[4] && held[5];
       if (n_unknowns == 3 && has_some && !(has_all && held[0] && held[1] && held[2]))
         throw InputError("Blade/" + entry + ": '" + text +
@@ -94,16 +94,16 @@ namespace birdstrike
   template <class Mesh>
   void Supports::find_roles(const BladeParameters::Supports &parameters, const Mesh &mesh)
   {
-    const auto clamped = parse_ids(parameters.clamped, "Supports/Clamped");
-    const auto hub     = parse_ids(parameters.hub, "Supports/Hub");
+    const auto clamped = parse_ids(parameters.clamped, "Blade/Supports/Clamped");
+    const auto hub     = parse_ids(parameters.hub, "Blade/Supports/Hub");
     require_ids(clamped, mesh, "Clamped");
     require_ids(hub, mesh, "Hub");
-    require_ids(parse_ids(parameters.free, "Supports/Free"), mesh, "Free");
+    require_ids(parse_ids(parameters.free, "Blade/Supports/Free"), mesh, "Free");
     // The default names the tip of the built-in plate, which a file need not have.
     if (parameters.tip != BladeParameters::Supports().tip)
-      require_ids(parse_ids(parameters.tip, "Supports/Tip"), mesh, "Tip");
+      require_ids(parse_ids(parameters.tip, "Blade/Supports/Tip"), mesh, "Tip");
     root_ids = hub.empty() ? clamped : hub;
-    for (const unsigned int id : parse_ids(parameters.tip, "Supports/Tip"))
+    for (const unsigned int id : parse_ids(parameters.tip, "Blade/Supports/Tip"))
       if (mesh.has_boundary_id(id))
         tip_ids.push_back(id);
   }
@@ -113,27 +113,27 @@ namespace birdstrike
   {
     constexpr std::array<bool, 6> all{{true, true, true, true, true, true}};
     HeldSet<n_unknowns>           held;
-    held.add(mesh.nodes_on(parse_ids(parameters.clamped, "Supports/Clamped")), all);
-    held.add(mesh.nodes_on(parse_ids(parameters.hub, "Supports/Hub")), all);
+    held.add(mesh.nodes_on(parse_ids(parameters.clamped, "Blade/Supports/Clamped")), all);
+    held.add(mesh.nodes_on(parse_ids(parameters.hub, "Blade/Supports/Hub")), all);
     // the mirror image at y = 0 has -u_y, -theta_x and -theta_z
     held.add(mesh.symmetry_nodes, {{false, true, false, true, false, true}});
-    for (const auto &[key, components] : parse_pairs(parameters.held, "Supports/Held"))
+    for (const auto &[key, components] : parse_pairs(parameters.held, "Blade/Supports/Held"))
       {
-        const auto ids = parse_ids(key, "Supports/Held");
+        const auto ids = parse_ids(key, "Blade/Supports/Held");
         require_ids(ids, mesh, "Held");
         held.add(mesh.nodes_on(ids), read_components<n_unknowns>(components, "Supports/Held"));
       }
-    for (const auto &[key, components] : parse_pairs(parameters.held_boxes, "Supports/Held boxes"))
+    for (const auto &[key, components] : parse_pairs(parameters.held_boxes, "Blade/Supports/Held boxes"))
       {
-        const auto nodes = nodes_in_box(mesh, parse_numbers(key, 6, "Supports/Held boxes"));
+        const auto nodes = nodes_in_box(mesh, parse_numbers(key, 6, "Blade/Supports/Held boxes"));
         if (nodes.empty() && mesh.space.is_whole())
           throw InputError("Blade/Supports/Held boxes: no node lies in the box '" + key + "'.\n" +
                            "Order: xmin ymin zmin xmax ymax zmax, in metres.");
         held.add(nodes, read_components<n_unknowns>(components, "Supports/Held boxes"));
       }
-    for (const auto &[key, text] : parse_pairs(parameters.driven, "Supports/Driven"))
+    for (const auto &[key, text] : parse_pairs(parameters.driven, "Blade/Supports/Driven"))
       {
-        const auto ids    = parse_ids(key, "Supports/Driven");
+        const auto ids    = parse_ids(key, "Blade/Supports/Driven");
         const auto equals = text.find('=');
         require_ids(ids, mesh, "Driven");
         if (equals == std::string::npos)

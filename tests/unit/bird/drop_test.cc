@@ -71,7 +71,7 @@ TEST(Drop, EllipticDropStretchesAsTheExactSolution)
       parameters.alpha              = 0.05;
       parameters.beta               = 0.;
       EosParameters eos;
-      eos.type         = "linear";
+      eos.type         = EosType::linear;
       eos.bulk_modulus = K;
       ThreadPool pool(2);
       Bird       bird(parameters, eos, pool);

@@ -20,7 +20,7 @@ namespace
   ShockFigures collide(BirdParameters parameters, const std::string &law, const double v)
   {
     EosParameters eos_parameters;
-    eos_parameters.type = law;
+    eos_parameters.type = eos_types().at(law);
     ThreadPool            pool(2);
     Bird                  bird(parameters, eos_parameters, pool);
     const EquationOfState eos(eos_parameters, parameters.density);
@@ -119,7 +119,7 @@ TEST(PlaneWave, LiquidShockTube)
         Case{"linear", 993.1818, 49.4439e6, 33.8231, 1538.78, -1487.95}})
     {
       EosParameters eos_parameters;
-      eos_parameters.type = law;
+      eos_parameters.type = eos_types().at(law);
       const EquationOfState eos(eos_parameters, 950.);
       ThreadPool            pool(2);
       Bird                  bird(column(300, 1e-3), eos_parameters, pool);

@@ -28,7 +28,7 @@ namespace
   Outcome strike_wall(const std::string &law, const double closing_speed)
   {
     EosParameters eos_parameters;
-    eos_parameters.type       = law;
+    eos_parameters.type       = eos_types().at(law);
     BirdParameters parameters = column(10, 8e-3);
     parameters.velocity       = {0., 0., speed};
     ThreadPool            pool(2);

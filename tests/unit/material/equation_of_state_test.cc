@@ -15,7 +15,7 @@ namespace
   EquationOfState make(const std::string &type)
   {
     EosParameters parameters;
-    parameters.type = type;
+    parameters.type = eos_types().at(type);
     return EquationOfState(parameters, 950.);
   }
 } // namespace
@@ -86,7 +86,7 @@ TEST(EquationOfState, RefusesAnUnknownLawAndASofteningOne)
 {
   EXPECT_THROW(make("magic"), std::out_of_range);
   EosParameters parameters;
-  parameters.type        = "us-up";
+  parameters.type        = EosType::us_up;
   parameters.shock_slope = 0.1;
   EXPECT_THROW(parameters.check(), InputError);
 }

@@ -152,11 +152,11 @@ TEST(FailureParameters, AreReadAndRefused)
   parameters.failure.d = {{"-0.5", "0.2", "-1.5", "0", "0"}}; // negative in tension
   EXPECT_THROW(parameters.check(), InputError);
   MetalParameters titanium;
-  titanium.failure.law = "Johnson-Cook"; // the table has no damage constants
+  titanium.failure.law = FailureLaw::johnson_cook; // the table has no damage constants
   EXPECT_THROW(titanium.check(), InputError);
-  titanium.failure.law = "plastic strain";
+  titanium.failure.law = FailureLaw::plastic_strain;
   EXPECT_NO_THROW(titanium.check());
-  titanium.failure.law           = "none";
+  titanium.failure.law           = FailureLaw::none;
   titanium.failure.smallest_step = 0.05; // of elements that never go
   try
     {
@@ -167,7 +167,7 @@ TEST(FailureParameters, AreReadAndRefused)
     {
       EXPECT_NE(std::string(error.what()).find("Blade/Material/Smallest step"), std::string::npos) << error.what();
     }
-  titanium.failure.law = "plastic strain";
+  titanium.failure.law = FailureLaw::plastic_strain;
   EXPECT_NO_THROW(titanium.check());
   titanium.hardening = "elastic"; // never yields, never fails
   EXPECT_THROW(titanium.check(), InputError);

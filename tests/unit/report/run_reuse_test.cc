@@ -65,10 +65,10 @@ TEST_F(RunReuse, AnIncompleteRunWillNotDo)
 
 TEST_F(RunReuse, ARunThatWasEndedFromOutsideWillNotDo)
 {
-  run.reason = stopped_by_signal;
+  run.reason = end_reasons().name(EndReason::signal);
   run.write(folder, prm);
   EXPECT_EQ(reason(), "a signal ended it");
-  run.reason = stopped_by_clock;
+  run.reason = end_reasons().name(EndReason::wall_time);
   run.write(folder, prm);
   EXPECT_EQ(reason(), "Time/Maximum wall time ended it, which depends on the machine");
 }

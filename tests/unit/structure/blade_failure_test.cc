@@ -25,7 +25,7 @@ namespace birdstrike
       p.mesh.n_chord                    = 2;
       p.thickness.value                 = "0.001";
       p.material.name                   = "Al 2024 Johnson-Cook";
-      p.material.failure.law            = "plastic strain";
+      p.material.failure.law            = FailureLaw::plastic_strain;
       p.material.failure.plastic_strain = 0.1;
       p.loads.initial_velocity          = "200 * min(1, max(0, x/0.01 - 2)); 0; 0";
       return p;

@@ -25,7 +25,7 @@ namespace birdstrike
       p.thickness.value                 = "0.002";
       p.element.formulation             = element_formulations().at(formulation);
       p.material.name                   = "Al 2024 Johnson-Cook";
-      p.material.failure.law            = "plastic strain";
+      p.material.failure.law            = FailureLaw::plastic_strain;
       p.material.failure.plastic_strain = 0.1;
       p.loads.initial_velocity          = "200 * min(1, max(0, x/0.01 - 2)); 0; 0";
       return p;

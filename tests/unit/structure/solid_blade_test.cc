@@ -305,7 +305,7 @@ namespace birdstrike
         p.loads.pressure_boundaries = "9";
       });
       refuses([](auto &p) { p.thickness.value = "-0.001"; });
-      refuses([](auto &p) { p.material.failure.law = "plastic strain"; }); // of shells alone, as yet
+      refuses([](auto &p) { p.material.failure.law = FailureLaw::plastic_strain; }); // of shells alone, as yet
     }
 
     // One file may hold the entries of both kinds: those of the other are named, not refused.
@@ -317,12 +317,12 @@ namespace birdstrike
       p.mesh.n_layers = 2;
       EXPECT_EQ(p.solid_formulation(), SolidFormulation::one_point) << "the layers resolve the thickness";
       p.mesh.n_layers        = 1;
-      p.material.failure.law = "plastic strain";
+      p.material.failure.law = FailureLaw::plastic_strain;
       EXPECT_EQ(p.solid_formulation(), SolidFormulation::one_point) << "solid-shells do not fail";
       p.element.formulation = SolidFormulation::solid_shell;
       ThreadPool pool;
       EXPECT_THROW(make_blade(p, pool), InputError);
-      p.material.failure.law = "none";
+      p.material.failure.law = FailureLaw::none;
       p.element.formulation  = {};
       p.mesh.generator       = "file";
       EXPECT_EQ(p.solid_formulation(), SolidFormulation::one_point) << "a file may hold any number of layers";
