@@ -16,7 +16,7 @@ namespace birdstrike
 
     bool is_rigid(const RunRecord &run)
     {
-      return run.summary().text("blade/kind") == "rigid"; // as summary.json has it
+      return run.summary().text("blade/kind") == blade_kinds().name(BladeKind::rigid);
     }
 
     /// Whether a run has what a quantity speaks of: a rigid blade, or no contact, reports zeros.

@@ -4,8 +4,10 @@
 #   headers   include/ holds what another room includes (or such a header), nothing else; what stands in source/ is its
 #             room's own
 #   mirror    of rooms and unit tests
-#   sizes     a file, a folder
+#   sizes     a file, a folder, a function (code_rules.py)
+#   choices   are values, compared as texts where files are read alone (code_rules.py)
 set -u
+rules=$(realpath "$0")
 cd "$1" || exit 1
 fail=0
 complain() {
@@ -82,6 +84,9 @@ while read -r folder; do
   n=$(find "$folder" -maxdepth 1 -type f | wc -l)
   [ "$n" -le 30 ] || complain "$folder holds $n files; at most 30"
 done < <(find source include -type d)
+
+# Functions, and choices.
+python3 "$(dirname "$rules")/code_rules.py" . || complain "see the list above"
 
 # Exactly the agreed top level.
 odd=$(git ls-tree --name-only HEAD 2>/dev/null | grep -vxE 'CMakeLists\.txt|source|include|tests|prm|meshes|README\.md|LICENSE|CHANGELOG\.md|CMakePresets\.json|\..*')
