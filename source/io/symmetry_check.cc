@@ -49,7 +49,9 @@ namespace birdstrike
 
       void add_surface()
       {
-        const ShellMesh mesh({blade.mesh, {}, true});
+        MeshParameters surface = blade.mesh;
+        surface.material_boxes.clear(); // of layers, which a surface does not have
+        const ShellMesh mesh({surface, {}, true});
         for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
           points.push_back(mesh.node(n));
         for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
@@ -104,6 +106,10 @@ namespace birdstrike
       else
         refuse_unless(is_symmetric, "Blade/Thickness/Maximum station, with Leading edge and Trailing edge,",
                       "0.5, and both edges alike");
+      for (const auto &[section, of_section] : blade.by_section())
+        if (section > 0)
+          require_parity(blade.sections[section - 1].thickness, {1}, blade.section_path(section) + "Thickness", 0.,
+                         places);
     }
 
     void require_symmetric_bird(const BirdParameters &bird)

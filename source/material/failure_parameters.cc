@@ -59,7 +59,7 @@ namespace birdstrike
                       Patterns::Double(0., 0.9));
   }
 
-  Failure FailureParameters::failure(const Failure &table, const std::string &metal) const
+  Failure FailureParameters::failure(const Failure &table, const std::string &metal, const std::string &where) const
   {
     Failure result        = table;
     result.law            = law;
@@ -67,19 +67,19 @@ namespace birdstrike
     result.failed_share   = failed_share;
     result.smallest_step  = smallest_step;
     if (result.law == FailureLaw::none && smallest_step > 0.)
-      throw InputError("Blade/Material/Smallest step: " + std::to_string(smallest_step) +
+      throw InputError(where + "Smallest step: " + std::to_string(smallest_step) +
                        " was read, but Failure is none, and no element of such a metal is taken away.\nSet Smallest "
                        "step = 0, or name a law of failure.");
     for (std::size_t k = 0; k < d.size(); ++k)
-      replace(result.d[k], d[k], entry_of(k), k == 0 || k == 2 ? -100. : 0., 100.);
+      replace(result.d[k], d[k], where + entry_of(k), k == 0 || k == 2 ? -100. : 0., 100.);
     const bool has_no_constants = std::all_of(result.d.begin(), result.d.end(), [](const double x) { return x == 0.; });
     if (result.law == FailureLaw::johnson_cook && has_no_constants)
-      throw InputError("Blade/Material/Failure: Johnson-Cook was read, but the table has no damage constants for '" +
-                       metal + "'.\nGive Damage D1 to D5, or choose a metal that has them: Al 2024 Johnson-Cook.");
+      throw InputError(where + "Failure: Johnson-Cook was read, but the table has no damage constants for '" + metal +
+                       "'.\nGive Damage D1 to D5, or choose a metal that has them: Al 2024 Johnson-Cook.");
     if (result.law == FailureLaw::johnson_cook)
       for (const double triaxiality : {-2. / 3., 1. / 3., 2. / 3.})
         if (result.d[0] + result.d[1] * std::exp(result.d[2] * triaxiality) <= 0.)
-          throw InputError("Blade/Material/Damage D1: with these constants the failure strain at a triaxiality of " +
+          throw InputError(where + "Damage D1: with these constants the failure strain at a triaxiality of " +
                            std::to_string(triaxiality) + " is not positive.\nSign of D3: negative for metals.");
     return result;
   }

@@ -33,7 +33,7 @@ namespace birdstrike
     prm.add_parameter("Name", name,
                       "Metal whose data are taken where an entry below says 'table'; the two Johnson-Cook sets of "
                       "Ti-6Al-4V are recalled, not verified; 'custom' has no data of its own. [-]",
-                      Patterns::Selection(metal_table().selection()));
+                      Patterns::Selection(metal_table().selection() + (metal_table().has(name) ? "" : "|" + name)));
     prm.add_parameter("Density", density, "Density" + table + "[kg/m^3]", text);
     prm.add_parameter("Young's modulus", young, "Young's modulus" + table + "[Pa]", text);
     prm.add_parameter("Poisson's ratio", poisson, "Poisson's ratio" + table + "[-]", text);
@@ -65,72 +65,67 @@ namespace birdstrike
     failure.declare(prm);
   }
 
-  void MetalParameters::check() const
+  void MetalParameters::set_heating(Hardening &h, const std::string &where) const
   {
-    metal();
-  }
-
-  void MetalParameters::set_heating(Hardening &h) const
-  {
-    replace(h.heat_capacity, heat_capacity, "Heat capacity", 10., 1e5);
-    replace(h.melting_temperature, melting_temperature, "Melting temperature", 0., 1e5);
+    replace(h.heat_capacity, heat_capacity, where + "Heat capacity", 10., 1e5);
+    replace(h.melting_temperature, melting_temperature, where + "Melting temperature", 0., 1e5);
     if (is_adiabatic)
       for (const auto &[value, text, entry] :
            {std::tuple(h.heat_capacity, heat_capacity, "Heat capacity"),
             std::tuple(h.melting_temperature, melting_temperature, "Melting temperature")})
         if (value == 0. && text == "table")
-          throw InputError(std::string("Blade/Material/") + entry + " is not given, and the table has none for '" +
-                           name + "'.\nGive a number, or set Adiabatic heating = false.");
+          throw InputError(where + entry + " is not given, and the table has none for '" + name +
+                           "'.\nGive a number, or set Adiabatic heating = false.");
     if (is_adiabatic && h.melting_temperature <= std::max(room_temperature, initial_temperature))
-      throw InputError("Blade/Material/Melting temperature: " + std::to_string(h.melting_temperature) +
+      throw InputError(where + "Melting temperature: " + std::to_string(h.melting_temperature) +
                        " K is not above room and initial temperature.");
     if (!is_adiabatic)
       h.heat_capacity = 0.;
   }
 
-  Metal MetalParameters::metal() const
+  Metal MetalParameters::metal(const std::string &where) const
   {
     if (name == "custom")
       for (const auto &[value, entry] : {std::pair(density, "Density"), std::pair(young, "Young's modulus"),
                                          std::pair(poisson, "Poisson's ratio"), std::pair(yield, "Yield stress")})
         if (value == "table" && !(entry == std::string("Yield stress") && hardening == "elastic"))
           throw InputError(
-            std::string("Blade/Material/") + entry +
+            where + entry +
             " is not given, and the metal 'custom' has no data of its own.\nGive a number, or choose Name = " +
             metal_table().selection() + ".");
     Metal result     = metal_table().at(name);
     result.name      = name;
     Hardening   &h   = result.hardening;
     const double big = 1e30;
-    replace(result.density, density, "Density", 1e-6, big);
-    replace(result.elasticity.young, young, "Young's modulus", 1e-6, big);
-    replace(result.elasticity.poisson, poisson, "Poisson's ratio", -0.999, 0.4999);
-    replace(h.yield, yield, "Yield stress", 1e-6, big);
-    replace(h.modulus, modulus, "Hardening modulus", 0., big);
-    replace(h.exponent, exponent, "Hardening exponent", 1e-6, big);
-    replace(h.strain, strain, "Hardening strain", 1e-12, big);
-    replace(h.rate_factor, rate_factor, "Rate factor", 0., 10.);
-    replace(h.reference_rate, reference_rate, "Reference rate", 1e-12, big);
-    replace(h.softening_exponent, softening_exponent, "Softening exponent", 1e-6, 100.);
+    replace(result.density, density, where + "Density", 1e-6, big);
+    replace(result.elasticity.young, young, where + "Young's modulus", 1e-6, big);
+    replace(result.elasticity.poisson, poisson, where + "Poisson's ratio", -0.999, 0.4999);
+    replace(h.yield, yield, where + "Yield stress", 1e-6, big);
+    replace(h.modulus, modulus, where + "Hardening modulus", 0., big);
+    replace(h.exponent, exponent, where + "Hardening exponent", 1e-6, big);
+    replace(h.strain, strain, where + "Hardening strain", 1e-12, big);
+    replace(h.rate_factor, rate_factor, where + "Rate factor", 0., 10.);
+    replace(h.reference_rate, reference_rate, where + "Reference rate", 1e-12, big);
+    replace(h.softening_exponent, softening_exponent, where + "Softening exponent", 1e-6, 100.);
     if (hardening != "table")
       h.law = hardening_laws().at(hardening);
     h.density             = result.density;
     h.taylor_quinney      = taylor_quinney;
     h.initial_temperature = initial_temperature;
     h.room_temperature    = room_temperature;
-    set_heating(h);
+    set_heating(h, where);
     const bool has_modulus =
       h.law == HardeningLaw::linear || h.law == HardeningLaw::voce || h.law == HardeningLaw::johnson_cook;
     if (has_modulus && modulus == "table" && h.modulus == 0.)
-      throw InputError("Blade/Material/Hardening modulus is not given, and the table has none for '" + name +
+      throw InputError(where + "Hardening modulus is not given, and the table has none for '" + name +
                        "'.\nGive a number, or set Hardening = perfect.");
     if (h.law == HardeningLaw::swift && h.exponent > 1.)
-      throw InputError("Blade/Material/Hardening exponent: " + std::to_string(h.exponent) +
+      throw InputError(where + "Hardening exponent: " + std::to_string(h.exponent) +
                        " was read; Swift's law needs one from 0 to 1.");
-    result.failure = failure.failure(result.failure, name);
+    result.failure = failure.failure(result.failure, name, where);
     if (result.failure.can_fail() && h.law == HardeningLaw::elastic)
-      throw InputError("Blade/Material/Failure: a metal that never yields never fails.\n"
-                       "Set Hardening to another law than elastic, or Failure = none.");
+      throw InputError(where + "Failure: a metal that never yields never fails.\n"
+                               "Set Hardening to another law than elastic, or Failure = none.");
     return result;
   }
 } // namespace birdstrike

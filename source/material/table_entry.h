@@ -9,14 +9,14 @@
 
 namespace birdstrike
 {
-  /// A number in [lowest, highest] that replaces `value`, unless the text is "table".
+  /// A number in [lowest, highest] that replaces `value`, unless the text is "table"; `entry` with its sections.
   inline void replace(double &value, const std::string &text, const std::string &entry, const double lowest,
                       const double highest)
   {
     if (text == "table")
       return;
     if (!dealii::Patterns::Double(lowest, highest).match(text))
-      throw InputError("Blade/Material/" + entry + ": '" + text + "' was read.\nAllowed: 'table' or a number from " +
+      throw InputError(entry + ": '" + text + "' was read.\nAllowed: 'table' or a number from " +
                        std::to_string(lowest) + " to " + std::to_string(highest) + ".");
     value = dealii::Utilities::string_to_double(text);
   }

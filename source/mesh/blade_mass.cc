@@ -9,7 +9,7 @@
 namespace birdstrike
 {
   template <int dim>
-  auto BladeMesh<dim>::compute_mass(const double density, const ThicknessLaw &thickness) const -> Mass
+  auto BladeMesh<dim>::compute_mass(const DensityLaw &density_of, const ThicknessLaw &thickness) const -> Mass
   {
     const dealii::QGauss<dim>  quadrature(2);
     const dealii::FE_Q<dim, 3> shape(1);
@@ -24,8 +24,9 @@ namespace birdstrike
         if (!Grid::is_here(this->space, cell))
           continue;
         values.reinit(static_cast<const typename dealii::Triangulation<dim, 3>::active_cell_iterator &>(cell));
-        double size = 0., element_mass = 0.;
-        double share[BladeMesh::n_corners] = {};
+        const double density = density_of(cell->material_id());
+        double       size = 0., element_mass = 0.;
+        double       share[BladeMesh::n_corners] = {};
         for (const unsigned int q : values.quadrature_point_indices())
           {
             const dealii::Point<3> &p = values.quadrature_point(q);
@@ -54,6 +55,6 @@ namespace birdstrike
     return mass;
   }
 
-  template BladeMesh<2>::Mass BladeMesh<2>::compute_mass(double, const ThicknessLaw &) const;
-  template BladeMesh<3>::Mass BladeMesh<3>::compute_mass(double, const ThicknessLaw &) const;
+  template BladeMesh<2>::Mass BladeMesh<2>::compute_mass(const DensityLaw &, const ThicknessLaw &) const;
+  template BladeMesh<3>::Mass BladeMesh<3>::compute_mass(const DensityLaw &, const ThicknessLaw &) const;
 } // namespace birdstrike

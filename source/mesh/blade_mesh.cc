@@ -1,6 +1,7 @@
 #include "mesh/blade_grid.h"
 #include "mesh/check_cells.h"
 #include "mesh/generated_surface.h"
+#include "mesh/material_boxes.h"
 #include "mesh/mesh_file.h"
 
 #include <birdstrike/core/contact_views.h>
@@ -109,6 +110,7 @@ namespace birdstrike
       generate(parameters, grid->triangulation);
     else
       read_mesh_file(mesh, grid->triangulation);
+    set_material_ids(mesh.material_boxes, parameters.is_halved, grid->triangulation);
     grid->is_halved = parameters.is_halved;
     if (grid->is_halved)
       put_on_symmetry_plane(grid->triangulation);

@@ -87,6 +87,10 @@ namespace birdstrike
                       "0), physical surfaces (solid: volumes) material ids. [-]",
                       Anything());
     prm.add_parameter("File scale", p.file_scale, "Metres per length unit of the file, e.g. 0.001. [m]", Double(tiny));
+    prm.add_parameter("Material boxes", p.material_boxes,
+                      "Material ids of the cells whose centre lies in a box: 'xmin ymin zmin xmax ymax zmax: 1; ...'; "
+                      "other cells keep theirs, 0 in built-in parts. See Section 1. [m]",
+                      Anything());
     declare_profile(prm, p.profile);
     prm.leave_subsection();
   }

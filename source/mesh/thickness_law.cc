@@ -72,11 +72,12 @@ namespace birdstrike
     };
   }
 
-  double thickness_at(const ThicknessLaw &law, const double *position, const unsigned int material_id)
+  double thickness_at(const ThicknessLaw &law, const double *position, const unsigned int material_id,
+                      const std::string &entry)
   {
     const double t = law(position, material_id);
     if (!(t > 0.))
-      throw InputError("Blade/Thickness: the thickness at (" + std::to_string(position[0]) + ", " +
+      throw InputError("Blade/" + entry + ": the thickness at (" + std::to_string(position[0]) + ", " +
                        std::to_string(position[1]) + ", " + std::to_string(position[2]) + ") is " + std::to_string(t) +
                        " m.\nAllowed: positive everywhere on the blade.");
     return t;

@@ -1,5 +1,6 @@
 #include "report/quantities.h"
 #include <birdstrike/report/summary.h>
+#include <birdstrike/structure/blade.h>
 
 #include <sys/resource.h>
 
@@ -52,6 +53,12 @@ namespace birdstrike
     const Balance::Origins from     = run.balance.origins();
     json["energy"]["error_origins"] = {
       {"bird", from.bird}, {"blade", from.blade}, {"contact", from.contact}, {"steps", from.steps}};
+    if (run.blade)
+      for (const SectionCensus &section : run.blade->census().sections)
+        json["blade"]["sections"].push_back({{"section", section.number},
+                                             {"elements", section.n_elements},
+                                             {"mass", section.mass},
+                                             {"plastic_work", section.plastic_work}});
     for (const SkippedWork &work : run.skipped)
       json["skipped"][work.what] = {{"count", work.count}, {"unit", work.unit}, {"saved", work.saved}};
   }

@@ -52,6 +52,12 @@ namespace birdstrike
                 format_quantity(census.smallest_edge, "m") + " at " + vector_text(census.smallest_at, "m"));
       table.add("largest over smallest element", fmt::format("{:.3g}", census.largest_edge_ratio));
       table.add("held unknowns", format_count(census.n_held_dofs));
+      const auto of = parameters.by_section();
+      for (const SectionCensus &section : census.sections)
+        table.add(section.number == 0 ? "the blade's own section" : "section " + std::to_string(section.number),
+                  fmt::format("{} elements ({}) of {}, {:.4g} kg", format_count(section.n_elements),
+                              of.at(section.number).formulation_name(), of.at(section.number).material.name,
+                              section.mass));
       add_mass_scaling(table, census.mass_scaling, census.n_elements);
       table.add("memory", format_bytes(census.bytes));
     }

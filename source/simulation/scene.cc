@@ -29,11 +29,17 @@ namespace birdstrike
     /// What helps where an element is crushed to nothing.
     const char *advice_on_crushed_elements(const BladeParameters &blade)
     {
-      const bool can_fail = blade.material.failure.law != FailureLaw::none;
-      if (can_fail && blade.material.failure.smallest_step == 0.)
-        return "Set Blade/Material/Smallest step (0.1, say) to take such elements away.";
+      bool can_fail = false, has_no_smallest_step = false;
+      for (const auto &[number, of_section] : blade.by_section())
+        if (const FailureParameters &failure = of_section.material.failure; failure.law != FailureLaw::none)
+          {
+            can_fail             = true;
+            has_no_smallest_step = has_no_smallest_step || failure.smallest_step == 0.;
+          }
+      if (has_no_smallest_step)
+        return "Set Material/Smallest step (0.1, say) of the metal that fails to take such elements away.";
       if (can_fail)
-        return "Look at the last fields; Blade/Material/Smallest step takes elements away earlier.";
+        return "Look at the last fields; Material/Smallest step of the metal that fails takes elements away earlier.";
       return "An element is crushed, or the mesh has one that is far too small. A metal that fails "
              "(Blade/Material/Failure; Blade/Element/Formulation\nother than solid-shell) lets it go at "
              "Blade/Material/Smallest step; else change loads or mesh.";

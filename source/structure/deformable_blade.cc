@@ -8,14 +8,15 @@ namespace birdstrike
     : plane(parameters.is_halved)
     , mesh(parameters)
     , supports(parameters.supports, mesh)
-    , lumped(Kind::compute_mass(mesh, parameters))
-    , elements(Kind::make_elements(mesh, lumped, parameters, pool))
+    , sections(parameters, mesh.material_ids)
+    , lumped(Kind::compute_mass(mesh, sections))
+    , elements(Kind::make_elements(mesh, lumped, sections, pool))
     , pressed(Kind::find_pressed(mesh, parameters.loads))
     , motion(mesh, Kind::masses(lumped), supports, Loads(parameters.loads, mesh, pressed.facets), pool)
-    , root(Kind::make_root(mesh, supports, parameters))
+    , root(Kind::make_root(mesh, supports))
     , tip(Kind::make_tip(mesh, supports))
     , surface(Kind::make_surface(mesh, lumped))
-    , can_fail(parameters.material.metal().failure.can_fail())
+    , can_fail(parameters.can_fail())
   {
     elements.set_owned(mesh);
     elements.use_nodal_masses(lumped.node);

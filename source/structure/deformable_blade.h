@@ -119,6 +119,7 @@ namespace birdstrike
     SymmetryPlane                    plane;
     typename Kind::Mesh              mesh;
     Supports                         supports;
+    SectionTable                     sections;
     typename Kind::Mesh::Mass        lumped;
     typename Kind::Elements          elements;
     PressedFacets                    pressed;

@@ -24,6 +24,12 @@ namespace birdstrike
     census.n_elements_with_points = plane.whole(elements.n_promoted());
     census.mass_scaling           = scaling;
     census.mass_scaling.n_scaled  = plane.whole(scaling.n_scaled);
+    for (std::size_t k = 0; k < elements.n_sections() && elements.n_sections() > 1; ++k)
+      {
+        const auto sums = elements.section_sums(k);
+        census.sections.push_back(
+          {sections.number[k], plane.whole(sums.n_elements), plane.whole(sums.mass), plane.whole(sums.plastic_work)});
+      }
     return census;
   }
 
@@ -48,6 +54,13 @@ namespace birdstrike
         }
     motion.add_fields(snapshot.fields);
     Kind::add_fields(elements, left, snapshot.fields);
+    if (sections.all.size() > 1)
+      {
+        Field section{"section", "-", true, 1, {}, true}; // 0: the blade's own
+        for (const std::size_t e : left)
+          section.values.push_back(static_cast<double>(sections.number[sections.of_element[e]]));
+        snapshot.fields.push_back(std::move(section));
+      }
     if (can_fail)
       snapshot.fields.insert(snapshot.fields.end(), {std::move(damage), std::move(number)});
     return snapshot;

@@ -2,11 +2,10 @@
 #include <birdstrike/mesh/parameters.h>
 
 #include <birdstrike/core/declare_choice.h>
-#include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/structure/parameters.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace birdstrike
 {
@@ -61,6 +60,28 @@ namespace birdstrike
                         "Bulk viscosity of solids in compression, which spreads shocks over some elements; its work is "
                         "booked. [-]",
                         Double(0., 10.));
+      prm.leave_subsection();
+    }
+
+    void declare_section(dealii::ParameterHandler &prm, const std::string &name, BladeParameters::Section &p)
+    {
+      prm.enter_subsection(name);
+      prm.add_parameter("Material ids", p.material_ids,
+                        "Ids of the cells that have this section instead of the blade's own, e.g. '1, 2'; none: it is "
+                        "not used. What is not given below is the blade's. [-]",
+                        Anything());
+      declare_choice(prm, "Formulation", p.formulation, element_formulations(),
+                     "See Element/Formulation; automatic: the blade's. [-]");
+      prm.add_parameter("Points through thickness", p.n_points,
+                        "See Element/Points through thickness; 0: the blade's. [-]", Integer(0, 7));
+      prm.add_parameter(
+        "Thickness", p.thickness,
+        "Thickness of shells, a number or a formula in x, y, z, before Thickness/By material; empty: the "
+        "blade's. [m]",
+        Anything());
+      prm.enter_subsection("Material");
+      p.material.declare(prm);
+      prm.leave_subsection();
       prm.leave_subsection();
     }
 
@@ -135,12 +156,6 @@ namespace birdstrike
       prm.add_parameter("Mass", p.mass, "Mass of the free surface. [kg]", Double(tiny));
       prm.leave_subsection();
     }
-
-    void require(const bool condition, const std::string &message)
-    {
-      if (!condition)
-        throw InputError("Blade/" + message);
-    }
   } // namespace
 
   bool BladeParameters::is_deformable() const
@@ -161,6 +176,30 @@ namespace birdstrike
     const bool is_one_layer = mesh.generator != "file" && mesh.n_layers == 1;
     return is_one_layer && !material.metal().failure.can_fail() ? SolidFormulation::solid_shell
                                                                 : SolidFormulation::one_point;
+  }
+
+  std::map<std::size_t, BladeParameters> BladeParameters::by_section() const
+  {
+    std::map<std::size_t, BladeParameters> result{{0, *this}};
+    for (std::size_t k = 0; k < n_sections; ++k)
+      {
+        const Section &section = sections[k];
+        if (parse_ids(section.material_ids, section_path(k + 1) + "Material ids").empty())
+          continue;
+        BladeParameters &changed = result[k + 1] = *this;
+        if (!std::holds_alternative<std::monostate>(section.formulation))
+          changed.element.formulation = section.formulation;
+        if (section.n_points > 0)
+          changed.element.n_points = section.n_points;
+        if (section.material.name != Section::same)
+          changed.material = section.material;
+      }
+    return result;
+  }
+
+  std::string BladeParameters::section_path(const std::size_t section)
+  {
+    return section == 0 ? "" : "Section " + std::to_string(section) + "/";
   }
 
   std::string BladeParameters::formulation_name() const
@@ -184,68 +223,10 @@ namespace birdstrike
     prm.enter_subsection("Material");
     material.declare(prm);
     prm.leave_subsection();
+    for (std::size_t k = 0; k < n_sections; ++k)
+      declare_section(prm, "Section " + std::to_string(k + 1), sections[k]);
     declare_supports(prm, supports);
     declare_loads(prm, loads);
     declare_rigid(prm, rigid);
-  }
-
-  void BladeParameters::check() const
-  {
-    if (kind == BladeKind::none)
-      return;
-    if (is_deformable() || rigid.surface == RigidSurface::mesh)
-      require(
-        mesh.generator != "file" || !mesh.file.empty(),
-        "Mesh/File: the generator is 'file' but no file is named.\nName a .msh file, or set Generator = flat plate.");
-    if (kind == BladeKind::rigid)
-      {
-        require(std::hypot(rigid.normal[0], rigid.normal[1], rigid.normal[2]) > 0.,
-                "Rigid/Normal: the normal has no length.\nAllowed: any three numbers that are not all zero.");
-        return;
-      }
-    check_geometry();
-    const bool is_solid = kind == BladeKind::solid;
-    require(is_solid ? !std::holds_alternative<ShellFormulation>(element.formulation)
-                     : !std::holds_alternative<SolidFormulation>(element.formulation),
-            "Element/Formulation: '" + element_formulations().name(element.formulation) + "' is no element of a " +
-              blade_kinds().name(kind) + ".\nAllowed for it: automatic|" +
-              (is_solid ? "one point|solid-shell|B-bar" : "physical|Belytschko-Tsay|fully integrated") +
-              ". Set one of them, or change Blade/Kind.");
-    require(element.n_points == 3 || element.n_points == 5 || element.n_points == 7,
-            "Element/Points through thickness: " + std::to_string(element.n_points) + " was read.\nAllowed: 3, 5, 7.");
-    material.check();
-    require(!is_solid || mass_scaling.method == MassScalingMethod::off || !material.metal().failure.can_fail(),
-            "Mass scaling/Method: inertia that is added between nodes is not taken out again with elements that fail.\n"
-            "Set it to off, or Material/Failure to none.");
-  }
-
-  std::vector<std::string> BladeParameters::unused_entries() const
-  {
-    const BladeParameters    defaults;
-    std::vector<std::string> unused;
-    const auto               add = [&](const BladeKind of_kind, const std::string &name, const bool is_changed) {
-      if (is_changed && kind != of_kind && is_deformable())
-        unused.push_back(name);
-    };
-    const Element &e = element, &d = defaults.element;
-    const auto     differ = [](const double a, const double b) { return std::abs(a - b) > 1e-5 * b; }; // printed digits
-    if (kind != BladeKind::solid || solid_formulation() != SolidFormulation::solid_shell)
-      {
-        add(BladeKind::shell, "Element/Points rule", e.rule != d.rule);
-        add(BladeKind::shell, "Element/Points through thickness", e.n_points != d.n_points);
-      }
-    add(BladeKind::shell, "Element/Hourglass coefficient", differ(e.hourglass, d.hourglass));
-    add(BladeKind::shell, "Element/Shear factor", differ(e.shear_factor, d.shear_factor));
-    add(BladeKind::shell, "Element/Thinning", e.has_thinning != d.has_thinning);
-    add(BladeKind::solid, "Element/Linear viscosity", differ(e.linear_viscosity, d.linear_viscosity));
-    add(BladeKind::solid, "Element/Quadratic viscosity", differ(e.quadratic_viscosity, d.quadratic_viscosity));
-    add(BladeKind::solid, "Loads/Pressure boundaries", loads.pressure_boundaries != defaults.loads.pressure_boundaries);
-    add(BladeKind::solid, "Mesh/Layers", mesh.n_layers != defaults.mesh.n_layers);
-    add(BladeKind::solid, "Mesh/Layer grading", differ(mesh.layer_grading, defaults.mesh.layer_grading));
-    const MassScaling &m = mass_scaling, &n = defaults.mass_scaling;
-    add(BladeKind::solid, "Mass scaling/Method", m.method != n.method);
-    add(BladeKind::solid, "Mass scaling/Largest added inertia", differ(m.largest_added, n.largest_added));
-    add(BladeKind::solid, "Mass scaling/Target step", m.target_step != n.target_step);
-    return unused;
   }
 } // namespace birdstrike

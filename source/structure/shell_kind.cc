@@ -2,7 +2,6 @@
 #include "structure/elements/von_mises.h"
 
 #include <birdstrike/core/text_lists.h>
-#include <birdstrike/mesh/thickness_law.h>
 
 #include <numeric>
 
@@ -32,15 +31,16 @@ namespace birdstrike
     }
   } // namespace
 
-  ShellMesh::Mass ShellKind::compute_mass(const Mesh &mesh, const BladeParameters &parameters)
+  ShellMesh::Mass ShellKind::compute_mass(const Mesh &mesh, const SectionTable &sections)
   {
-    return mesh.compute_mass(parameters.material.metal().density, make_thickness_law(parameters));
+    return mesh.compute_mass(sections.density_law(), sections.thickness_law());
   }
 
-  ShellElements ShellKind::make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,
+  ShellElements ShellKind::make_elements(const Mesh &mesh, const Mesh::Mass &mass, const SectionTable &table,
                                          ThreadPool &pool)
   {
-    return ShellElements(points_of(mesh), mesh.cells, mass.element_thickness, make_section(parameters), pool);
+    return ShellElements(points_of(mesh), mesh.cells, mass.element_thickness,
+                         make_sections<ShellSection>(table, make_section), pool);
   }
 
   NodalMechanics<6>::Masses ShellKind::masses(const Mesh::Mass &mass)
@@ -57,7 +57,7 @@ namespace birdstrike
     return pressed;
   }
 
-  RootSection ShellKind::make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &)
+  RootSection ShellKind::make_root(const Mesh &mesh, const Supports &supports)
   {
     return RootSection(mesh, supports.root_ids);
   }

@@ -32,15 +32,15 @@ namespace birdstrike
     }
   } // namespace
 
-  SolidMesh::Mass SolidKind::compute_mass(const Mesh &mesh, const BladeParameters &parameters)
+  SolidMesh::Mass SolidKind::compute_mass(const Mesh &mesh, const SectionTable &sections)
   {
-    return mesh.compute_mass(parameters.material.metal().density);
+    return mesh.compute_mass(sections.density_law());
   }
 
-  SolidElements SolidKind::make_elements(const Mesh &mesh, const Mesh::Mass &, const BladeParameters &parameters,
+  SolidElements SolidKind::make_elements(const Mesh &mesh, const Mesh::Mass &, const SectionTable &table,
                                          ThreadPool &pool)
   {
-    return SolidElements(points_of(mesh), mesh.cells, make_section(parameters), pool);
+    return SolidElements(points_of(mesh), mesh.cells, make_sections<SolidSection>(table, make_section), pool);
   }
 
   NodalMechanics<3>::Masses SolidKind::masses(const Mesh::Mass &mass)
@@ -67,9 +67,9 @@ namespace birdstrike
     return pressed;
   }
 
-  SolidRootSection SolidKind::make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &parameters)
+  SolidRootSection SolidKind::make_root(const Mesh &mesh, const Supports &supports)
   {
-    return SolidRootSection(mesh, supports.root_ids, parameters.material.metal().hardening);
+    return SolidRootSection(mesh, supports.root_ids);
   }
 
   TipRow SolidKind::make_tip(const Mesh &mesh, const Supports &supports)

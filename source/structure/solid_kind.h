@@ -4,6 +4,7 @@
 #include "structure/nodes/nodal_mechanics.h"
 #include "structure/pressed_facets.h"
 #include "structure/probes/solid_sections.h"
+#include "structure/section_table.h"
 #include "structure/surface/eroding_skin.h"
 #include <birdstrike/mesh/blade_mesh.h>
 
@@ -28,12 +29,12 @@ namespace birdstrike
     static constexpr BladeKind    kind           = BladeKind::solid;
     static constexpr double       bytes_per_cell = 1200.; ///< of deal.II's mesh, about
 
-    static Mesh::Mass    compute_mass(const Mesh &mesh, const BladeParameters &parameters);
-    static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const BladeParameters &parameters,
+    static Mesh::Mass    compute_mass(const Mesh &mesh, const SectionTable &sections);
+    static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const SectionTable &sections,
                                        ThreadPool &pool);
     static Nodes::Masses masses(const Mesh::Mass &mass);
     static PressedFacets find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads);
-    static Root          make_root(const Mesh &mesh, const Supports &supports, const BladeParameters &parameters);
+    static Root          make_root(const Mesh &mesh, const Supports &supports);
     static TipRow        make_tip(const Mesh &mesh, const Supports &supports);
     static Surface       make_surface(const Mesh &mesh, const Mesh::Mass &mass);
     static bool          is_one_surface(const Mesh &mesh);

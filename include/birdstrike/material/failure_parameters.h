@@ -22,9 +22,12 @@ namespace birdstrike
     double                     failed_share   = Failure().failed_share;  ///< -
     double                     smallest_step  = Failure().smallest_step; ///< -
 
+    bool operator==(const FailureParameters &) const = default;
+
     /// Declares the entries in the section that the caller has entered.
     void declare(dealii::ParameterHandler &prm);
-    /// The law that follows, with the constants of a metal of the table and its name; throws InputError.
-    Failure failure(const Failure &table, const std::string &metal) const;
+    /// The law that follows, with the constants of a metal of the table and its name; throws InputError, which names
+    /// the entries with `where` they stand.
+    Failure failure(const Failure &table, const std::string &metal, const std::string &where) const;
   };
 } // namespace birdstrike

@@ -13,7 +13,7 @@ namespace dealii
 namespace birdstrike
 {
   /// The metal of a blade as the user gives it: a name of `metal_table`, and values that replace those of the table.
-  /// Values are texts, since "table" (take it from the name) stands beside numbers; check() refuses any other text.
+  /// Values are texts, since "table" (take it from the name) stands beside numbers; metal() refuses any other text.
   /// Hardening data default to what a law needs to be neutral, where the table has nothing.
   struct MetalParameters
   {
@@ -38,16 +38,17 @@ namespace birdstrike
     std::string melting_temperature = "table"; ///< K
     std::string softening_exponent  = "table"; ///< -
 
-    FailureParameters failure;
+    FailureParameters failure{};
 
-    /// Declares the entries in the section that the caller has entered.
+    bool operator==(const MetalParameters &) const = default;
+
+    /// Declares the entries in the section that the caller has entered; a default name that the table does not have
+    /// may be chosen too.
     void declare(dealii::ParameterHandler &prm);
-    /// Throws InputError.
-    void check() const;
-    /// The metal that follows; throws InputError.
-    Metal metal() const;
+    /// The metal that follows; throws InputError, which names the entries with `where` they stand.
+    Metal metal(const std::string &where = "Blade/Material/") const;
 
   private:
-    void set_heating(Hardening &hardening) const;
+    void set_heating(Hardening &hardening, const std::string &where) const;
   };
 } // namespace birdstrike

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/mesh/cell_mesh.h>
+#include <birdstrike/mesh/density_law.h>
 #include <birdstrike/mesh/parameters.h>
 #include <birdstrike/mesh/thickness_law.h>
 
@@ -52,8 +53,8 @@ namespace birdstrike
     /// thickness:
     ///   m_i = int rho t phi_i dA or int rho phi_i dV,    I_i = sum_e m_{i,e} max(t_e^2/12, A_e/8),
     /// the rotary inertia of a shell scaled so that bending never sets the step (Hughes, Cohen, Haroun 1978).
-    /// `density` in kg/m^3; a body has no use for a thickness.
-    Mass compute_mass(double density, const ThicknessLaw &thickness = {}) const;
+    /// A body has no use for a thickness.
+    Mass compute_mass(const DensityLaw &density, const ThicknessLaw &thickness = {}) const;
 
     /// The facets that contact meets.
     const SurfaceMesh &surface() const

@@ -42,6 +42,7 @@ namespace birdstrike
     Profile      profile;
     std::string  file;
     double       file_scale = 1.; ///< m per unit of the file
+    std::string  material_boxes;  ///< "xmin ymin zmin xmax ymax zmax: 1; ..."
 
     void declare(dealii::ParameterHandler &prm); ///< in the handler's present section, "Blade"
   };

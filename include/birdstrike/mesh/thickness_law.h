@@ -14,6 +14,7 @@ namespace birdstrike
   /// cannot be read.
   ThicknessLaw make_thickness_law(const GeometryParameters &parameters);
 
-  /// Evaluates a law. Throws InputError, naming the place, if the thickness is not positive.
-  double thickness_at(const ThicknessLaw &law, const double *position, unsigned int material_id);
+  /// Evaluates a law. Throws InputError, naming its entry and the place, if the thickness is not positive.
+  double thickness_at(const ThicknessLaw &law, const double *position, unsigned int material_id,
+                      const std::string &entry = "Thickness");
 } // namespace birdstrike

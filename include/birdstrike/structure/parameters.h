@@ -5,6 +5,7 @@
 #include <birdstrike/structure/choices.h>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,21 @@ namespace birdstrike
       bool               has_thinning     = true;
       double             linear_viscosity = 0.06, quadratic_viscosity = 1.2; ///< bulk viscosity of solids
     };
+
+    /// Of the cells with some material ids, instead of the blade's own; what is not given is the blade's.
+    struct Section
+    {
+      static constexpr const char *same = "as the blade"; ///< name of a metal
+
+      std::string        material_ids; ///< none: the section is not used
+      ElementFormulation formulation;  ///< automatic: the blade's
+      unsigned int       n_points = 0; ///< through the thickness; 0: the blade's
+      std::string        thickness;    ///< m, of shells, number or expression in x, y, z; empty: the blade's
+      MetalParameters    material{same};
+
+      bool operator==(const Section &) const = default;
+    };
+    static constexpr std::size_t n_sections = 3; ///< besides the blade's own
 
     struct MassScaling
     {
@@ -78,14 +94,15 @@ namespace birdstrike
       double                mass           = 1.; ///< kg
     };
 
-    BladeKind       kind = BladeKind::shell;
-    Element         element;
-    MetalParameters material;
-    MassScaling     mass_scaling;
-    Supports        supports;
-    Loads           loads;
-    Rigid           rigid;
-    std::string     probes; ///< "name: x y z; ..."
+    BladeKind                       kind = BladeKind::shell;
+    Element                         element;
+    MetalParameters                 material;
+    std::array<Section, n_sections> sections;
+    MassScaling                     mass_scaling;
+    Supports                        supports;
+    Loads                           loads;
+    Rigid                           rigid;
+    std::string                     probes; ///< "name: x y z; ..."
     /// m/s, of the bird that strikes: it gives reports their signs (orientation.h). Set by the case; none without a
     /// bird.
     std::optional<std::array<double, 3>> bird_velocity;
@@ -100,6 +117,12 @@ namespace birdstrike
     /// The name of the one that the blade's kind takes; empty without elements.
     std::string formulation_name() const;
 
+    /// By section: 0 is the blade's own, k section k where it has material ids, its entries in the blade's places.
+    std::map<std::size_t, BladeParameters> by_section() const;
+    /// Of a section's entries: "", or "Section 1/".
+    static std::string section_path(std::size_t section);
+    bool               can_fail() const; ///< the metal of some section
+
     /// Declares every entry in the handler's present section; the members' values are the defaults.
     void declare(dealii::ParameterHandler &prm);
 
@@ -109,5 +132,9 @@ namespace birdstrike
     /// Entries that were changed from their defaults and mean nothing for this kind of blade ("Element/Thinning"): one
     /// file may hold those of shell and solid.
     std::vector<std::string> unused_entries() const;
+
+  private:
+    void check_elements(std::size_t section) const;
+    bool has_points_through_thickness() const;
   };
 } // namespace birdstrike

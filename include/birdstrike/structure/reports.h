@@ -19,6 +19,14 @@ namespace birdstrike
     std::size_t n_scaled             = 0;  ///< elements
   };
 
+  /// Elements of a section; 0 is the blade's own.
+  struct SectionCensus
+  {
+    std::size_t number, n_elements;
+    double      mass;         ///< kg
+    double      plastic_work; ///< J, so far
+  };
+
   /// What will be computed, known before the first step (all but the elements with points, which grow in number).
   struct BladeCensus
   {
@@ -33,6 +41,8 @@ namespace birdstrike
     std::size_t           n_elements_with_points = 0;  ///< that hold points through the thickness at present
     double                bytes                  = 0.; ///< estimated memory of state, elements and surface
     MassScalingReport     mass_scaling;
+
+    std::vector<SectionCensus> sections; ///< none where all elements have one
   };
 
   /// What has failed of a blade so far. Failed elements carry nothing; their mass stays on their nodes, and nodes

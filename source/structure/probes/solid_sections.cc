@@ -102,9 +102,7 @@ namespace birdstrike
     return found;
   }
 
-  SolidRootSection::SolidRootSection(const VolumeMesh &mesh, const std::vector<unsigned int> &root_ids,
-                                     const Hardening &hardening)
-    : hardening(hardening)
+  SolidRootSection::SolidRootSection(const VolumeMesh &mesh, const std::vector<unsigned int> &root_ids)
   {
     const EndFaces root(mesh, root_ids);
     if (!root.is_present())
@@ -166,7 +164,8 @@ namespace birdstrike
         for (unsigned int c = 0; c < 6; ++c)
           mean[c] += 0.25 * at[c];
       }
-    const double flow = compute_flow_stress(hardening, elements.state(facet.cell).plastic_strain, 0., 1., 1.).value;
+    const Hardening &hardening = elements.section(facet.cell).material.hardening;
+    const double     flow = compute_flow_stress(hardening, elements.state(facet.cell).plastic_strain, 0., 1., 1.).value;
     limit(flow, mean);
     const auto   x       = [&](const unsigned int k) { return Point3(position + 3 * facet.nodes[k]); };
     const Point3 outward = (x(2) - x(0)).cross(x(3) - x(1)).normalized();

@@ -2,7 +2,6 @@
 
 #include "structure/elements/solid/elements.h"
 #include "structure/probes/sections.h"
-#include <birdstrike/material/hardening.h>
 #include <birdstrike/mesh/cell_mesh.h>
 
 #include <vector>
@@ -40,7 +39,7 @@ namespace birdstrike
   class SolidRootSection
   {
   public:
-    SolidRootSection(const VolumeMesh &mesh, const std::vector<unsigned int> &root_ids, const Hardening &hardening);
+    SolidRootSection(const VolumeMesh &mesh, const std::vector<unsigned int> &root_ids);
 
     /// From now on the normal looks the other way.
     void turn();
@@ -67,7 +66,6 @@ namespace birdstrike
     std::vector<Facet> make_facets(const VolumeMesh &mesh, const std::vector<std::size_t> &faces) const;
     double             stress(const Facet &facet, const double *position, const SolidElements &elements) const;
 
-    Hardening                         hardening;
     SectionFrame                      frame;
     std::array<std::vector<Facet>, 2> facets; ///< bottom and top, as many, by chord position
   };

@@ -59,6 +59,15 @@ TEST(SymmetryPlane, RefusesWhatIsNotItsOwnMirrorImage)
     }
 }
 
+TEST(SymmetryPlane, RefusesAThicknessOfASectionThatIsNotItsOwnMirrorImage)
+{
+  const std::string ids = "Blade/Section 2/Material ids=1";
+  EXPECT_EQ(refusal("Blade/Section 2/Thickness=0.004 + y^2", ids), "");
+  EXPECT_EQ(refusal("Blade/Section 2/Thickness=0.004 + 0.01*y"), "") << "not in use";
+  EXPECT_NE(refusal("Blade/Section 2/Thickness=0.004 + 0.01*y", ids).find("Section 2/Thickness is not symmetric"),
+            std::string::npos);
+}
+
 TEST(SymmetryPlane, RefusesAProfileOfThicknessThatIsNotItsOwnMirrorImage)
 {
   const std::string maximum = "Blade/Thickness/Maximum=0.004 - 0.001*s";

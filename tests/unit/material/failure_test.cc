@@ -148,19 +148,19 @@ TEST(FailureParameters, AreReadAndRefused)
   EXPECT_EQ(Failure().smallest_step, 0.) << "off";
 
   parameters.failure.d[2] = "-1.6 J"; // not a number to the end
-  EXPECT_THROW(parameters.check(), InputError);
+  EXPECT_THROW(parameters.metal(), InputError);
   parameters.failure.d = {{"-0.5", "0.2", "-1.5", "0", "0"}}; // negative in tension
-  EXPECT_THROW(parameters.check(), InputError);
+  EXPECT_THROW(parameters.metal(), InputError);
   MetalParameters titanium;
   titanium.failure.law = FailureLaw::johnson_cook; // the table has no damage constants
-  EXPECT_THROW(titanium.check(), InputError);
+  EXPECT_THROW(titanium.metal(), InputError);
   titanium.failure.law = FailureLaw::plastic_strain;
-  EXPECT_NO_THROW(titanium.check());
+  EXPECT_NO_THROW(titanium.metal());
   titanium.failure.law           = FailureLaw::none;
   titanium.failure.smallest_step = 0.05; // of elements that never go
   try
     {
-      titanium.check();
+      titanium.metal();
       ADD_FAILURE() << "accepted";
     }
   catch (const InputError &error)
@@ -168,7 +168,7 @@ TEST(FailureParameters, AreReadAndRefused)
       EXPECT_NE(std::string(error.what()).find("Blade/Material/Smallest step"), std::string::npos) << error.what();
     }
   titanium.failure.law = FailureLaw::plastic_strain;
-  EXPECT_NO_THROW(titanium.check());
+  EXPECT_NO_THROW(titanium.metal());
   titanium.hardening = "elastic"; // never yields, never fails
-  EXPECT_THROW(titanium.check(), InputError);
+  EXPECT_THROW(titanium.metal(), InputError);
 }

@@ -32,23 +32,23 @@ TEST(MetalParameters, CustomMetalsMustBeComplete)
   parameters.density = "2700";
   parameters.young   = "70e9";
   parameters.poisson = "0.3";
-  EXPECT_THROW(parameters.check(), InputError);
+  EXPECT_THROW(parameters.metal(), InputError);
   parameters.yield = "300e6";
-  EXPECT_NO_THROW(parameters.check());
+  EXPECT_NO_THROW(parameters.metal());
 }
 
 TEST(MetalParameters, BadValuesAreRefused)
 {
   MetalParameters parameters;
   parameters.poisson = "0.5";
-  EXPECT_THROW(parameters.check(), InputError);
+  EXPECT_THROW(parameters.metal(), InputError);
   parameters.poisson = "0.3x";
-  EXPECT_THROW(parameters.check(), InputError);
+  EXPECT_THROW(parameters.metal(), InputError);
   parameters.poisson   = "0.3";
   parameters.hardening = "johnson-cook"; // the table has no hardening modulus for this alloy
-  EXPECT_THROW(parameters.check(), InputError);
+  EXPECT_THROW(parameters.metal(), InputError);
   parameters.modulus = "331e6";
-  EXPECT_NO_THROW(parameters.check());
+  EXPECT_NO_THROW(parameters.metal());
 }
 
 TEST(MetalParameters, HeatingTakesTheHeatDataOfItsMetal)
@@ -60,16 +60,16 @@ TEST(MetalParameters, HeatingTakesTheHeatDataOfItsMetal)
   EXPECT_EQ(parameters.metal().hardening.heat_capacity, 875.);
   EXPECT_EQ(parameters.metal().hardening.melting_temperature, 775.);
   parameters.melting_temperature = "200"; // colder than the room
-  EXPECT_THROW(parameters.check(), InputError);
+  EXPECT_THROW(parameters.metal(), InputError);
   parameters.melting_temperature = "900";
   parameters.heat_capacity       = "0.875"; // kJ
-  EXPECT_THROW(parameters.check(), InputError);
+  EXPECT_THROW(parameters.metal(), InputError);
   parameters.heat_capacity = "880";
   EXPECT_EQ(parameters.metal().hardening.heat_capacity, 880.);
   EXPECT_EQ(parameters.metal().hardening.melting_temperature, 900.);
   parameters.name                = "Al 6061-T6";
   parameters.melting_temperature = "table";
-  EXPECT_THROW(parameters.check(), InputError) << "nothing was read of this one";
+  EXPECT_THROW(parameters.metal(), InputError) << "nothing was read of this one";
 }
 
 TEST(ThermalSoftening, LeavesAMillionthOfAMoltenMetal)

@@ -278,6 +278,6 @@ TEST(SolidShell, RefusesWhatItCannot)
     }
   catch (const InputError &error)
     {
-      EXPECT_NE(std::string(error.what()).find("Blade/Material/Failure"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("metal that fails"), std::string::npos) << error.what();
     }
 }

@@ -113,7 +113,7 @@ namespace birdstrike
                                    text_of(smallest_area(e)) +
                                    " m^2, fully integrated four times that at the worst point).\n"
                                    "The step was too large or the element collapsed: reduce Time/Step scale" +
-                                   (erosion ? ", or let it erode (Blade/Material/Smallest step)." : "."));
+                                   (erosion ? ", or let it erode (Material/Smallest step of its metal)." : "."));
           erosion->batches[b].collapsed |= 1u << k;
         }
     // copies do as the last element, and write nowhere

@@ -22,8 +22,7 @@ namespace birdstrike
         : !(section.quadratic_viscosity >= 0.)
           ? "quadratic viscosity " + text_of(section.quadratic_viscosity) + ", must not be negative"
         : section.formulation == SolidFormulation::solid_shell && m.failure.can_fail()
-          ? "Blade/Material/Failure is not there for solid-shells; set it to none, or Blade/Element/Formulation to "
-            "another element"
+          ? "solid-shells of a metal that fails"
           : "";
       if (!bad.empty())
         throw InputError("Solid elements: " + bad + ".");
@@ -156,6 +155,6 @@ namespace birdstrike
     throw NumericalFailure("Solid " + where(e).text() + ": turned inside out, or its force is not finite (volume " +
                            text_of(smallest_volume(e)) +
                            " m^3).\nThe step was too large or the element collapsed: reduce Time/Step scale" +
-                           (erosion ? ", or let it erode (Blade/Material/Smallest step)." : "."));
+                           (erosion ? ", or let it erode (Material/Smallest step of its metal)." : "."));
   }
 } // namespace birdstrike

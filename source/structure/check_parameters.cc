@@ -1,0 +1,117 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/structure/parameters.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    void require(const bool condition, const std::string &message)
+    {
+      if (!condition)
+        throw InputError("Blade/" + message);
+    }
+  } // namespace
+
+  bool BladeParameters::has_points_through_thickness() const
+  {
+    return kind != BladeKind::solid || solid_formulation() == SolidFormulation::solid_shell;
+  }
+
+  bool BladeParameters::can_fail() const
+  {
+    const auto in_use = by_section();
+    return std::any_of(in_use.begin(), in_use.end(),
+                       [](const auto &section) { return section.second.material.metal().failure.can_fail(); });
+  }
+
+  void BladeParameters::check() const
+  {
+    if (kind == BladeKind::none)
+      return;
+    if (is_deformable() || rigid.surface == RigidSurface::mesh)
+      require(
+        mesh.generator != "file" || !mesh.file.empty(),
+        "Mesh/File: the generator is 'file' but no file is named.\nName a .msh file, or set Generator = flat plate.");
+    if (kind == BladeKind::rigid)
+      {
+        require(std::hypot(rigid.normal[0], rigid.normal[1], rigid.normal[2]) > 0.,
+                "Rigid/Normal: the normal has no length.\nAllowed: any three numbers that are not all zero.");
+        require(by_section().size() == 1, "Section 1 to 3/Material ids: a rigid surface has no elements.\nLeave them "
+                                          "empty, or set Kind to shell or solid.");
+        return;
+      }
+    check_geometry();
+    for (const auto &[number, of_section] : by_section())
+      of_section.check_elements(number);
+  }
+
+  void BladeParameters::check_elements(const std::size_t section) const
+  {
+    const bool        is_solid = kind == BladeKind::solid;
+    const std::string where    = section_path(section);
+    if (section > 0)
+      {
+        const Section &given = sections[section - 1];
+        require(given.material.name != Section::same || given.material == MetalParameters{Section::same},
+                where + "Material: entries are set, but no Name.\nName the metal that they change.");
+        require(!is_solid || given.thickness.empty(),
+                where + "Thickness: bricks are as thick as the mesh.\nLeave it empty, or set Kind = shell.");
+      }
+    require(is_solid ? !std::holds_alternative<ShellFormulation>(element.formulation)
+                     : !std::holds_alternative<SolidFormulation>(element.formulation),
+            where + (where.empty() ? "Element/Formulation: '" : "Formulation: '") +
+              element_formulations().name(element.formulation) + "' is no element of a " + blade_kinds().name(kind) +
+              ".\nAllowed for it: automatic|" +
+              (is_solid ? "one point|solid-shell|B-bar" : "physical|Belytschko-Tsay|fully integrated") +
+              ". Set one of them, or change Blade/Kind.");
+    require(element.n_points == 3 || element.n_points == 5 || element.n_points == 7,
+            where + (where.empty() ? "Element/" : "") +
+              "Points through thickness: " + std::to_string(element.n_points) + " was read.\nAllowed: 3, 5, 7.");
+    const bool can_fail = material.metal("Blade/" + where + "Material/").failure.can_fail();
+    require(!is_solid || !can_fail || solid_formulation() != SolidFormulation::solid_shell,
+            where +
+              "Material/Failure is not there for solid-shells.\nSet it to none, or Formulation to another element.");
+    require(!is_solid || !can_fail || mass_scaling.method == MassScalingMethod::off,
+            "Mass scaling/Method: inertia that is added between nodes is not taken out again with elements that fail.\n"
+            "Set it to off, or " +
+              where + "Material/Failure to none.");
+  }
+
+  std::vector<std::string> BladeParameters::unused_entries() const
+  {
+    const BladeParameters    defaults;
+    std::vector<std::string> unused;
+    const auto               add = [&](const BladeKind of_kind, const std::string &name, const bool is_changed) {
+      if (is_changed && kind != of_kind && is_deformable())
+        unused.push_back(name);
+    };
+    const Element &e = element, &d = defaults.element;
+    const auto     sections_in_use = by_section();
+    const auto     differ = [](const double a, const double b) { return std::abs(a - b) > 1e-5 * b; }; // printed digits
+    if (std::none_of(sections_in_use.begin(), sections_in_use.end(),
+                     [](const auto &section) { return section.second.has_points_through_thickness(); }))
+      {
+        add(BladeKind::shell, "Element/Points rule", e.rule != d.rule);
+        add(BladeKind::shell, "Element/Points through thickness", e.n_points != d.n_points);
+      }
+    for (const auto &[number, of_section] : sections_in_use)
+      add(BladeKind::shell, section_path(number) + "Points through thickness",
+          number > 0 && sections[number - 1].n_points > 0 && !of_section.has_points_through_thickness());
+    add(BladeKind::shell, "Element/Hourglass coefficient", differ(e.hourglass, d.hourglass));
+    add(BladeKind::shell, "Element/Shear factor", differ(e.shear_factor, d.shear_factor));
+    add(BladeKind::shell, "Element/Thinning", e.has_thinning != d.has_thinning);
+    add(BladeKind::solid, "Element/Linear viscosity", differ(e.linear_viscosity, d.linear_viscosity));
+    add(BladeKind::solid, "Element/Quadratic viscosity", differ(e.quadratic_viscosity, d.quadratic_viscosity));
+    add(BladeKind::solid, "Loads/Pressure boundaries", loads.pressure_boundaries != defaults.loads.pressure_boundaries);
+    add(BladeKind::solid, "Mesh/Layers", mesh.n_layers != defaults.mesh.n_layers);
+    add(BladeKind::solid, "Mesh/Layer grading", differ(mesh.layer_grading, defaults.mesh.layer_grading));
+    const MassScaling &m = mass_scaling, &n = defaults.mass_scaling;
+    add(BladeKind::solid, "Mass scaling/Method", m.method != n.method);
+    add(BladeKind::solid, "Mass scaling/Largest added inertia", differ(m.largest_added, n.largest_added));
+    add(BladeKind::solid, "Mass scaling/Target step", m.target_step != n.target_step);
+    return unused;
+  }
+} // namespace birdstrike

@@ -1,0 +1,73 @@
+#include "structure/section_table.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/expression.h>
+#include <birdstrike/core/text_lists.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace birdstrike
+{
+  SectionTable::SectionTable(const BladeParameters &parameters, const std::vector<unsigned int> &material_ids)
+  {
+    for (auto &[k, of_section] : parameters.by_section())
+      {
+        const std::string entry = BladeParameters::section_path(k) + "Material ids";
+        for (const unsigned int id : parse_ids(k > 0 ? parameters.sections[k - 1].material_ids : "", entry))
+          {
+            if (std::find(material_ids.begin(), material_ids.end(), id) == material_ids.end())
+              throw InputError("Blade/" + entry + ": no cell of the mesh has the material id " + std::to_string(id) +
+                               ".\nSet Blade/Mesh/Material boxes, or name an id that the file has.");
+            if (!of_id.emplace(id, all.size()).second)
+              throw InputError("Blade/" + entry + ": the material id " + std::to_string(id) +
+                               " has been named before.\nName each id once, in one section.");
+          }
+        number.push_back(k);
+        all.push_back(of_section);
+      }
+    for (const unsigned int id : material_ids)
+      of_element.push_back(of_id.count(id) > 0 ? of_id.at(id) : 0);
+    if (std::find(of_element.begin(), of_element.end(), 0) == of_element.end()) // every id has a section
+      {
+        number.erase(number.begin());
+        all.erase(all.begin());
+        for (std::uint32_t &place : of_element)
+          --place;
+        for (auto &[id, place] : of_id)
+          --place;
+      }
+  }
+
+  DensityLaw SectionTable::density_law() const
+  {
+    std::map<unsigned int, double> some;
+    for (const auto &[id, place] : of_id)
+      some[id] = all[place].material.metal().density;
+    return DensityLaw(all.front().material.metal().density, some);
+  }
+
+  ThicknessLaw SectionTable::thickness_law() const
+  {
+    struct Given
+    {
+      std::string  entry;
+      ThicknessLaw law;
+    };
+    std::map<unsigned int, Given> some;
+    for (const auto &[id, place] : of_id)
+      {
+        const std::string &text = all[place].sections[number[place] - 1].thickness;
+        if (text.empty())
+          continue;
+        Given &given = some[id];
+        given.entry  = BladeParameters::section_path(number[place]) + "Thickness";
+        given.law    = [formula = std::make_shared<Expression>(text, 1, given.entry)](const double *x, unsigned int) {
+          return formula->value(x, 0.);
+        };
+      }
+    return [some, law = make_thickness_law(all.front())](const double *x, const unsigned int id) {
+      const auto given = some.find(id);
+      return given != some.end() ? thickness_at(given->second.law, x, id, given->second.entry) : law(x, id);
+    };
+  }
+} // namespace birdstrike

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "structure/elements/elements.h"
+#include <birdstrike/mesh/density_law.h>
+#include <birdstrike/mesh/thickness_law.h>
+#include <birdstrike/structure/parameters.h>
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace birdstrike
+{
+  /// The sections of a blade's elements, by the material ids of their cells: the blade's own, and section k where it
+  /// has ids.
+  struct SectionTable
+  {
+    /// `material_ids` of the cells. Throws InputError for an id that is named twice or that no cell has.
+    SectionTable(const BladeParameters &parameters, const std::vector<unsigned int> &material_ids);
+
+    DensityLaw   density_law() const;
+    ThicknessLaw thickness_law() const; ///< of shells
+
+    std::vector<std::size_t>              number;     ///< of sections with elements: 0 is the blade's own
+    std::vector<BladeParameters>          all;        ///< of these, with the entries of each in their places
+    std::vector<std::uint32_t>            of_element; ///< which of these
+    std::map<unsigned int, std::uint32_t> of_id;      ///< likewise, of ids that sections name
+  };
+
+  /// Sections as elements take them; `make`: one of these from the parameters with its entries.
+  template <class Section, class Make>
+  Sections<Section> make_sections(const SectionTable &table, const Make &make)
+  {
+    std::vector<Section> all;
+    for (const BladeParameters &of_section : table.all)
+      all.push_back(make(of_section));
+    return {std::move(all), table.of_element};
+  }
+} // namespace birdstrike
