@@ -95,6 +95,8 @@ namespace
   const Overrides   solid = with(coarse, {"Blade/Kind=solid"});
   const Overrides   plate{"Bird/Particle spacing=0.006", "Blade/Mesh/Elements along span=20",
                         "Blade/Mesh/Elements along chord=20"};
+  const Overrides   sheath_fails{"Bird/Velocity=0, 0, 400", "Blade/Section 1/Material/Failure=plastic strain",
+                               "Blade/Section 1/Material/Failure strain=0.005"};
   const std::string formulation = "Blade/Element/Formulation=";
 
   const Case cases[] = {
@@ -110,6 +112,8 @@ namespace
     {"Oblique", shipped("oblique"), coarse, 20, 300},
     {"ObliqueSolid", shipped("oblique"), solid, 20, 300},
     {"Quickstart", shipped("quickstart"), coarse, 20, 300},
+    {"Sheath", shipped("sheath"), coarse, 300, 400, "blade/elements/section 1/points/plastic strain"},
+    {"SheathSolid", shipped("sheath"), solid, 300, 400, "blade/elements/section 1/layers/plastic strain", 2},
     {"Perforation", shipped("perforation"), with(plate, {"Bird/Velocity=0, 0, 400"}), 60, 120,
      "blade/elements/section 0/failed"},
     {"PerforationSolid", shipped("perforation"), with(plate, {"Blade/Kind=solid", "Bird/Velocity=0, 0, 400"}), 60, 120,
@@ -151,6 +155,8 @@ namespace
     {"SolidCollapse", shipped("perforation"),
      with(plate, {"Blade/Kind=solid", "Blade/Material/Smallest step=0.8", "Bird/Velocity=0, 0, 400"}), 60, 120,
      "blade/elements/section 0/failed"},
+    {"SheathThatFails", shipped("sheath"), with(coarse, sheath_fails), 60, 140, "blade/elements/section 1/failed"},
+    {"SolidSheathThatFails", shipped("sheath"), with(solid, sheath_fails), 60, 140, "blade/elements/section 1/failed"},
     {"SingleRate", shipped("frontal"), with(coarse, {"Time/Multirate=false"}), 20, 200},
     {"FullyIntegratedPerforation", shipped("perforation"),
      with(plate, {"Bird/Velocity=0, 0, 400", formulation + "fully integrated"}), 60, 120,
