@@ -39,7 +39,7 @@ namespace birdstrike
       const std::vector<Point3> &get()
       {
         if (points.empty())
-          (blade.kind == BladeKind::solid && blade.mesh.generator == "file") ? add_solid() : add_surface();
+          (blade.kind == BladeKind::solid && blade.mesh.generator == MeshGenerator::file) ? add_solid() : add_surface();
         return points;
       }
 
@@ -138,7 +138,7 @@ namespace birdstrike
     void require_symmetric_supports(const BladeParameters &blade)
     {
       const BladeParameters::Supports &supports = blade.supports;
-      if (blade.mesh.generator != "file") // of a file the other half has the boundaries of this one
+      if (blade.mesh.generator != MeshGenerator::file) // of a file the other half has the boundaries of this one
         {
           require_both_edges(supports.clamped, "Supports/Clamped");
           require_both_edges(supports.hub, "Supports/Hub");
@@ -154,7 +154,7 @@ namespace birdstrike
                       "a y component of 0");
       if (!blade.is_deformable())
         return;
-      refuse_unless(blade.mesh.generator != "flat plate" ||
+      refuse_unless(blade.mesh.generator != MeshGenerator::flat_plate ||
                       (blade.mesh.chord_grading == 1. && blade.mesh.n_chord % 2 == 0),
                     "Blade/Mesh", "an even number of equal elements along the chord");
       Places places(blade);
@@ -163,7 +163,8 @@ namespace birdstrike
       require_parity(blade.loads.initial_velocity, {1, -1, 1}, "Loads/Initial velocity", 0., places);
       // a spin is an axial vector
       require_parity(blade.loads.initial_spin, {-1, 1, -1}, "Loads/Initial spin", 0., places);
-      if (blade.kind == BladeKind::solid && blade.mesh.generator != "file" && is_present(blade.loads.pressure))
+      if (blade.kind == BladeKind::solid && blade.mesh.generator != MeshGenerator::file &&
+          is_present(blade.loads.pressure))
         require_both_edges(blade.loads.pressure_boundaries, "Loads/Pressure boundaries");
       refuse_unless(blade.loads.point_loads.empty(), "Blade/Loads/Point loads", "nothing, with a symmetry plane");
       require_symmetric_supports(blade);

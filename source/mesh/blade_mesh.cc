@@ -105,7 +105,7 @@ namespace birdstrike
   BladeMesh<dim>::BladeMesh(const GeometryParameters &parameters) : grid(std::make_shared<Grid>())
   {
     const MeshParameters &mesh         = parameters.mesh;
-    const bool            is_generated = mesh.generator != "file";
+    const bool            is_generated = mesh.generator != MeshGenerator::file;
     if (is_generated)
       generate(parameters, grid->triangulation);
     else

@@ -12,19 +12,19 @@ namespace birdstrike
     constexpr double out_of_reach = 1e6; // lengths in m and angles in degrees beyond this are slips of the pen
 
     /// Height of a camber line over its chord and its slope dh/du, with u from mid-chord.
-    struct CamberLine
+    struct CamberPoint
     {
       double height, slope;
     };
 
-    CamberLine circular_arc(const double camber, const double chord, const double u)
+    CamberPoint circular_arc(const double camber, const double chord, const double u)
     {
       const double curvature = 2. * camber / ((0.25 + camber * camber) * chord);
       const double cosine    = std::sqrt(1. - std::pow(curvature * u, 2));
       return {camber * chord - curvature * u * u / (1. + cosine), -curvature * u / cosine};
     }
 
-    CamberLine parabola(const double camber, const double chord, const double u)
+    CamberPoint parabola(const double camber, const double chord, const double u)
     {
       return {camber * chord - 4. * camber * u * u / chord, -8. * camber * u / chord};
     }
@@ -34,7 +34,7 @@ namespace birdstrike
     : root_radius(p.profile.root_radius)
     , length(p.length)
     , stacking_point(p.profile.stacking_point)
-    , is_parabolic(p.profile.camber_line == "parabola")
+    , is_parabolic(p.profile.camber_line == CamberLine::parabola)
     , chord_law(p.profile.chord, "Mesh/Profile/Chord law", 1e-6, out_of_reach)
     , stagger_law(p.profile.stagger, "Mesh/Profile/Stagger", -360., 360.)
     , camber_law(p.profile.camber, "Mesh/Profile/Camber", -0.3, 0.3)

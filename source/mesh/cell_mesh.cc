@@ -82,6 +82,15 @@ namespace birdstrike
   }
 
   template <int dim>
+  std::vector<bool> CellMesh<dim>::owned_cells() const
+  {
+    std::vector<bool> are_owned;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
+      are_owned.push_back(is_owned(cell));
+    return are_owned;
+  }
+
+  template <int dim>
   std::vector<std::uint32_t> CellMesh<dim>::nodes_on(const std::vector<unsigned int> &ids) const
   {
     std::vector<std::uint32_t> found;

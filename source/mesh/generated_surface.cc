@@ -108,7 +108,8 @@ namespace birdstrike
 
   GeneratedSurface generate_surface(const MeshParameters &parameters, const bool is_halved)
   {
-    return parameters.generator == "blade" ? twisted_blade(parameters, is_halved) : flat_plate(parameters, is_halved);
+    return parameters.generator == MeshGenerator::blade ? twisted_blade(parameters, is_halved)
+                                                        : flat_plate(parameters, is_halved);
   }
 
   void make_shell(const GeneratedSurface &s, dealii::Triangulation<2, 3> &triangulation)

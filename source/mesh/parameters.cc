@@ -1,5 +1,6 @@
 #include <birdstrike/mesh/parameters.h>
 
+#include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -8,6 +9,11 @@ namespace birdstrike
 {
   namespace
   {
+    const NamedChoices<MeshGenerator> generators{
+      {"flat plate", MeshGenerator::flat_plate}, {"blade", MeshGenerator::blade}, {"file", MeshGenerator::file}};
+    const NamedChoices<CamberLine> camber_lines{{"circular arc", CamberLine::circular_arc},
+                                                {"parabola", CamberLine::parabola}};
+
     using namespace dealii::Patterns;
 
     const double tiny = 1e-12; ///< smallest length that is told from zero, m
@@ -52,8 +58,7 @@ namespace birdstrike
                         "Largest height of the camber line over the chord, towards the normal, a formula in s between "
                         "-0.3 and 0.3; the camber angle of an arc is 4 atan(2 camber). [-]",
                         Anything());
-      prm.add_parameter("Camber line", p.camber_line, "Shape of the camber line. [-]",
-                        Selection("circular arc|parabola"));
+      declare_choice(prm, "Camber line", p.camber_line, camber_lines, "Shape of the camber line. [-]");
       prm.add_parameter("Stacking point", p.stacking_point,
                         "Share of the chord, from the leading edge, at which sections are threaded on the radial "
                         "line. [-]",
@@ -74,12 +79,11 @@ namespace birdstrike
   {
     MeshParameters &p = *this;
     prm.enter_subsection("Mesh");
-    prm.add_parameter(
-      "Generator", p.generator,
+    declare_choice(
+      prm, "Generator", p.generator, generators,
       "Where the blade comes from: the built-in plate (x span, y chord, z normal), the built-in blade (the same, "
       "twisted, tapered and cambered by the laws of Profile), both with boundary ids 0 root, 1 tip, 2 leading edge, 3 "
-      "trailing edge, or a file. [-]",
-      Selection("flat plate|blade|file"));
+      "trailing edge, or a file. [-]");
     declare_grid(prm, p);
     prm.add_parameter("File", p.file,
                       "Quadrilateral surface mesh of a shell, hexahedral volume mesh of a solid: .msh (Gmsh 2 or 4), "
@@ -125,8 +129,9 @@ namespace birdstrike
   {
     if (thickness.maximum.empty())
       return;
-    require(mesh.generator != "file", "Thickness/Maximum: a profile along the chord needs a built-in part, but the "
-                                      "generator is 'file'.\nGive Thickness/Value in x, y, z, or By material.");
+    require(mesh.generator != MeshGenerator::file,
+            "Thickness/Maximum: a profile along the chord needs a built-in part, but the "
+            "generator is 'file'.\nGive Thickness/Value in x, y, z, or By material.");
     require(thickness.value == ThicknessParameters().value,
             "Thickness: Value and Maximum are both given.\nKeep one: Value for a formula in x, y, z, Maximum for a "
             "profile along the chord.");

@@ -39,7 +39,7 @@ namespace birdstrike
       /// The flat plate is a blade whose laws are at their defaults.
       static BladeShape shape_of(MeshParameters mesh)
       {
-        if (mesh.generator == "flat plate")
+        if (mesh.generator == MeshGenerator::flat_plate)
           mesh.profile = {};
         return BladeShape(mesh);
       }

@@ -27,7 +27,7 @@ namespace birdstrike
     constexpr double light_blade = 2.;
 
     /// What helps where an element is crushed to nothing.
-    const char *advice_on_crushed_elements(const BladeParameters &blade)
+    const char *advise_on_crushed_elements(const BladeParameters &blade)
     {
       bool can_fail = false, has_no_smallest_step = false;
       for (const auto &[number, of_section] : blade.by_section())
@@ -53,6 +53,7 @@ namespace birdstrike
     , has_multirate(parameters.time.multirate)
     , smallest_bird_step("bird", parameters.time.smallest_step)
     , smallest_blade_step("blade", parameters.time.smallest_step)
+    , advice_on_crushed_elements(advise_on_crushed_elements(parameters.blade))
   {
     blade = make_blade(parameters.blade, pool);
     if (parameters.bird.enabled)
@@ -117,7 +118,7 @@ namespace birdstrike
       {
         blade_vote = StepVote{blade->step_limit(), blade->prices().of_step};
         blade_vote->limit.value *= parameters.time.step_scale;
-        smallest_blade_step.check(blade_vote->limit, now, remaining, advice_on_crushed_elements(parameters.blade));
+        smallest_blade_step.check(blade_vote->limit, now, remaining, advice_on_crushed_elements);
         if (contact && largest_step_in_contact < blade_vote->limit.value)
           blade_vote->limit = {largest_step_in_contact, "contact, particles on light facets", {}};
       }

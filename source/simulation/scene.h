@@ -83,6 +83,7 @@ namespace birdstrike
     double                largest_step_in_contact = std::numeric_limits<double>::infinity(); // s, of the blade
     bool                  has_multirate;
     SmallestStep          smallest_bird_step, smallest_blade_step;
+    const char           *advice_on_crushed_elements;
     EnergyReport          gone_energy;
     MomentumReport        gone_momentum;
 

@@ -33,7 +33,7 @@ namespace birdstrike
       return;
     if (is_deformable() || rigid.surface == RigidSurface::mesh)
       require(
-        mesh.generator != "file" || !mesh.file.empty(),
+        mesh.generator != MeshGenerator::file || !mesh.file.empty(),
         "Mesh/File: the generator is 'file' but no file is named.\nName a .msh file, or set Generator = flat plate.");
     if (kind == BladeKind::rigid)
       {

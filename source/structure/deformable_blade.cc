@@ -18,7 +18,7 @@ namespace birdstrike
     , surface(Kind::make_surface(mesh, lumped))
     , can_fail(parameters.can_fail())
   {
-    elements.set_owned(mesh);
+    elements.set_owned(mesh.space.n_owned(), mesh.owned_cells());
     elements.use_nodal_masses(lumped.node);
     scaling = Kind::finish(parameters, mesh, lumped, elements, motion);
     motion.initialize_velocity(parameters.loads);

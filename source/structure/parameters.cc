@@ -173,7 +173,7 @@ namespace birdstrike
   {
     if (const auto *named = std::get_if<SolidFormulation>(&element.formulation))
       return *named;
-    const bool is_one_layer = mesh.generator != "file" && mesh.n_layers == 1;
+    const bool is_one_layer = mesh.generator != MeshGenerator::file && mesh.n_layers == 1;
     return is_one_layer && !material.metal().failure.can_fail() ? SolidFormulation::solid_shell
                                                                 : SolidFormulation::one_point;
   }

@@ -26,13 +26,6 @@ TEXTS = {
     "source/report/comparison_print.cc": "units",
     "source/report/comparison_figures.cc": "names of datasets in results.h5",
     "source/mesh/mesh_file.cc": "endings of files",
-    "source/mesh/blade_shape.cc": "Blade/Mesh/Camber line, a text as yet",
-    "source/mesh/blade_mesh.cc": "Blade/Mesh/Generator, a text as yet",
-    "source/mesh/generated_surface.cc": "Blade/Mesh/Generator, a text as yet",
-    "source/mesh/parameters.cc": "Blade/Mesh/Generator, a text as yet",
-    "source/mesh/thickness_law.cc": "Blade/Mesh/Generator, a text as yet",
-    "source/structure/parameters.cc": "Blade/Mesh/Generator, a text as yet",
-    "source/io/symmetry_check.cc": "Blade/Mesh/Generator, a text as yet",
 }
 
 # Comments, raw strings, literals; directives with their continuations.

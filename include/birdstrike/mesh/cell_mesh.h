@@ -50,7 +50,8 @@ namespace birdstrike
     std::array<std::uint32_t, n_corners / 2> side_nodes(std::size_t cell, unsigned int side) const;
 
     /// Each cell is owned by one process, that of its node with the smallest global number.
-    bool is_owned(std::size_t cell) const;
+    bool              is_owned(std::size_t cell) const;
+    std::vector<bool> owned_cells() const; ///< is_owned of each
 
     /// Owned nodes, sorted, on boundary sides that carry one of these ids.
     std::vector<std::uint32_t> nodes_on(const std::vector<unsigned int> &ids) const;

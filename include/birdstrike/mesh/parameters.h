@@ -9,6 +9,20 @@ namespace dealii
 
 namespace birdstrike
 {
+  /// Where the mesh of a blade comes from.
+  enum class MeshGenerator
+  {
+    flat_plate,
+    blade,
+    file
+  };
+
+  enum class CamberLine
+  {
+    circular_arc,
+    parabola
+  };
+
   /// Subsection "Mesh" of section "Blade" of the parameter file.
   ///
   /// Coordinates of the built-in flat plate: x = span from the root (x = 0), y = chord, centred, z = normal. Its
@@ -20,29 +34,29 @@ namespace birdstrike
     /// Laws of the built-in blade, formulas of the normalised span s: 0 at the root, 1 at the tip.
     struct Profile
     {
-      double      root_radius    = 0.;             ///< m
-      std::string chord          = "1";            ///< of the section over Mesh::chord
-      std::string stagger        = "0";            ///< degrees
-      std::string camber         = "0";            ///< largest height of the camber line over the chord
-      std::string camber_line    = "circular arc"; ///< circular arc | parabola
-      double      stacking_point = 0.5;            ///< share of the chord
-      std::string sweep          = "0";            ///< m
-      std::string lean           = "0";            ///< m
+      double      root_radius    = 0.;  ///< m
+      std::string chord          = "1"; ///< of the section over Mesh::chord
+      std::string stagger        = "0"; ///< degrees
+      std::string camber         = "0"; ///< largest height of the camber line over the chord
+      CamberLine  camber_line    = CamberLine::circular_arc;
+      double      stacking_point = 0.5; ///< share of the chord
+      std::string sweep          = "0"; ///< m
+      std::string lean           = "0"; ///< m
     };
 
-    std::string  generator     = "flat plate"; ///< flat plate | blade | file
-    double       length        = 0.3112;       ///< m
-    double       chord         = 0.0889;       ///< m
-    unsigned int n_span        = 28;
-    unsigned int n_chord       = 8;
-    double       span_grading  = 1.; ///< longest over shortest element along the span, shortest at the root
-    double       chord_grading = 1.; ///< longest over shortest element along the chord, shortest at the leading edge
-    unsigned int n_layers      = 1;  ///< of bricks through the thickness
-    double       layer_grading = 1.; ///< middle over outermost layer
-    Profile      profile;
-    std::string  file;
-    double       file_scale = 1.; ///< m per unit of the file
-    std::string  material_boxes;  ///< "xmin ymin zmin xmax ymax zmax: 1; ..."
+    MeshGenerator generator     = MeshGenerator::flat_plate;
+    double        length        = 0.3112; ///< m
+    double        chord         = 0.0889; ///< m
+    unsigned int  n_span        = 28;
+    unsigned int  n_chord       = 8;
+    double        span_grading  = 1.; ///< longest over shortest element along the span, shortest at the root
+    double        chord_grading = 1.; ///< longest over shortest element along the chord, shortest at the leading edge
+    unsigned int  n_layers      = 1;  ///< of bricks through the thickness
+    double        layer_grading = 1.; ///< middle over outermost layer
+    Profile       profile;
+    std::string   file;
+    double        file_scale = 1.; ///< m per unit of the file
+    std::string   material_boxes;  ///< "xmin ymin zmin xmax ymax zmax: 1; ..."
 
     void declare(dealii::ParameterHandler &prm); ///< in the handler's present section, "Blade"
   };

@@ -183,12 +183,12 @@ namespace birdstrike
   }
 
   template <class Group>
-  void Elements<Group>::set_owned(const CellMesh<Group::n_corners == 4 ? 2 : 3> &mesh)
+  void Elements<Group>::set_owned(const std::size_t n_nodes, const std::vector<bool> &elements)
   {
-    n_owned_nodes = mesh.space.n_owned();
+    n_owned_nodes = n_nodes;
     for (std::size_t e = 0; e < n_elements(); ++e)
       groups[place[e].group].batches[place[e].number / n_lanes].owned[place[e].number % n_lanes] =
-        mesh.is_owned(e) ? 1. : 0.;
+        elements[e] ? 1. : 0.;
   }
 
   template <class Group>

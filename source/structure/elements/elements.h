@@ -5,7 +5,6 @@
 #include <birdstrike/core/archive.h>
 #include <birdstrike/core/prices.h>
 #include <birdstrike/core/thread_pool.h>
-#include <birdstrike/mesh/cell_mesh.h>
 
 #include <span>
 #include <vector>
@@ -70,7 +69,7 @@ namespace birdstrike
     double    largest_stable_step() const; ///< s, the value of the same without its words: nothing is searched
     /// From now on energies, votes and reports are those of the elements and nodes that the process owns, but of all
     /// n_failed and is_failed: the others are computed for their forces on owned nodes.
-    void set_owned(const CellMesh<Group::n_corners == 4 ? 2 : 3> &mesh);
+    void set_owned(std::size_t n_nodes, const std::vector<bool> &elements);
     /// Masses (kg) that the nodes really carry, [n_nodes]: the bound then allows for other shares of the elements'.
     void use_nodal_masses(std::span<const double> mass);
     /// An equal part of each element's mass to each of its nodes (kg), [n_nodes].

@@ -17,7 +17,7 @@ namespace birdstrike
     BladeParameters fan_blade(const unsigned int n_span, const unsigned int n_chord)
     {
       BladeParameters p;
-      p.mesh.generator              = "blade";
+      p.mesh.generator              = MeshGenerator::blade;
       p.mesh.length                 = 0.45;
       p.mesh.chord                  = 0.16;
       p.mesh.n_span                 = n_span;
@@ -65,7 +65,7 @@ namespace birdstrike
       BladeParameters p;
       p.mesh.span_grading = 3.;
       const ShellMesh plate({p.mesh});
-      p.mesh.generator = "blade";
+      p.mesh.generator = MeshGenerator::blade;
       const ShellMesh blade({p.mesh});
       const auto     &a = plate, &b = blade;
       ASSERT_EQ(a.nodes.size(), b.nodes.size());
@@ -102,7 +102,7 @@ namespace birdstrike
     TEST(BladeGenerator, CamberLinesAreArcAndParabola)
     {
       BladeParameters p;
-      p.mesh.generator      = "blade";
+      p.mesh.generator      = MeshGenerator::blade;
       p.mesh.chord          = 0.2;
       p.mesh.profile.camber = "0.12";
       const BladeShape arc(p.mesh);
@@ -110,7 +110,7 @@ namespace birdstrike
       for (const double c : {0., 0.1, 0.35, 0.5, 0.8, 1.})
         EXPECT_NEAR((arc.position(0.5, c) - Point3(0.5 * p.mesh.length, 0., height - radius)).norm(), radius, 1e-15);
       EXPECT_NEAR(std::acos(arc.normal(0.5, 0.).dot(arc.normal(0.5, 1.))), 4. * std::atan(0.24), 1e-10);
-      p.mesh.profile.camber_line = "parabola";
+      p.mesh.profile.camber_line = CamberLine::parabola;
       const BladeShape parabola(p.mesh);
       for (const double c : {0., 0.1, 0.35, 0.5, 0.8, 1.})
         EXPECT_NEAR(parabola.position(0.5, c)[2], 4. * height * c * (1. - c), 1e-16);
@@ -124,7 +124,7 @@ namespace birdstrike
     TEST(BladeGenerator, AStraightTwistedBladeIsAHelicoid)
     {
       BladeParameters p;
-      p.mesh.generator       = "blade";
+      p.mesh.generator       = MeshGenerator::blade;
       p.mesh.profile.stagger = "90*s";
       const double     rate  = 0.5 * M_PI / p.mesh.length;
       const BladeShape shape(p.mesh);
@@ -156,7 +156,7 @@ namespace birdstrike
     // that end at the largest thickness.
     TEST(BladeGenerator, ProfileGivesTheMassOfTwoParabolas)
     {
-      for (const std::string generator : {"flat plate", "blade"})
+      for (const MeshGenerator generator : {MeshGenerator::flat_plate, MeshGenerator::blade})
         {
           BladeParameters p;
           p.mesh.generator            = generator;
@@ -165,7 +165,8 @@ namespace birdstrike
           p.thickness.trailing_edge   = "0.4";
           p.thickness.maximum_station = 0.25;
           const double mean           = 0.25 * (1. - 0.9 / 3.) + 0.75 * (1. - 0.6 / 3.);
-          EXPECT_NEAR(shell_mass(p) / (4430. * p.mesh.length * p.mesh.chord * 0.006 * mean), 1., 1e-13) << generator;
+          EXPECT_NEAR(shell_mass(p) / (4430. * p.mesh.length * p.mesh.chord * 0.006 * mean), 1., 1e-13)
+            << (generator == MeshGenerator::blade);
         }
     }
 
@@ -232,7 +233,7 @@ namespace birdstrike
                                   "subsection Thickness\n set Maximum = 0.01\n set Leading edge = 0.2\nend\n");
       EXPECT_NO_THROW(p.check());
       EXPECT_EQ(p.mesh.n_layers, 3u);
-      EXPECT_EQ(p.mesh.profile.camber_line, "parabola");
+      EXPECT_EQ(p.mesh.profile.camber_line, CamberLine::parabola);
       const BladeShape shape(p.mesh);
       EXPECT_NEAR(shape.chord(0.5), 1.5 * p.mesh.chord, 1e-16);
       EXPECT_NEAR(shape.stagger(1.), M_PI / 3., 1e-15);
@@ -271,7 +272,7 @@ namespace birdstrike
       expect_refused([](P &p) { p.is_halved = true; }, "Mesh/Generator");
       expect_refused(
         [](P &p) {
-          p.mesh.generator = "file";
+          p.mesh.generator = MeshGenerator::file;
           p.mesh.file      = "blade.msh";
         },
         "Thickness/Maximum");

@@ -75,7 +75,7 @@ namespace birdstrike
     TEST(ShellMesh, FileGivesThePlateOfTheGenerator)
     {
       BladeParameters::Mesh from_file;
-      from_file.generator = "file";
+      from_file.generator = MeshGenerator::file;
       from_file.file      = plate_file;
       ShellMesh file({from_file}), built({BladeParameters::Mesh()});
       EXPECT_EQ(file.nodes.size(), built.nodes.size());
@@ -132,7 +132,7 @@ namespace birdstrike
     TEST(ShellMesh, RefusesBadFiles)
     {
       BladeParameters::Mesh p;
-      p.generator = "file";
+      p.generator = MeshGenerator::file;
       p.file      = "no-such.msh";
       EXPECT_THROW(ShellMesh({p}), InputError);
       p.file = "plate.stl";

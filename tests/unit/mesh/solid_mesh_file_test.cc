@@ -16,7 +16,7 @@ namespace birdstrike
     BladeParameters from_file(const std::string &file)
     {
       BladeParameters p;
-      p.mesh.generator = "file";
+      p.mesh.generator = MeshGenerator::file;
       p.mesh.file      = file;
       return p;
     }

@@ -50,7 +50,7 @@ namespace birdstrike::test
     MeshParameters parameters() const
     {
       MeshParameters p;
-      p.generator = "file";
+      p.generator = MeshGenerator::file;
       p.file      = path;
       return p;
     }

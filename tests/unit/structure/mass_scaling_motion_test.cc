@@ -193,7 +193,7 @@ namespace birdstrike
           }
       EXPECT_GT(length, 0.005);
       EXPECT_LT(largest, 1e-9 * length);
-      EXPECT_NEAR(2. * half.energies().total() / whole.energies().total(), 1., 1e-9);
+      EXPECT_NEAR(half.energies().total() / whole.energies().total(), 1., 1e-9);
     }
   } // namespace
 } // namespace birdstrike

@@ -78,7 +78,7 @@ namespace birdstrike::test
     {
       BladeParameters p  = elastic_plate(n[0], n[1]);
       p.kind             = n[2] > 0 ? BladeKind::solid : BladeKind::shell;
-      p.mesh.generator   = "file";
+      p.mesh.generator   = MeshGenerator::file;
       p.mesh.file        = path;
       p.supports.clamped = "10";
       p.supports.tip     = "11";

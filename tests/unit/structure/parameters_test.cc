@@ -49,7 +49,7 @@ namespace birdstrike
       p.rigid.normal = {{0., 0., 0.}};
       EXPECT_THROW(p.check(), InputError);
       p.kind           = BladeKind::shell;
-      p.mesh.generator = "file";
+      p.mesh.generator = MeshGenerator::file;
       EXPECT_THROW(p.check(), InputError);
       p                  = BladeParameters();
       p.element.n_points = 6;

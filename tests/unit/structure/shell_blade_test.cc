@@ -265,7 +265,7 @@ namespace birdstrike
       refuses([](auto &p) { p.loads.point_loads = "5 5 5: 1; 1; 1"; });
       refuses([](auto &p) { p.probes = "tip 0 0 0"; });
       refuses([](auto &p) { p.element.n_points = 4; });
-      refuses([](auto &p) { p.mesh.generator = "file"; });
+      refuses([](auto &p) { p.mesh.generator = MeshGenerator::file; });
     }
 
     TEST(MakeBlade, GivesWhatWasAskedFor)

@@ -324,7 +324,7 @@ namespace birdstrike
       EXPECT_THROW(make_blade(p, pool), InputError);
       p.material.failure.law = FailureLaw::none;
       p.element.formulation  = {};
-      p.mesh.generator       = "file";
+      p.mesh.generator       = MeshGenerator::file;
       EXPECT_EQ(p.solid_formulation(), SolidFormulation::one_point) << "a file may hold any number of layers";
     }
 

@@ -14,7 +14,7 @@ namespace birdstrike
   inline BladeParameters twisted_blade()
   {
     BladeParameters p;
-    p.mesh.generator       = "blade";
+    p.mesh.generator       = MeshGenerator::blade;
     p.mesh.n_span          = 9;
     p.mesh.n_chord         = 5;
     p.mesh.n_layers        = 1; // nodes inside are numbered after the skin: a range of numbers would be no half

@@ -46,7 +46,7 @@ namespace birdstrike
         , elements(make_elements(mesh, formulation, pool, yield))
         , motion(mesh, masses(mass), Supports(p.supports, mesh), Loads(p.loads, mesh, mesh.surface().cells), pool)
       {
-        elements.set_owned(mesh);
+        elements.set_owned(mesh.space.n_owned(), mesh.owned_cells());
         elements.use_nodal_masses(mass.node);
         motion.initialize_velocity(p.loads);
       }
