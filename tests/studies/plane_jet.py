@@ -57,10 +57,13 @@ import dataclasses
 import math
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 import free_streamlines
-import vtu
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "prm"))
+from birdstrike import Mesh  # noqa: E402
 
 PRM = pathlib.Path(__file__).with_suffix(".prm")
 WIDTH, DENSITY, LENGTH = 0.038, 950., 10.  # m, kg/m^3, in widths: those of the .prm
@@ -135,8 +138,8 @@ def contact_force(jet, folder):
 
 def passed(jet, path):
     """Mass and momentum (along the plate, along its normal) below the plate's plane, in those of D^2 of the jet."""
-    fields = vtu.read(path)
-    below = [jet.split(velocity) for point, velocity in zip(fields["points"], fields["velocity"])
+    bird = Mesh(path)
+    below = [jet.split(velocity) for point, velocity in zip(bird.points, bird.nodes["velocity"])
              if jet.split(point)[1] < 0.]
     particle = 1. / jet.across ** 2 / 6
     return [particle * len(below)] + [particle * sum(velocity[d] for velocity in below) / jet.speed for d in (0, 1)]

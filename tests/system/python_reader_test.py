@@ -1,0 +1,98 @@
+"""prm/birdstrike.py reads what a run has written: python_reader_test.py PROGRAM SOURCE_FOLDER"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, TOP = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+sys.path.insert(0, str(TOP / "prm"))
+
+import numpy as np  # noqa: E402
+from birdstrike import Run  # noqa: E402
+
+
+class Reader(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        for kind in ("shell", "solid"):
+            subprocess.run([PROGRAM, "run", TOP / "prm" / "quickstart.prm", "--output", f"{cls.scratch.name}/{kind}", "--set",
+                            f"Blade/Kind={kind}", "--set", "Time/End time=2e-4", "--set", "Output/Field interval=1e-4"],
+                           check=True, stdout=subprocess.DEVNULL)
+        cls.run_of = {kind: Run(f"{cls.scratch.name}/{kind}") for kind in ("shell", "solid")}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def test_curves_end_where_the_summary_does(self):
+        for run in self.run_of.values():
+            self.assertEqual(run.tip.unit, "m")
+            self.assertEqual(run.tip.values[-1], run.summary["tip"]["final"])
+            np.testing.assert_array_equal(run.contact_impulse.values[-1], run.summary["contact"]["impulse"])
+            # what the bird has lost is what contact has given (momentum balance: round-off)
+            lost = run["bird_momentum_z"].values[0] - run["bird_momentum_z"].values[-1]
+            self.assertAlmostEqual(lost, run.contact_impulse.values[-1, 2], delta=1e-12 * lost)
+            self.assertIn("blade_elastic", run.energies)
+            self.assertNotIn("time", run.energies)
+
+    def test_meshes_share_nodes_and_have_cell_data(self):
+        shell, solid = (run.blade(2e-4) for run in self.run_of.values())
+        self.assertEqual(len(shell.points), self.run_of["shell"].summary["blade"]["nodes"])
+        self.assertEqual(shell.cells_of.shape, (self.run_of["shell"].summary["blade"]["elements"], 4))
+        self.assertEqual(solid.cells_of.shape, (self.run_of["solid"].summary["blade"]["elements"], 8))
+        self.assertEqual(shell.units["displacement"], "m")
+        for mesh in (shell, solid):
+            # every quadrilateral (bottom of a hexahedron) goes round: its area by the shoelace is the blade's share
+            corner = mesh.points[mesh.cells_of[:, :4]].astype(float)
+            across = np.cross(corner[:, 2] - corner[:, 0], corner[:, 3] - corner[:, 1])
+            area = 0.5 * np.linalg.norm(across, axis=1).sum() / (len(set(mesh.points[:, 2])) - (mesh is solid))
+            self.assertAlmostEqual(area, 0.3112 * 0.0889, delta=1e-6 * area)  # the floats of the file
+        thickness = shell.cells["thickness"]
+        self.assertAlmostEqual(thickness.max(), 0.00427, delta=1e-4)  # thinned where it has yielded
+
+    def test_fields_are_those_of_the_instant(self):
+        run = self.run_of["shell"]
+        mesh = run.blade(0.9e-4)
+        self.assertAlmostEqual(mesh.time, 1e-4, delta=2e-6)  # a step
+        np.testing.assert_allclose(run.times("blade"), run.times("bird"))
+        tip = mesh.points[:, 0] > 0.3112 - 1e-6
+        middle = np.argmin(np.abs(mesh.points[:, 1]) + ~tip)
+        at = np.interp(mesh.time, run.tip.time, run.tip.values)
+        self.assertAlmostEqual(mesh.nodes["displacement"][middle, 2], at, delta=2e-2 * np.abs(run.tip.values).max())
+        bird = run.bird(0.)
+        self.assertEqual(len(bird.points), run.summary["bird"]["particles"])
+        self.assertEqual(sorted(bird.nodes["id"]), list(range(len(bird.points))))
+        np.testing.assert_allclose(bird.nodes["velocity"][:, 2], 177.4, rtol=1e-6)
+
+    def test_profiles_have_axes(self):
+        run = self.run_of["shell"]
+        history = run.profile("root_normal_stress")
+        self.assertEqual(history.values.shape, tuple(len(history.axes[axis]) for axis in ("time", "face", "chord")))
+        self.assertEqual(history.unit, "Pa")
+        np.testing.assert_array_equal(history.axes["time"], run.tip.time)
+        with self.assertRaisesRegex(KeyError, "mid_chord_deflection_at_peak"):
+            run.profile("none")
+
+    def test_an_unfinished_run_can_be_read(self):
+        folder = pathlib.Path(self.scratch.name) / "unfinished"
+        folder.mkdir()
+        text = (self.run_of["shell"].folder / "history.csv").read_text()
+        (folder / "history.csv").write_text(text[:-40])  # cut within the last row
+        run = Run(folder)
+        self.assertIsNone(run.summary)
+        self.assertEqual(len(run.tip.time), len(self.run_of["shell"].tip.time) - 1)
+        with self.assertRaises(KeyError):
+            run.blade(0.)
+
+    def test_what_is_not_there_is_named(self):
+        with self.assertRaises(FileNotFoundError):
+            Run(self.scratch.name)
+        with self.assertRaisesRegex(KeyError, "tip_mid_chord"):
+            self.run_of["shell"]["tip"]
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
