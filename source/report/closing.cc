@@ -68,14 +68,24 @@ namespace birdstrike
       {
         return shown(key) + " at " + shown(key + "_time");
       }
+      /// Nothing where there is no such peak.
+      void add_peak(const std::string &text, const std::string &key)
+      {
+        if (std::isnan(value(key)))
+          return;
+        const bool has_time = !std::isnan(value(key + "_time"));
+        table.add(text, (has_time ? with_time(key) : shown(key)) +
+                          (summary.is_false(key + "_reached") ? " (still rising at the end)" : ""));
+      }
 
       void add_blade()
       {
         table.add_heading("Blade");
-        table.add("tip peak (mid-chord)", with_time("tip/peak"));
-        table.add("tip at the end", shown("tip/final"));
-        table.add("root peak normal stress", with_time("root/peak_normal_stress"));
-        table.add("root peak moment", shown("root/peak_moment"));
+        add_peak("tip peak (mid-chord)", "tip/peak");
+        if (!std::isnan(value("tip/final")))
+          table.add("tip at the end", shown("tip/final"));
+        add_peak("root peak normal stress", "root/peak_normal_stress");
+        add_peak("root peak moment", "root/peak_moment");
         add("plastic/max_strain",
             fmt::format("{:.4f} at {}", value("plastic/max_strain"), shown_vector("plastic/position")));
       }

@@ -78,6 +78,7 @@ namespace birdstrike
     add_permanent_deflection(runs);
     add("Root", {"root/peak_force", "root/peak_moment", "root/peak_normal_stress", "root/peak_normal_stress_time"},
         runs);
+    add_unreached_peaks(runs);
     add("Plasticity", {"plastic/max_strain", "plastic/work"}, runs);
     add_computed("Energy", "absorbed by the blade (end less start)", "J", runs, compute_absorbed);
     add("Contact", {"contact/peak_force"}, runs);
@@ -116,6 +117,19 @@ namespace birdstrike
     for (const ComparedRun &run : runs)
       row.texts.push_back(run.record.is_complete() ? run.record.summary().text(key) : of_lost);
     add_row(std::move(row));
+  }
+
+  void ComparisonTable::add_unreached_peaks(const std::vector<ComparedRun> &runs)
+  {
+    for (const char *key : {"tip/peak_reached", "root/peak_normal_stress_reached", "root/peak_moment_reached"})
+      {
+        std::string of;
+        for (const ComparedRun &run : runs)
+          if (has(run.record, quantity(key).subject) && run.record.summary().is_false(key))
+            of += (of.empty() ? "'" : ", '") + run.name + "'";
+        if (!of.empty())
+          remarks.push_back(quantity(key).text + " of " + of + ": still rising at the end, no peak yet.");
+      }
   }
 
   void ComparisonTable::add_permanent_deflection(const std::vector<ComparedRun> &runs)

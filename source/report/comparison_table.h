@@ -57,6 +57,7 @@ namespace birdstrike
                    const std::string &of_lost = "");
     void add_computed(const std::string &group, const std::string &text, const std::string &unit,
                       const std::vector<ComparedRun> &runs, const std::function<double(const RunRecord &)> &value);
+    void add_unreached_peaks(const std::vector<ComparedRun> &runs);
     void add_permanent_deflection(const std::vector<ComparedRun> &runs);
     void add_row(ComparisonRow row);
   };

@@ -6,6 +6,7 @@
 #include <birdstrike/report/summary.h>
 #include <birdstrike/structure/blade.h>
 
+#include <limits>
 #include <stdexcept>
 
 namespace birdstrike
@@ -132,6 +133,26 @@ namespace birdstrike
       };
     }
 
+    /// What has never left zero has no peak: a blade without this section, or one that holds it.
+    template <class AnyPeak>
+    double value_if_any(const AnyPeak &peak)
+    {
+      return peak.value() == 0. ? std::numeric_limits<double>::quiet_NaN() : peak.value();
+    }
+
+    template <class AnyPeak>
+    double time_if_any(const AnyPeak &peak)
+    {
+      return peak.value() == 0. ? std::numeric_limits<double>::quiet_NaN() : peak.time();
+    }
+
+    /// Whether the curve has come down since: the largest value at the last instant may be on its way up.
+    template <class AnyPeak>
+    std::optional<bool> is_reached(const AnyPeak &peak, View run)
+    {
+      return peak.value() == 0. ? std::nullopt : std::optional(peak.time() < run.time);
+    }
+
     /// Signs and frames: structure/reports.h. Peaks are over all macro steps: of the tip the largest deflection either
     /// way, with its sign, of the root the largest absolute values.
     Quantities of_blade()
@@ -139,9 +160,12 @@ namespace birdstrike
       return {
         {"blade_momentum", "", "N s", [](View run) { return state(run).blade_momentum.momentum; }},
         {"support_impulse", "", "N s", [](View run) { return state(run).blade_momentum.support_impulse; }},
-        {"", "tip/peak", "m", [](View run) { return run.observed.tip_peak.value(); }, "peak (mid-chord)"},
-        {"", "tip/peak_time", "s", [](View run) { return run.observed.tip_peak.time(); }, "time of the peak"},
-        {"tip_mid_chord", "tip/final", "m", [](View run) { return run.observed.tip.mid_chord; },
+        {"", "tip/peak", "m", [](View run) { return value_if_any(run.observed.tip_peak); }, "peak (mid-chord)"},
+        {"", "tip/peak_time", "s", [](View run) { return time_if_any(run.observed.tip_peak); }, "time of the peak"},
+        {"", "tip/peak_reached", "", [](View run) { return is_reached(run.observed.tip_peak, run); }, "Tip peak"},
+        {"tip_mid_chord", "", "m", [](View run) { return run.observed.tip.mid_chord; }},
+        {"", "tip/final", "m",
+         [](View run) { return run.observed.tip.mid_chord + 0. * value_if_any(run.observed.tip_peak); },
          "deflection at the end"},
         {"tip_leading", "", "m", [](View run) { return run.observed.tip.leading; }},
         {"tip_trailing", "", "m", [](View run) { return run.observed.tip.trailing; }},
@@ -149,13 +173,17 @@ namespace birdstrike
         {"root_transverse_force", "", "N", [](View run) { return run.observed.root.transverse_force; }},
         {"root_bending_moment", "", "N m", [](View run) { return run.observed.root.bending_moment; }},
         {"root_peak_normal_stress", "", "Pa", [](View run) { return run.observed.root.peak_stress(); }},
-        {"", "root/peak_normal_stress", "Pa", [](View run) { return run.observed.root_stress.value(); },
+        {"", "root/peak_normal_stress", "Pa", [](View run) { return value_if_any(run.observed.root_stress); },
          "peak normal stress"},
-        {"", "root/peak_normal_stress_time", "s", [](View run) { return run.observed.root_stress.time(); },
+        {"", "root/peak_normal_stress_time", "s", [](View run) { return time_if_any(run.observed.root_stress); },
          "time of the peak stress"},
-        {"", "root/peak_moment", "N m", [](View run) { return run.observed.root_moment.value(); },
+        {"", "root/peak_normal_stress_reached", "", [](View run) { return is_reached(run.observed.root_stress, run); },
+         "Root peak normal stress"},
+        {"", "root/peak_moment", "N m", [](View run) { return value_if_any(run.observed.root_moment); },
          "peak bending moment"},
-        {"", "root/peak_force", "N", [](View run) { return run.observed.root_force.value(); }, "peak force"},
+        {"", "root/peak_moment_reached", "", [](View run) { return is_reached(run.observed.root_moment, run); },
+         "Root peak moment"},
+        {"", "root/peak_force", "N", [](View run) { return value_if_any(run.observed.root_force); }, "peak force"},
         {"max_plastic_strain", "plastic/max_strain", "-", [](View run) { return run.observed.plastic.value; },
          "peak plastic strain"},
         {"", "plastic/position", "m", [](View run) { return run.observed.plastic.position; }},

@@ -3,6 +3,7 @@
 #include <birdstrike/report/run_view.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -27,7 +28,7 @@ namespace birdstrike
   {
     using View   = const RunView &;
     using Source = std::variant<double (*)(View), std::size_t (*)(View), std::string (*)(View),
-                                std::array<double, 3> (*)(View), const LedgerEntry *>;
+                                std::optional<bool> (*)(View), std::array<double, 3> (*)(View), const LedgerEntry *>;
 
     std::string column; ///< name in history.csv; of vectors followed by _x, _y, _z; empty: none
     std::string key;    ///< path in summary.json; empty: none
@@ -37,7 +38,7 @@ namespace birdstrike
     Subject     subject = Subject::run;
 
     bool   is_vector() const;
-    double number(const RunView &run, unsigned int component = 0) const; ///< of no text
+    double number(const RunView &run, unsigned int component = 0) const; ///< of no text or truth
   };
 
   /// All of them: in the order of the columns, and within each object of summary.json in the order of its keys.

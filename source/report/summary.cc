@@ -19,6 +19,11 @@ namespace birdstrike
         [&](const auto &source) -> Json {
           if constexpr (std::is_same_v<std::decay_t<decltype(source)>, const LedgerEntry *>)
             return source->value(run.shown.state());
+          else if constexpr (std::is_same_v<std::decay_t<decltype(source(run))>, std::optional<bool>>)
+            {
+              const std::optional<bool> truth = source(run);
+              return truth ? Json(*truth) : Json();
+            }
           else
             return source(run);
         },
@@ -79,6 +84,12 @@ namespace birdstrike
   {
     const Json *value = find(json, key);
     return value && value->is_string() ? value->get<std::string>() : "";
+  }
+
+  bool Summary::is_false(const std::string &key) const
+  {
+    const Json *value = find(json, key);
+    return value && value->is_boolean() && !value->get<bool>();
   }
 
   std::string to_text(const Summary &summary)

@@ -25,6 +25,8 @@ namespace birdstrike
     double number(const std::string &key) const;
     /// The same for texts, e.g. "end/reason"; empty if it is absent.
     std::string text(const std::string &key) const;
+    /// Whether it says no, e.g. "tip/peak_reached"; what is absent or null says nothing.
+    bool is_false(const std::string &key) const;
 
     void set_inputs(const std::vector<InputFile> &files); ///< as they were when the run read them
   };

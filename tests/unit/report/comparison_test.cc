@@ -67,6 +67,20 @@ TEST_F(Comparison, PutsSummariesSideBySide)
   EXPECT_TRUE(std::isnan(find(table, "largest energy error").difference(1))) << "no share of nothing";
 }
 
+TEST_F(Comparison, SaysWhosePeakIsStillToCome)
+{
+  const auto says = [&] {
+    const std::string text = ComparisonTable(runs).as_text();
+    return text.find("Tip peak of 'first': still rising at the end") != std::string::npos;
+  };
+  EXPECT_FALSE(says());
+  RecordedRun rising;
+  rising.is_rising = true;
+  rising.write(scratch.path() / "first", scratch.write("plate.prm", ""));
+  runs[0].record = RunRecord(scratch.path() / "first");
+  EXPECT_TRUE(says());
+}
+
 TEST_F(Comparison, PermanentDeflectionIsTheMeanOfTheLastPeriod)
 {
   const ComparisonTable table(runs);

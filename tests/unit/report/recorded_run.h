@@ -24,10 +24,11 @@ inline birdstrike::Summary make_empty_summary(const std::string &name)
 /// A run folder as a run leaves it, without the run: a blade that vibrates about `stays` (m) with a period of 10 ms.
 struct RecordedRun
 {
-  double                        stays  = 0.1;
-  double                        peak   = 0.15;
-  std::string                   reason = "end time reached";
-  std::map<std::string, double> more   = {}; ///< further values by their keys
+  double                        stays     = 0.1;
+  double                        peak      = 0.15;
+  std::string                   reason    = "end time reached";
+  bool                          is_rising = false; ///< at the end, the tip
+  std::map<std::string, double> more      = {};    ///< further values by their keys
   std::vector<std::string>      overrides;
 
   birdstrike::Summary make_summary(const std::string &name) const
@@ -37,6 +38,7 @@ struct RecordedRun
     json["end"]["reason"]              = reason;
     json["blade"]["kind"]              = "shell";
     json["tip"]["peak"]                = peak;
+    json["tip"]["peak_reached"]        = !is_rising;
     json["contact"]["impulse"]         = {3., 0., -4.};
     json["energy"]["parts"]            = {{"blade_elastic", 2.}, {"blade_plastic", 40.}, {"bird_kinetic", 1000.}};
     json["root"]["peak_normal_stress"] = 9e8;

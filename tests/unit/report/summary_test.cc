@@ -22,8 +22,10 @@ TEST(Summary, HasTheStableKeys)
     {"blade", {"kind", "elements", "nodes", "mass", "added_rotary_inertia"}},
     {"bird", {"particles", "mass", "kinetic_energy", "momentum"}},
     {"steps", {"blade", "bird"}},
-    {"tip", {"peak", "peak_time", "final"}},
-    {"root", {"peak_normal_stress", "peak_normal_stress_time", "peak_moment", "peak_force"}},
+    {"tip", {"peak", "peak_time", "peak_reached", "final"}},
+    {"root",
+     {"peak_normal_stress", "peak_normal_stress_time", "peak_normal_stress_reached", "peak_moment",
+      "peak_moment_reached", "peak_force"}},
     {"contact", {"impulse", "peak_force", "peak_force_time", "max_penetration", "max_penetration_over_spacing"}},
     {"plastic", {"max_strain", "position", "work"}},
     {"failed", {"elements", "collapsed", "at_root", "mass", "free_mass", "energy"}},
@@ -95,6 +97,33 @@ TEST(Summary, KeepsEveryDigitAndTurnsNanIntoNull)
   EXPECT_EQ(json["energy"]["parts"]["blade_plastic"], 12.5);
   EXPECT_EQ(json["plastic"]["work"], 12.5) << "the same energy by another key";
   EXPECT_EQ(json["steps"]["blade"], 1234567890123);
+}
+
+TEST(Summary, APeakAtTheLastInstantIsNotReached)
+{
+  SomeRun some;
+  some.observed.tip_peak.update(1e-3, 0.1);
+  some.observed.root_stress.update(1e-3, 1e9);
+  RunView run = some.view();
+  run.time    = 1e-3;
+  EXPECT_TRUE(Summary(run).is_false("tip/peak_reached"));
+  EXPECT_TRUE(Summary(run).is_false("root/peak_normal_stress_reached"));
+  run.time = 1.001e-3;
+  EXPECT_EQ(Summary(run).json["tip"]["peak_reached"], true);
+  EXPECT_FALSE(Summary(run).is_false("root/peak_normal_stress_reached"));
+}
+
+TEST(Summary, WhatNeverLeftZeroHasNoPeak)
+{
+  SomeRun some; // neither tip nor root
+  some.observed.root_stress.update(0., 0.);
+  some.observed.tip_peak.update(0., 0.);
+  const nlohmann::json json = nlohmann::json::parse(to_text(Summary(some.view())));
+  for (const char *key : {"peak", "peak_time", "peak_reached", "final"})
+    EXPECT_TRUE(json["tip"][key].is_null()) << key;
+  for (const auto &[key, value] : json["root"].items())
+    EXPECT_TRUE(value.is_null()) << key;
+  EXPECT_FALSE(Summary(some.view()).is_false("tip/peak_reached")) << "what is absent says nothing";
 }
 
 TEST(Summary, ReadsWhatItHoldsByPaths)
