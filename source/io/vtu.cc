@@ -42,13 +42,16 @@ namespace birdstrike
           fail("field '" + field.name + "' has " + std::to_string(field.values.size()) + " values");
     }
 
-    /// One zlib stream in base64 behind VTK's header: blocks, block size, size of the last block, compressed size.
+    /// One zlib stream in base64 behind VTK's header: blocks, block size, size of the last block, compressed size. An
+    /// array without values has no block, and its header ends there.
     template <class T>
     std::string encode(const std::vector<T> &values)
     {
       const auto n_bytes = static_cast<uLong>(values.size() * sizeof(T));
       if (n_bytes > std::numeric_limits<std::uint32_t>::max())
         throw std::runtime_error("A field of more than 4 GiB does not fit into a VTU file: write fewer cells.");
+      if (values.empty())
+        return dealii::Utilities::encode_base64(std::vector<unsigned char>(3 * sizeof(std::uint32_t)));
       uLongf                     n_left = compressBound(n_bytes);
       std::vector<unsigned char> body(n_left);
       if (compress2(body.data(), &n_left, reinterpret_cast<const Bytef *>(values.data()), n_bytes, Z_BEST_SPEED) !=

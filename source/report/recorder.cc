@@ -6,6 +6,7 @@
 #include <birdstrike/structure/blade.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace birdstrike
 {
@@ -72,7 +73,14 @@ namespace birdstrike
     if (run.blade && run.parameters.output.blade_fields)
       blade_fields.emplace(folder, "blade");
     if (run.bird && run.parameters.output.bird_fields)
-      bird_fields.emplace(folder, "bird");
+      {
+        bird_fields.emplace(folder, "bird");
+        no_bird = run.bird->snapshot();
+        no_bird.points.clear();
+        no_bird.cells.clear();
+        for (Field &field : no_bird.fields)
+          field.values.clear();
+      }
   }
 
   void Recorder::add_columns(const RunView &run, const bool of_blade)
@@ -135,6 +143,8 @@ namespace birdstrike
       writer.write(*blade_fields, run.blade->snapshot(), run.time);
     if (bird_fields && run.bird)
       writer.write(*bird_fields, run.bird->snapshot(), run.time);
+    else if (bird_fields && !std::exchange(has_left_bird, true))
+      writer.write(*bird_fields, no_bird, run.time); // ParaView shows the last file from there on
     last_field = run.time;
   }
 

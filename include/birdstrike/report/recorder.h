@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/core/fields.h>
 #include <birdstrike/io/field_writer.h>
 #include <birdstrike/io/fields.h>
 #include <birdstrike/report/history.h>
@@ -49,7 +50,9 @@ namespace birdstrike
     const RunView             *present = nullptr; ///< while a row is made
     History                    history;
     std::optional<FieldSeries> blade_fields, bird_fields;
-    FieldWriter                writer; // after what it writes to: it ends first
+    FieldSnapshot              no_bird;               ///< its fields without a particle
+    bool                       has_left_bird = false; ///< and this has been written
+    FieldWriter                writer;                // after what it writes to: it ends first
     Ticks                      history_ticks, field_ticks;
     double                     last_row = -1., last_field = -1.;
     double                     flush_interval, last_flush = 0.; // s, on the clock

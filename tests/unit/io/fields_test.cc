@@ -101,6 +101,29 @@ namespace
   }
 } // namespace
 
+/// A header of three zeros, "no blocks", is what VTK takes for an array without values (vtkXMLDataReader, compressed
+/// data); a block of no bytes is none.
+TEST(FieldSeries, AnEmptyFileHoldsEmptyArrays)
+{
+  const ScratchFolder scratch;
+  FieldSeries         series(scratch.path(), "bird");
+  FieldSnapshot       nothing;
+  nothing.fields = {{"velocity", "m/s", false, 3, {}, false}, {"id", "-", false, 1, {}, true}};
+  series.write(nothing, 1e-3);
+  const Tree piece = read_xml(scratch.path() / "fields" / "bird_0000.vtu").get_child("VTKFile.UnstructuredGrid.Piece");
+  EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfCells"), 0);
+  EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfPoints"), 0);
+  int n_arrays = 0;
+  for (const std::string part : {"Points", "Cells", "PointData"})
+    for (const auto &[tag, node] : piece.get_child(part))
+      if (tag == "DataArray")
+        {
+          ++n_arrays;
+          EXPECT_EQ(decode_base64(node.data()), std::string(12, '\0')) << part;
+        }
+  EXPECT_EQ(n_arrays, 1 + 3 + 2);
+}
+
 TEST(FieldSeries, PlateFileHoldsItsCellsAndArrays)
 {
   const ScratchFolder scratch;
