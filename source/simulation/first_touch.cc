@@ -81,8 +81,10 @@ namespace birdstrike
     const Point3     frame    = find_velocity_at_aim(parameters, facets);
     const Point3     velocity = Point3(parameters.velocity.data()) - frame;
     FirstTouch       touch{0., velocity.norm()};
-    const bool       is_free_to_start =
-      parameters.stand_off == 0. && parameters.shape != BirdShape::slab && velocity.norm() > 0.;
+    if (touch.closing_speed == 0.)
+      throw InputError("The bird does not close in on the blade: Bird/Velocity is that of the blade where it aims.\n"
+                       "Set Bird/Velocity, in m/s, to what carries it to the blade.");
+    const bool is_free_to_start = parameters.stand_off == 0. && parameters.shape != BirdShape::slab;
     if (is_free_to_start)
       if (const double earlier = find_earlier_touch(bird.points(), facets, velocity); earlier > 0.)
         {

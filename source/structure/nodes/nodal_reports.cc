@@ -1,8 +1,9 @@
+#include "structure/nodes/initial_spin.h"
 #include "structure/nodes/nodal_vectors.h"
-
 #include <birdstrike/core/expression.h>
 #include <birdstrike/core/text_lists.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -50,25 +51,17 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::initialize_velocity(const BladeParameters::Loads &parameters)
   {
-    const double origin[3] = {0., 0., 0.};
-    Point3       spin      = Point3::Zero();
-    if (is_present(parameters.initial_spin))
-      {
-        const Expression expression(parameters.initial_spin, 3, "Loads/Initial spin");
-        for (unsigned int d = 0; d < 3; ++d)
-          spin[d] = expression.value(origin, 0., d);
-      }
+    const Point3            spin = read_initial_spin(parameters);
     std::vector<Expression> field;
     if (is_present(parameters.initial_velocity))
       field.emplace_back(parameters.initial_velocity, 3, "Loads/Initial velocity");
     double *velocity = vectors->velocity.begin();
     for (std::size_t n = 0; n < n_nodes; ++n)
       {
-        const double *x       = vectors->reference.begin() + 3 * n;
-        const Point3  turning = spin.cross(Point3(x));
+        const double *x = vectors->reference.begin() + 3 * n;
         for (unsigned int d = 0; d < 3; ++d)
           {
-            velocity[n_unknowns * n + d] = turning[d];
+            velocity[n_unknowns * n + d] = spin.cross(Point3(x))[d];
             if constexpr (n_unknowns == 6)
               velocity[6 * n + 3 + d] = spin[d];
             for (const auto &expression : field)
@@ -76,7 +69,14 @@ namespace birdstrike
           }
       }
     for (const std::uint32_t dof : held_dofs)
-      velocity[dof] = 0.;
+      {
+        const bool is_driven = std::any_of(driven.begin(), driven.end(), [&](const Supports::Driven &support) {
+          return std::find(support.dofs.begin(), support.dofs.end(), dof) != support.dofs.end();
+        });
+        if (!is_driven)
+          require_no_spin(spin, velocity[dof], Point3(vectors->reference.begin() + 3 * (dof / n_unknowns)));
+        velocity[dof] = 0.;
+      }
     constexpr double instant = 1e-9; // s
     for (const Supports::Driven &support : driven)
       for (const std::uint32_t dof : support.dofs)

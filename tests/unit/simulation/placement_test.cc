@@ -73,6 +73,16 @@ TEST(Placement, ABirdWiderThanTheBladeOrAimedBesideItStartsAtFirstTouch)
   expect_first_touch({"Bird/Yaw=80", "Bird/Velocity=0, 199, 17"});
 }
 
+TEST(Placement, ABirdThatStandsStillIsRefusedAsSuch)
+{
+  for (const std::string entry : {"Bird/Stand-off=0", "Bird/Stand-off=0.5"})
+    {
+      const std::string still = refusal({"Bird/Velocity=0, 0, 0", entry});
+      EXPECT_NE(still.find("does not close in"), std::string::npos) << still;
+      EXPECT_EQ(still.find("inside"), std::string::npos) << still;
+    }
+}
+
 TEST(Placement, AdviceIsNeverWhatIsSetAlready)
 {
   const std::string near = refusal({"Bird/Velocity=0, 199, 17", "Bird/Stand-off=0.01"});

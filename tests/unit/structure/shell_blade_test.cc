@@ -262,10 +262,24 @@ namespace birdstrike
       refuses([](auto &p) { p.thickness.value = "0.004*("; });
       refuses([](auto &p) { p.loads.pressure = "1e5*q"; });
       refuses([](auto &p) { p.loads.initial_velocity = "1; 2"; });
+      refuses([](auto &p) { p.loads.initial_spin = "0; 0; 100"; }); // of a clamped blade
       refuses([](auto &p) { p.loads.point_loads = "5 5 5: 1; 1; 1"; });
       refuses([](auto &p) { p.probes = "tip 0 0 0"; });
       refuses([](auto &p) { p.element.n_points = 4; });
       refuses([](auto &p) { p.mesh.generator = MeshGenerator::file; });
+    }
+
+    // Held at x = 0 in all but what the spin about y makes of them, nothing stands against it.
+    TEST(ShellBlade, SpinsAboutAHinge)
+    {
+      ThreadPool pool;
+      auto       p         = elastic_plate(4, 2);
+      p.supports.clamped   = "";
+      p.supports.held      = "0: ux uy uz rx rz";
+      p.loads.initial_spin = "0; 100; 0";
+      EXPECT_NO_THROW(make_blade(p, pool));
+      p.loads.initial_spin = "0; 0; 100";
+      EXPECT_THROW(make_blade(p, pool), InputError) << "which rz is held against";
     }
 
     TEST(MakeBlade, GivesWhatWasAskedFor)
