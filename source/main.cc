@@ -1,4 +1,5 @@
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/report/compare.h>
@@ -43,6 +44,7 @@ namespace
   {
     app.set_version_flag("--version", "birdstrike " + birdstrike::program_identity().version);
     app.require_subcommand(1);
+    app.footer("Exit codes: 0 done, 1 internal error, 2 bad input, 3 the computation was lost, 130 interrupted");
 
     const auto case_command = [&](const char *name, const char *text, void (*verb)(const CaseRequest &)) {
       CLI::App    *command = app.add_subcommand(name, text);
@@ -99,6 +101,11 @@ namespace
       {
         birdstrike::log().error("{}", error.what());
         return exit_code(ExitCode::numerical_failure);
+      }
+    catch (const birdstrike::Interrupted &error)
+      {
+        birdstrike::log().warn("{}", error.what());
+        return birdstrike::Interrupted::exit_code;
       }
     catch (const std::exception &error)
       {

@@ -4,6 +4,7 @@
 #include "report/comparison_table.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/comparison_folder.h>
 
@@ -105,13 +106,15 @@ namespace birdstrike
         if (code == 0)
           return;
         names += (names.empty() ? "'" : ", '") + name + "' (exit code " + std::to_string(code) + ")";
-        has_refused    = has_refused || code == static_cast<int>(ExitCode::bad_input);
-        are_all_lawful = are_all_lawful && (code == static_cast<int>(ExitCode::bad_input) ||
-                                            code == static_cast<int>(ExitCode::numerical_failure));
+        has_refused = has_refused || code == static_cast<int>(ExitCode::bad_input);
+        has_lost    = has_lost || code == static_cast<int>(ExitCode::numerical_failure);
+        are_all_lawful =
+          are_all_lawful && (code == static_cast<int>(ExitCode::bad_input) ||
+                             code == static_cast<int>(ExitCode::numerical_failure) || code == Interrupted::exit_code);
       }
 
       /// Throws what gives the comparison the exit code that says most: of a crash before a refusal before a lost
-      /// state.
+      /// state before a signal.
       void raise() const
       {
         if (names.empty())
@@ -120,12 +123,14 @@ namespace birdstrike
           throw std::runtime_error("a case ended as none should: " + names + ".");
         if (has_refused)
           throw InputError("Refused or lost: " + names + ". The table holds what the other cases came to.");
-        throw NumericalFailure("Lost: " + names + ". The table holds what the other cases came to.");
+        if (has_lost)
+          throw NumericalFailure("Lost: " + names + ". The table holds what the other cases came to.");
+        throw Interrupted("Interrupted: " + names + ". The table holds what they came to until then.");
       }
 
     private:
       std::string names;
-      bool        has_refused = false, are_all_lawful = true;
+      bool        has_refused = false, has_lost = false, are_all_lawful = true;
     };
 
     std::string make_report(const ComparisonTable &table, const std::vector<Figure> &figures,

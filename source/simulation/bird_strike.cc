@@ -247,6 +247,11 @@ namespace birdstrike
     return run;
   }
 
+  bool BirdStrike::is_interrupted() const
+  {
+    return why_ended == EndReason::signal;
+  }
+
   Summary BirdStrike::compute_summary() const
   {
     return Summary(view_whole_run());

@@ -41,6 +41,7 @@ namespace birdstrike
     static void request_stop();
     static void forget_stop_requests();
 
+    bool        is_interrupted() const; ///< ended by such a request
     Summary     compute_summary() const;
     std::string closing_report() const;
 

@@ -1,6 +1,6 @@
 #include "simulation/bird_strike.h"
 #include "simulation/explain.h"
-#include <birdstrike/core/errors.h>
+#include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/run_folder.h>
@@ -49,6 +49,7 @@ namespace birdstrike
     folder.write_text("original.prm", parameters.file.original());
     folder.write_text("parameters.prm", parameters.file.as_prm());
     log().info("{}", forecast);
+    bool is_interrupted = false;
     try
       {
         BirdStrike strike(parameters, scene, folder.path());
@@ -57,6 +58,7 @@ namespace birdstrike
         Summary summary = strike.compute_summary();
         summary.set_inputs(inputs);
         folder.finish(to_text(summary));
+        is_interrupted = strike.is_interrupted();
         log().info("Results in {}", folder.path().string());
       }
     catch (const std::exception &error)
@@ -64,6 +66,9 @@ namespace birdstrike
         folder.fail(error.what());
         throw;
       }
+    if (is_interrupted)
+      throw Interrupted(
+        "Interrupted by a signal before Time/End time; what stands in the folder goes as far as it came.");
   }
 
   void explain_case(const CaseRequest &request)

@@ -40,7 +40,7 @@ variant() { sed -E "$1" "$top/prm/quickstart.prm" >case.prm; }
 fast=(--set "Bird/Particle spacing=0.006" --set "Blade/Mesh/Elements along span=14" --set "Blade/Mesh/Elements along chord=4")
 
 check "version" 0 "birdstrike [0-9]+\.[0-9]+" -- --version
-check "help" 0 "run" "explain" "validate" "parameters" -- --help
+check "help" 0 "run" "explain" "validate" "parameters" "130 interrupted" -- --help
 check "help of run" 0 "--set" "--output" -- run --help
 check "no subcommand" 2 -- 
 check "unknown subcommand" 2 -- fly
@@ -61,6 +61,8 @@ check "out of range" 2 "Mass" -- run case.prm
 check "missing file" 2 "no-such.prm" -- run no-such.prm
 check "misspelt override" 2 "Mas" "Mass" -- run "$top/prm/quickstart.prm" --set "Bird/Mas=1"
 check "bird that starts inside" 2 "inside" -- run "$top/prm/quickstart.prm" "${fast[@]}" --set "Bird/Stand-off=0.001"
+check "bird that stands still" 2 "does not close in" -- run "$top/prm/quickstart.prm" "${fast[@]}" --set "Bird/Velocity=0, 0, 0"
+check "spin of a clamped blade" 2 "Initial spin" "root that stands still" -- run "$top/prm/quickstart.prm" "${fast[@]}" --set "Blade/Loads/Initial spin=0; 100; 0"
 check "bird that misses" 2 "miss" -- run "$top/prm/quickstart.prm" "${fast[@]}" --set "Bird/Aim point=1, 1, 0"
 check "nothing in the case" 2 "neither" -- run "$top/prm/bird-free.prm" --set "Bird/Enabled=false"
 check "a shell's element for a solid" 2 "no element of a solid" "B-bar" -- run "$top/prm/quickstart.prm" --set "Blade/Kind=solid" --set "Blade/Element/Formulation=physical"
@@ -84,11 +86,25 @@ check "a short run" 0 "Results in" -- run "$top/prm/quickstart.prm" "${fast[@]}"
 for file in original.prm parameters.prm log.txt history.csv results.h5 summary.json blade.pvd bird.pvd; do
   [ -s short/$file ] || { echo "FAILED a run left no $file"; n_failed=$((n_failed + 1)); }
 done
+grep -q '"peak_reached": false' short/summary.json && grep -q "tip peak.*(still rising at the end)" short/log.txt ||
+  { echo "FAILED a tip on its way up is called a peak"; n_failed=$((n_failed + 1)); }
 check "its parameters.prm runs again" 0 "Results in" -- run short/parameters.prm --output again
 diff -q short/history.csv again/history.csv >/dev/null || { echo "FAILED the re-run differs"; n_failed=$((n_failed + 1)); }
 check "one thread" 0 -- run short/parameters.prm --output one --set "Time/Threads=1"
 check "two threads" 0 -- run short/parameters.prm --output two --set "Time/Threads=2"
 diff -q one/history.csv two/history.csv >/dev/null || { echo "FAILED two threads differ from one"; n_failed=$((n_failed + 1)); }
+
+# a signal ends a run in order: its results are whole, its exit code says that they are not those of its parameters
+"$program" run "$top/prm/quickstart.prm" --output stopped --set "Time/End time=10" >out.txt 2>&1 &
+for _ in $(seq 300); do [ -e stopped/log.txt ] && break; sleep 0.1; done
+kill -TERM $!
+wait $!
+code=$?
+if [ $code -eq 130 ] && grep -q "stopped by a signal" stopped/summary.json && grep -q "Interrupted by a signal" out.txt; then
+  echo "passed an interrupted run"
+else
+  echo "FAILED an interrupted run: exit code $code, expected 130"; tail -n 5 out.txt; n_failed=$((n_failed + 1))
+fi
 
 # more than one rank is refused, by one voice
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -np 2 "$program" run "$top/prm/quickstart.prm" >out.txt 2>&1

@@ -21,7 +21,7 @@ namespace birdstrike
   ///
   /// Every case runs in a process of its own, so that its memory is its own and its loss nobody else's. All cases are
   /// checked before the first one runs. Throws InputError for what the user must change, and, after everything has been
-  /// written, NumericalFailure if a case was lost, InputError if one was refused when its turn came, std::runtime_error
-  /// if one crashed.
+  /// written, NumericalFailure if a case was lost, Interrupted if a signal ended one, InputError if one was refused
+  /// when its turn came, std::runtime_error if one crashed.
   void compare_cases(const CompareRequest &request);
 } // namespace birdstrike
