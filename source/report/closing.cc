@@ -97,6 +97,8 @@ namespace birdstrike
             count("failed/elements") + " of " + count("blade/elements") + ", " + shown("failed/mass"));
         if (value("failed/collapsed") > 0)
           add("failed/collapsed", shown("failed/collapsed") + ": below the smallest step");
+        if (value("failed/partly") > 0)
+          add("failed/partly", count("failed/partly") + ", " + count("failed/points") + " points");
         add("failed/free_mass");
         add("failed/energy");
         if (value("failed/at_root") > 0)

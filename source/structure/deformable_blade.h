@@ -114,7 +114,8 @@ namespace birdstrike
     }
 
   private:
-    void update_failed(); ///< after elements have failed
+    void  update_failed();          ///< after elements have failed
+    Field contact_pressure() const; ///< of the whole surface, Pa
 
     SymmetryPlane                    plane;
     typename Kind::Mesh              mesh;

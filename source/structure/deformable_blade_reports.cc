@@ -42,17 +42,24 @@ namespace birdstrike
     for (const auto &x : plain.nodes)
       snapshot.points.insert(snapshot.points.end(), x.begin(), x.end());
     std::vector<std::size_t> left; // failed elements are not shown
-    Field                    damage{"damage", "-", true, 1, {}}, number{"element", "-", true, 1, {}};
+    Field                    number{"element", "", true, 1, {}, true}, damage{"damage", "-", true, 1, {}};
+    Field                    failed_points{"failed_points", "", true, 1, {}, true};
     for (std::size_t e = 0; e < plain.cells.size(); ++e)
       if (!elements.is_failed(e))
         {
           const auto &nodes = Kind::nodes_of(plain, e);
           snapshot.cells.insert(snapshot.cells.end(), nodes.begin(), nodes.end());
           left.push_back(e);
-          damage.values.push_back(elements.damage(e));
           number.values.push_back(static_cast<double>(e));
+          damage.values.push_back(elements.damage(e));
+          failed_points.values.push_back(static_cast<double>(elements.n_failed_points(e)));
         }
+    Field node{"node", "", false, 1, {}, true};
+    for (std::size_t n = 0; n < plain.nodes.size(); ++n)
+      node.values.push_back(static_cast<double>(n));
+    snapshot.fields = {std::move(node), std::move(number)};
     motion.add_fields(snapshot.fields);
+    snapshot.fields.push_back(contact_pressure());
     Kind::add_fields(elements, left, snapshot.fields);
     if (sections.all.size() > 1)
       {
@@ -62,8 +69,35 @@ namespace birdstrike
         snapshot.fields.push_back(std::move(section));
       }
     if (can_fail)
-      snapshot.fields.insert(snapshot.fields.end(), {std::move(damage), std::move(number)});
+      snapshot.fields.insert(snapshot.fields.end(), {std::move(damage), std::move(failed_points)});
     return snapshot;
+  }
+
+  // The force on a node along the normal of its facets over their shares of area, of the bent blade.
+  template <class Kind>
+  Field DeformableBlade<Kind>::contact_pressure() const
+  {
+    const auto         &skin = mesh.surface();
+    std::vector<Point3> area(mesh.nodes.size(), Point3::Zero());
+    const double *const x = motion.positions();
+    for (std::size_t f = 0; f < skin.cells.size(); ++f)
+      {
+        std::array<Point3, 4> corner;
+        for (unsigned int c = 0; c < 4; ++c)
+          corner[c] = Point3(x + 3 * skin.cells[f][c]);
+        const Point3 share = 0.125 * (corner[2] - corner[0]).cross(corner[3] - corner[1]);
+        for (const std::uint32_t node : skin.cells[f])
+          area[node] += share;
+      }
+    Field               field{"contact_pressure", "Pa", false, 1, {}};
+    const double *const force = motion.contact_forces();
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+      {
+        const double squared = area[n].squaredNorm(); // 0 within a body, and across its edges if facets cancel
+        field.values.push_back(squared > 0. ? std::abs(Point3(force + Kind::n_unknowns * n).dot(area[n])) / squared
+                                            : 0.);
+      }
+    return field;
   }
 
   template <class Kind>
@@ -100,6 +134,14 @@ namespace birdstrike
   {
     FailureReport report;
     report.can_fail = can_fail;
+    if (!can_fail)
+      return report;
+    for (std::size_t e = 0; e < mesh.cells.size(); ++e)
+      if (const std::size_t n = elements.n_failed_points(e); n > 0 && mesh.is_owned(e) && !elements.is_failed(e))
+        {
+          report.n_partly += plane.whole(std::size_t(1));
+          report.n_points += plane.whole(n);
+        }
     if (elements.n_failed() == 0)
       return report;
     std::size_t n_owned_failed = 0;

@@ -1,5 +1,6 @@
 #include "structure/shell_kind.h"
 #include "structure/elements/von_mises.h"
+#include "structure/stress_fields.h"
 
 #include <birdstrike/core/text_lists.h>
 
@@ -98,7 +99,6 @@ namespace birdstrike
   {
     static constexpr std::array<ShellLayer, 3> layers{{ShellLayer::bottom, ShellLayer::middle, ShellLayer::top}};
     static const std::array<std::string, 3>    names{{"bottom", "middle", "top"}};
-    static const std::array<std::string, 6>    components{{"xx", "yy", "zz", "xy", "yz", "zx"}};
     const auto add = [&](const std::string &name, const std::string &unit, const auto &value) {
       Field field{name, unit, true, 1, {}};
       field.values.reserve(cells.size());
@@ -114,8 +114,10 @@ namespace birdstrike
         add("von_mises_stress_" + names[k], "Pa", [&](const std::size_t e) { return von_mises(stress(e)); });
         if (layers[k] == ShellLayer::middle)
           continue; // the mid-surface stress follows from both faces
-        for (unsigned int c = 0; c < 6; ++c)
-          add("stress_" + components[c] + "_" + names[k], "Pa", [&](const std::size_t e) { return stress(e)[c]; });
+        std::vector<std::array<double, 6>> stresses;
+        for (const std::size_t e : cells)
+          stresses.push_back(stress(e));
+        add_stress_fields("_" + names[k], stresses, fields);
       }
     add("thickness", "m", [&](const std::size_t e) { return elements.state(e).thickness; });
   }

@@ -1,6 +1,7 @@
 #include "structure/solid_kind.h"
 #include "structure/elements/von_mises.h"
 #include "structure/nodes/mass_scaling.h"
+#include "structure/stress_fields.h"
 
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
@@ -109,10 +110,13 @@ namespace birdstrike
   void SolidKind::add_fields(const Elements &elements, const std::vector<std::size_t> &cells,
                              std::vector<Field> &fields)
   {
-    static const std::array<std::string, 6> components{{"xx", "yy", "zz", "xy", "yz", "zx"}};
-    std::vector<SolidState>                 states;
+    std::vector<SolidState>            states;
+    std::vector<std::array<double, 6>> stresses;
     for (const std::size_t e : cells)
-      states.push_back(elements.state(e));
+      {
+        states.push_back(elements.state(e));
+        stresses.push_back(states.back().stress);
+      }
     const auto add = [&](const std::string &name, const std::string &unit, const auto &value) {
       Field field{name, unit, true, 1, {}};
       field.values.reserve(states.size());
@@ -123,8 +127,7 @@ namespace birdstrike
     add("equivalent_plastic_strain", "-", [](const SolidState &s) { return s.plastic_strain; });
     add("largest_equivalent_plastic_strain", "-", [](const SolidState &s) { return s.max_plastic_strain; });
     add("von_mises_stress", "Pa", [](const SolidState &s) { return von_mises(s.stress); });
-    for (unsigned int c = 0; c < 6; ++c)
-      add("stress_" + components[c], "Pa", [c](const SolidState &s) { return s.stress[c]; });
+    add_stress_fields("", stresses, fields);
   }
 
   const std::array<std::uint32_t, 8> &SolidKind::nodes_of(const Mesh &mesh, const std::size_t cell)

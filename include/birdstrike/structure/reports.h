@@ -54,6 +54,8 @@ namespace birdstrike
     std::size_t n_elements   = 0;     ///< failed
     std::size_t n_collapsed  = 0;     ///< of these, not by damage but by the smallest step
     std::size_t n_at_root    = 0;     ///< of these, at the root section
+    std::size_t n_partly     = 0;     ///< elements that carry on though points of theirs have failed
+    std::size_t n_points     = 0;     ///< these points
     double      mass         = 0.;    ///< kg, of failed elements
     double      free_mass    = 0.;    ///< kg, on free nodes
     bool        has_lost_tip = false; ///< a watched node of the tip row is free

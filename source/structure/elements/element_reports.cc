@@ -191,6 +191,14 @@ namespace birdstrike
   }
 
   template <class Group>
+  std::size_t Elements<Group>::n_failed_points(const std::size_t element) const
+  {
+    const auto [group, k] = find(element);
+    return group.erosion ? group.erosion->count_failed_points(k, group.erosion->damage.size() / group.batches.size())
+                         : 0;
+  }
+
+  template <class Group>
   double Elements<Group>::damage(const std::size_t element) const
   {
     const auto [group, k] = find(element);

@@ -102,6 +102,7 @@ namespace birdstrike
     double      failed_mass() const;               ///< kg
     bool        is_free(std::size_t node) const;   ///< all its elements have failed
     double      damage(std::size_t element) const; ///< largest D of its points; 1 and more: such a point failed
+    std::size_t n_failed_points(std::size_t element) const;
 
     std::size_t   n_elements() const;
     ElementPrices prices() const;

@@ -71,6 +71,15 @@ namespace birdstrike
       return largest;
     }
 
+    std::size_t count_failed_points(const std::size_t element, const std::size_t n_sections) const
+    {
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < n_sections; ++i)
+        for (const Lanes &d : damage[n_sections * (element / n_lanes) + i])
+          count += lane(d, element % n_lanes) >= 1.;
+      return count;
+    }
+
     std::size_t bytes() const
     {
       std::size_t sum = batches.capacity() * sizeof(OfBatch) + damage.capacity() * sizeof(damage[0]);

@@ -98,6 +98,7 @@ namespace birdstrike
     const double *positions() const;      ///< m
     const double *displacements() const;  ///< m and rad
     const double *element_forces() const; ///< without what others have added
+    const double *contact_forces() const;
 
   private:
     using Sums = std::array<double, 12>;

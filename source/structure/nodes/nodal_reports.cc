@@ -251,6 +251,12 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
+  const double *NodalMechanics<n_unknowns>::contact_forces() const
+  {
+    return vectors->contact.begin();
+  }
+
+  template <unsigned int n_unknowns>
   const double *NodalMechanics<n_unknowns>::element_forces() const
   {
     if (added.empty())
@@ -272,20 +278,6 @@ namespace birdstrike
     view.inverse_mass    = vectors->node_inverse_mass.begin();
     view.velocity_stride = n_unknowns;
     return view;
-  }
-
-  template <unsigned int n_unknowns>
-  void NodalMechanics<n_unknowns>::add_fields(std::vector<Field> &fields) const
-  {
-    const auto add = [&](const char *name, const char *unit, const double *values) {
-      Field field{name, unit, false, 3, {}};
-      field.values.reserve(3 * n_nodes);
-      for (std::size_t n = 0; n < n_nodes; ++n)
-        field.values.insert(field.values.end(), values + n_unknowns * n, values + n_unknowns * n + 3);
-      fields.push_back(std::move(field));
-    };
-    add("displacement", "m", vectors->displacement.begin());
-    add("velocity", "m/s", vectors->velocity.begin());
   }
 
   template <unsigned int n_unknowns>

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace birdstrike
 {
@@ -175,6 +176,36 @@ namespace birdstrike
       EXPECT_EQ(half.failure().n_elements, whole.failure().n_elements);
       EXPECT_NEAR(half.failure().mass / whole.failure().mass, 1., 1e-12);
       EXPECT_NEAR(half.energies().eroded / whole.energies().eroded, 1., 1e-9);
+    }
+
+    // Bent, not pulled: the outer layers fail while the middle ones carry the element on.
+    TEST(BladeFailure, CountsPointsThatFailInElementsThatCarryOn)
+    {
+      ThreadPool      pool;
+      BladeParameters p                 = strip();
+      p.loads.initial_velocity          = "0; 0; 200 * min(1, max(0, x/0.01 - 2))";
+      p.material.failure.plastic_strain = 0.008;
+      ShellBlade whole(p, pool);
+      run(whole, 100e-6);
+      const FailureReport failure = whole.failure();
+      ASSERT_GT(failure.n_points, 0u);
+      EXPECT_LE(failure.n_partly, failure.n_points);
+
+      // what the fields show of each element adds up to them
+      const FieldSnapshot snapshot = whole.snapshot();
+      const auto          points   = std::find_if(snapshot.fields.begin(), snapshot.fields.end(),
+                                                  [](const Field &field) { return field.name == "failed_points"; });
+      ASSERT_NE(points, snapshot.fields.end());
+      EXPECT_EQ(std::accumulate(points->values.begin(), points->values.end(), 0.), failure.n_points);
+      EXPECT_EQ(points->values.size(), 20u - failure.n_elements); // those that failed whole are left out
+      EXPECT_EQ(points->values.size() - std::count(points->values.begin(), points->values.end(), 0.), failure.n_partly);
+
+      p.is_halved    = true;
+      p.mesh.n_chord = 2;
+      ShellBlade half(p, pool);
+      run(half, 100e-6);
+      EXPECT_EQ(half.failure().n_points, failure.n_points);
+      EXPECT_EQ(half.failure().n_partly, failure.n_partly);
     }
   } // namespace
 } // namespace birdstrike
