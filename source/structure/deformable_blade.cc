@@ -1,8 +1,19 @@
 #include "structure/deformable_blade.h"
-#include "structure/probes/strike_side.h"
 
 namespace birdstrike
 {
+  namespace
+  {
+    /// Velocity (m/s) of the bird relative to the blade's centre of mass at the start; zero without a bird. `momentum`
+    /// and `mass` (kg) are the blade's.
+    Point3 compute_strike(const BladeParameters &parameters, const MomentumReport &momentum, const double mass)
+    {
+      if (!parameters.bird_velocity)
+        return Point3::Zero();
+      return Point3(parameters.bird_velocity->data()) - Point3(momentum.momentum.data()) / mass;
+    }
+  } // namespace
+
   template <class Kind>
   DeformableBlade<Kind>::DeformableBlade(const BladeParameters &parameters, ThreadPool &pool)
     : plane(parameters.is_halved)
@@ -13,8 +24,6 @@ namespace birdstrike
     , elements(Kind::make_elements(mesh, lumped, sections, pool))
     , pressed(Kind::find_pressed(mesh, parameters.loads))
     , motion(mesh, Kind::masses(lumped), supports, Loads(parameters.loads, mesh, pressed.facets), pool)
-    , root(Kind::make_root(mesh, supports))
-    , tip(Kind::make_tip(mesh, supports))
     , surface(Kind::make_surface(mesh, lumped))
     , can_fail(parameters.can_fail())
   {
@@ -23,7 +32,10 @@ namespace birdstrike
     scaling = Kind::finish(parameters, mesh, lumped, elements, motion);
     motion.initialize_velocity(parameters.loads);
     motion.watch(parameters.probes, mesh);
-    turn_from_strike(compute_strike(parameters, motion.momenta(), lumped.total), Kind::is_one_surface(mesh), root, tip);
+    roles =
+      BladeRoles(mesh, supports.root_ids, supports.tip_ids, compute_strike(parameters, motion.momenta(), lumped.total));
+    root = typename Kind::Root(mesh, roles.root);
+    tip  = TipRow(mesh, roles.tip);
   }
 
   template <class Kind>

@@ -125,6 +125,7 @@ namespace birdstrike
     typename Kind::Elements          elements;
     PressedFacets                    pressed;
     NodalMechanics<Kind::n_unknowns> motion;
+    BladeRoles                       roles;
     typename Kind::Root              root;
     TipRow                           tip;
     typename Kind::Surface           surface;

@@ -118,7 +118,7 @@ namespace birdstrike
   template <class Kind>
   std::optional<SpanLine> DeformableBlade<Kind>::span_line() const
   {
-    return make_span_line(root.section(), tip, mesh.nodes[0].data());
+    return make_span_line(roles, tip, mesh.nodes[0].data());
   }
 
   template <class Kind>

@@ -58,27 +58,12 @@ namespace birdstrike
     return pressed;
   }
 
-  RootSection ShellKind::make_root(const Mesh &mesh, const Supports &supports)
-  {
-    return RootSection(mesh, supports.root_ids);
-  }
-
-  TipRow ShellKind::make_tip(const Mesh &mesh, const Supports &supports)
-  {
-    return TipRow(mesh, supports.tip_ids);
-  }
-
   ContactSurface ShellKind::make_surface(const Mesh &mesh, const Mesh::Mass &mass)
   {
     std::vector<double> half_thickness = mass.element_thickness;
     for (double &value : half_thickness)
       value *= 0.5;
     return ContactSurface(mesh, std::move(half_thickness));
-  }
-
-  bool ShellKind::is_one_surface(const Mesh &)
-  {
-    return true;
   }
 
   std::size_t ShellKind::n_nodes_in_contact(const Mesh &mesh, bool)

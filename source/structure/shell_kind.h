@@ -29,10 +29,7 @@ namespace birdstrike
                                        ThreadPool &pool);
     static Nodes::Masses masses(const Mesh::Mass &mass);
     static PressedFacets find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads);
-    static Root          make_root(const Mesh &mesh, const Supports &supports);
-    static TipRow        make_tip(const Mesh &mesh, const Supports &supports);
     static Surface       make_surface(const Mesh &mesh, const Mesh::Mass &mass);
-    static bool          is_one_surface(const Mesh &mesh); ///< cells run through from root to tip
     static std::size_t   n_nodes_in_contact(const Mesh &mesh, bool can_fail);
 
     /// What is left to do once nodes and elements are there; of what it scales of the masses a report.

@@ -68,24 +68,9 @@ namespace birdstrike
     return pressed;
   }
 
-  SolidRootSection SolidKind::make_root(const Mesh &mesh, const Supports &supports)
-  {
-    return SolidRootSection(mesh, supports.root_ids);
-  }
-
-  TipRow SolidKind::make_tip(const Mesh &mesh, const Supports &supports)
-  {
-    return make_tip_row(mesh, supports.tip_ids);
-  }
-
   ErodingSkin SolidKind::make_surface(const Mesh &mesh, const Mesh::Mass &)
   {
     return ErodingSkin(mesh);
-  }
-
-  bool SolidKind::is_one_surface(const Mesh &mesh)
-  {
-    return mesh.layers > 0;
   }
 
   std::size_t SolidKind::n_nodes_in_contact(const Mesh &mesh, const bool can_fail)

@@ -1,5 +1,4 @@
 #include "structure/probes/sections.h"
-#include <birdstrike/mesh/orientation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,84 +14,49 @@ namespace birdstrike
     return peak;
   }
 
-  void SectionFrame::make_orthonormal()
-  {
-    normal.normalize();
-    span  = (span - span.dot(normal) * normal).normalized();
-    chord = chord_along(normal, span);
-  }
-
-  RootSectionReport SectionFrame::compute_forces(const double *force, const double *position,
-                                                 const unsigned int n_unknowns) const
+  RootSectionReport compute_section_forces(const BladeEnd &root, const double *force, const double *position,
+                                           const unsigned int n_unknowns)
   {
     RootSectionReport report;
     Point3            total = Point3::Zero(), moment = Point3::Zero();
-    for (const std::uint32_t n : nodes)
+    for (const std::uint32_t n : root.nodes)
       {
         const double *entries = force + n_unknowns * n;
         const Point3  f(entries[0], entries[1], entries[2]);
         const Point3  m = n_unknowns == 6 ? Point3(entries[3], entries[4], entries[5]) : Point3::Zero();
         const Point3  x(position[3 * n], position[3 * n + 1], position[3 * n + 2]);
         total += f;
-        moment += m + (x - origin).cross(f);
+        moment += m + (x - root.middle).cross(f);
       }
-    report.normal_force     = total.dot(span);
-    report.transverse_force = total.dot(normal);
-    report.bending_moment   = -moment.dot(normal.cross(span));
+    report.normal_force     = total.dot(root.span);
+    report.transverse_force = total.dot(root.normal);
+    report.bending_moment   = -moment.dot(root.normal.cross(root.span));
     return report;
   }
 
-  double SectionFrame::stress_along(const Point3 &span, const Point3 &surface_normal, const std::array<double, 6> &s)
+  double stress_along(const Point3 &span, const Point3 &surface_normal, const std::array<double, 6> &s)
   {
     const Point3 n = (span - span.dot(surface_normal) * surface_normal).normalized();
     return s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + s[2] * n[2] * n[2] +
            2. * (s[3] * n[0] * n[1] + s[4] * n[1] * n[2] + s[5] * n[2] * n[0]);
   }
 
-  RootSection::RootSection(const SurfaceMesh &mesh, const std::vector<unsigned int> &root_ids)
+  RootSection::RootSection(const ShellMesh &mesh, const BladeEnd &root) : root(root)
   {
-    frame.nodes   = mesh.nodes_on(root_ids);
-    double length = 0.;
-    for (const auto &edge : mesh.boundary)
-      if (std::find(root_ids.begin(), root_ids.end(), edge.id) != root_ids.end())
-        {
-          const Point3 a = mesh.node(edge.nodes[0]), b = mesh.node(edge.nodes[1]), middle = 0.5 * (a + b);
-          const Point3 along   = (b - a).normalized();
-          const Point3 inwards = mesh.centroid(edge.cell) - middle;
-          const Point3 inside  = (inwards - inwards.dot(along) * along).normalized();
-          elements_at_root.push_back({edge.cell, 0., inside});
-          frame.origin += (b - a).norm() * middle;
-          frame.span += (b - a).norm() * inside;
-          frame.normal += (b - a).norm() * mesh.area_vector(edge.cell).normalized();
-          length += (b - a).norm();
-        }
-    if (elements_at_root.empty() || frame.span.norm() < 1e-6 * length || frame.normal.norm() < 1e-6 * length)
+    for (const std::size_t side : root.sides)
       {
-        // Nothing clamped, or clamped all around: no single section to speak of.
-        frame = {};
-        elements_at_root.clear();
-        return;
+        const std::uint32_t cell = mesh.boundary[side].cell;
+        elements_at_root.push_back(
+          {cell, (mesh.centroid(cell) - root.middle).dot(root.chord), inwards(mesh, mesh.boundary[side])});
       }
-    frame.origin /= length;
-    if (!mesh.symmetry_nodes.empty())
-      frame.origin[1] = 0.; // the middle of the whole edge
-    frame.make_orthonormal();
-    for (auto &element : elements_at_root)
-      element.chord_position = (mesh.centroid(element.index) - frame.origin).dot(frame.chord);
     std::sort(elements_at_root.begin(), elements_at_root.end(),
               [](const Element &a, const Element &b) { return a.chord_position < b.chord_position; });
-  }
-
-  void RootSection::turn()
-  {
-    is_turned    = !is_turned;
-    frame.normal = -frame.normal;
   }
 
   RootSectionReport RootSection::compute_report(const double *force, const double *position,
                                                 const ShellElements &elements) const
   {
-    RootSectionReport report = frame.compute_forces(force, position, 6);
+    RootSectionReport report = compute_section_forces(root, force, position, 6);
     for (auto *list : {&report.chord_position, &report.stress_struck, &report.stress_rear})
       list->reserve(elements_at_root.size());
     for (const auto &element : elements_at_root)
@@ -100,8 +64,8 @@ namespace birdstrike
         // The element turns with the blade: its span direction is the reference one without the part out of its plane.
         const auto stress = elements.outer_stresses_along(element.index, element.span);
         report.chord_position.push_back(element.chord_position);
-        report.stress_struck.push_back(stress[is_turned ? 1 : 0]);
-        report.stress_rear.push_back(stress[is_turned ? 0 : 1]);
+        report.stress_struck.push_back(stress[root.is_turned ? 1 : 0]);
+        report.stress_rear.push_back(stress[root.is_turned ? 0 : 1]);
       }
     return report;
   }
@@ -112,39 +76,25 @@ namespace birdstrike
                          [&](const Element &element) { return elements.is_failed(element.index); });
   }
 
-  const SectionFrame &RootSection::section() const
+  TipRow::TipRow(const ShellMesh &mesh, const BladeEnd &tip) : normal(tip.normal)
   {
-    return frame;
+    add_row(mesh, tip.nodes, tip.chord);
   }
 
-  TipRow::TipRow(const SurfaceMesh &mesh, const std::vector<unsigned int> &tip_ids)
-  {
-    Point3 span = Point3::Zero(), mean_normal = Point3::Zero();
-    for (const auto &edge : mesh.boundary)
-      if (std::find(tip_ids.begin(), tip_ids.end(), edge.id) != tip_ids.end())
-        {
-          mean_normal += mesh.area_vector(edge.cell);
-          span += 0.5 * (mesh.node(edge.nodes[0]) + mesh.node(edge.nodes[1])) - mesh.centroid(edge.cell);
-        }
-    mean_normal.normalize();
-    add_row(mesh.nodes, mesh.nodes_on(tip_ids), mesh.symmetry_nodes, chord_along(mean_normal, span), mean_normal);
-  }
-
-  void TipRow::add_row(const std::vector<std::array<double, 3>> &nodes, const std::vector<std::uint32_t> &row,
-                       const std::vector<std::uint32_t> &symmetry_nodes, const Point3 &chord, const Point3 &unit_normal)
+  template <int dim>
+  void TipRow::add_row(const BladeMesh<dim> &mesh, const std::vector<std::uint32_t> &row, const Point3 &chord)
   {
     if (row.size() < 2)
       return;
-    normal = unit_normal;
     std::vector<std::pair<double, std::uint32_t>> along;
     for (const std::uint32_t n : row)
-      along.emplace_back(Point3(nodes[n].data()).dot(chord), n);
+      along.emplace_back(mesh.node(n).dot(chord), n);
     std::sort(along.begin(), along.end());
     Row added;
     added.corners = {along.front().second, along.back().second};
 
     // Of half a row, mid-chord is on the plane of symmetry and both corners are alike.
-    for (const std::uint32_t plane : symmetry_nodes)
+    for (const std::uint32_t plane : mesh.symmetry_nodes)
       for (const int end : {0, 1})
         if (added.corners[end] == plane)
           {
@@ -162,11 +112,6 @@ namespace birdstrike
     added.middle        = {{along[k].second, along[k + 1].second}};
     added.share         = {{1. - weight, weight}};
     rows.push_back(added);
-  }
-
-  void TipRow::turn()
-  {
-    normal = -normal;
   }
 
   bool TipRow::is_present() const
@@ -210,16 +155,13 @@ namespace birdstrike
     return rows.empty() ? sum : Point3(sum / static_cast<double>(rows.size()));
   }
 
-  const Point3 &TipRow::surface_normal() const
+  std::optional<SpanLine> make_span_line(const BladeRoles &roles, const TipRow &tip, const double *reference)
   {
-    return normal;
-  }
-
-  std::optional<SpanLine> make_span_line(const SectionFrame &root, const TipRow &tip, const double *reference)
-  {
-    if (root.nodes.empty() || !tip.is_present())
+    if (!roles.root.is_present() || !tip.is_present())
       return {};
     const auto plain = [](const Point3 &p) { return std::array<double, 3>{{p[0], p[1], p[2]}}; };
-    return SpanLine{plain(root.origin), plain(tip.mid_chord(reference)), plain(tip.surface_normal())};
+    return SpanLine{plain(roles.root.middle), plain(tip.mid_chord(reference)), plain(roles.tip.normal)};
   }
+
+  template void TipRow::add_row(const BladeMesh<3> &, const std::vector<std::uint32_t> &, const Point3 &);
 } // namespace birdstrike

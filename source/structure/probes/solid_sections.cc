@@ -1,8 +1,5 @@
 #include "structure/probes/solid_sections.h"
 #include <birdstrike/material/radial_return.h>
-#include <birdstrike/mesh/orientation.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -14,35 +11,23 @@ namespace birdstrike
   {
     using Face = VolumeMesh::BoundarySide;
 
-    bool has_id(const Face &face, const std::vector<unsigned int> &ids)
+    /// The other boundary faces of the cells at an end: those that look along minus and plus the normal (within 60
+    /// degrees), in this order. Edges of finite thickness are in neither.
+    std::array<std::vector<std::size_t>, 2> find_adjoining(const VolumeMesh &mesh, const BladeEnd &end)
     {
-      return std::find(ids.begin(), ids.end(), face.id) != ids.end();
-    }
-
-    /// Mean direction of the third axis of a cell, m.
-    Point3 third_axis(const VolumeMesh &mesh, const std::size_t cell)
-    {
-      Point3 sum = Point3::Zero();
-      for (unsigned int k = 0; k < 4; ++k)
-        sum += mesh.node(mesh.cells[cell][k + 4]) - mesh.node(mesh.cells[cell][k]);
-      return 0.25 * sum;
-    }
-
-    /// The thin principal direction of faces about their centroid: the second of three by second moment, after the one
-    /// out of their plane.
-    Point3 thin_axis(const VolumeMesh &mesh, const std::vector<std::size_t> &faces, const Point3 &centroid)
-    {
-      Matrix3<double> moment = Matrix3<double>::Zero();
-      for (const std::size_t f : faces)
-        for (const std::uint32_t n : mesh.boundary[f].nodes)
+      std::set<std::uint32_t> cells;
+      for (const std::size_t f : end.sides)
+        cells.insert(mesh.boundary[f].cell);
+      std::array<std::vector<std::size_t>, 2> found;
+      for (std::size_t f = 0; f < mesh.boundary.size(); ++f)
+        if (const Face &face = mesh.boundary[f];
+            cells.count(face.cell) > 0 && !std::binary_search(end.sides.begin(), end.sides.end(), f))
           {
-            const Point3 arm = mesh.node(n) - centroid;
-            moment += area_vector(mesh, mesh.boundary[f]).norm() * arm * arm.transpose();
+            const double cosine = area_vector(mesh, face).normalized().dot(end.normal);
+            if (std::abs(cosine) > 0.5)
+              found[cosine > 0. ? 1 : 0].push_back(f);
           }
-      if (!mesh.symmetry_nodes.empty()) // with the mirror image
-        moment(0, 1) = moment(1, 0) = moment(1, 2) = moment(2, 1) = 0.;
-      const Point3 axis = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(moment).eigenvectors().col(1);
-      return sign_by_axes(axis, {{2, 1, 0}}) * axis;
+      return found;
     }
 
     /// Scales the deviator so that von Mises' stress is no more than the flow stress.
@@ -56,63 +41,9 @@ namespace birdstrike
     }
   } // namespace
 
-  EndFaces::EndFaces(const VolumeMesh &mesh, const std::vector<unsigned int> &ids)
+  SolidRootSection::SolidRootSection(const SolidMesh &mesh, const BladeEnd &root) : root(root)
   {
-    double area = 0.;
-    Point3 axis = Point3::Zero();
-    for (std::size_t f = 0; f < mesh.boundary.size(); ++f)
-      if (const Face &face = mesh.boundary[f]; has_id(face, ids))
-        {
-          const Point3 vector = area_vector(mesh, face);
-          faces.push_back(f);
-          area += vector.norm();
-          centroid += vector.norm() * middle(mesh, face);
-          outward += vector;
-          axis += vector.norm() * third_axis(mesh, face.cell).normalized();
-        }
-    if (faces.empty() || outward.norm() < 1e-6 * area)
-      {
-        faces.clear(); // nothing here, or all around: no single end to speak of
-        return;
-      }
-    centroid /= area;
-    if (!mesh.symmetry_nodes.empty())
-      centroid[1] = 0.; // the middle of the whole
-    outward.normalize();
-    normal = mesh.layers > 0 ? axis : thin_axis(mesh, faces, centroid);
-    if (normal.norm() < 1e-6 * (mesh.layers > 0 ? area : 1.))
-      faces.clear();
-    normal.normalize();
-  }
-
-  std::array<std::vector<std::size_t>, 2> EndFaces::find_adjoining(const VolumeMesh                &mesh,
-                                                                   const std::vector<unsigned int> &ids) const
-  {
-    std::set<std::uint32_t> cells;
-    for (const std::size_t f : faces)
-      cells.insert(mesh.boundary[f].cell);
-    std::array<std::vector<std::size_t>, 2> found;
-    for (std::size_t f = 0; f < mesh.boundary.size(); ++f)
-      if (const Face &face = mesh.boundary[f]; !has_id(face, ids) && cells.count(face.cell) > 0)
-        {
-          const double cosine = area_vector(mesh, face).normalized().dot(normal);
-          if (std::abs(cosine) > 0.5)
-            found[cosine > 0. ? 1 : 0].push_back(f);
-        }
-    return found;
-  }
-
-  SolidRootSection::SolidRootSection(const VolumeMesh &mesh, const std::vector<unsigned int> &root_ids)
-  {
-    const EndFaces root(mesh, root_ids);
-    if (!root.is_present())
-      return;
-    frame.nodes  = mesh.nodes_on(root_ids);
-    frame.origin = root.centroid;
-    frame.span   = -root.outward;
-    frame.normal = root.normal;
-    frame.make_orthonormal();
-    const auto adjoining = root.find_adjoining(mesh, root_ids);
+    const auto adjoining = find_adjoining(mesh, root);
     for (unsigned int side = 0; side < 2; ++side)
       facets[side] = make_facets(mesh, adjoining[side]);
     if (facets[0].empty() || facets[1].empty())
@@ -128,12 +59,6 @@ namespace birdstrike
     facets[1] = paired;
   }
 
-  void SolidRootSection::turn()
-  {
-    frame.normal = -frame.normal;
-    std::swap(facets[0], facets[1]);
-  }
-
   std::vector<SolidRootSection::Facet> SolidRootSection::make_facets(const VolumeMesh               &mesh,
                                                                      const std::vector<std::size_t> &faces) const
   {
@@ -141,7 +66,7 @@ namespace birdstrike
     for (const std::size_t f : faces)
       {
         const Face &face = mesh.boundary[f];
-        Facet       facet{face.cell, face.nodes, {}, (middle(mesh, face) - frame.origin).dot(frame.chord)};
+        Facet       facet{face.cell, face.nodes, {}, (middle(mesh, face) - root.middle).dot(root.chord)};
         const auto &cell = mesh.cells[face.cell];
         for (unsigned int k = 0; k < 4; ++k)
           facet.corners[k] =
@@ -169,13 +94,13 @@ namespace birdstrike
     limit(flow, mean);
     const auto   x       = [&](const unsigned int k) { return Point3(position + 3 * facet.nodes[k]); };
     const Point3 outward = (x(2) - x(0)).cross(x(3) - x(1)).normalized();
-    return SectionFrame::stress_along(frame.span, outward, mean);
+    return stress_along(root.span, outward, mean);
   }
 
   RootSectionReport SolidRootSection::compute_report(const double *force, const double *position,
                                                      const SolidElements &elements) const
   {
-    RootSectionReport report = frame.compute_forces(force, position, 3);
+    RootSectionReport report = compute_section_forces(root, force, position, 3);
     for (auto *list : {&report.chord_position, &report.stress_struck, &report.stress_rear})
       list->reserve(facets[0].size());
     for (std::size_t k = 0; k < facets[0].size(); ++k)
@@ -197,23 +122,16 @@ namespace birdstrike
     return failed.size();
   }
 
-  TipRow make_tip_row(const VolumeMesh &mesh, const std::vector<unsigned int> &tip_ids)
+  TipRow::TipRow(const SolidMesh &mesh, const BladeEnd &tip) : normal(tip.normal)
   {
-    TipRow         row;
-    const EndFaces tip(mesh, tip_ids);
-    if (!tip.is_present())
-      return row;
-    const auto   on_tip = mesh.nodes_on(tip_ids);
-    const Point3 chord  = chord_along(tip.normal, tip.outward);
-    for (const auto &faces : tip.find_adjoining(mesh, tip_ids))
+    for (const auto &faces : find_adjoining(mesh, tip))
       {
         std::set<std::uint32_t> nodes;
         for (const std::size_t f : faces)
           for (const std::uint32_t n : mesh.boundary[f].nodes)
-            if (std::binary_search(on_tip.begin(), on_tip.end(), n))
+            if (std::binary_search(tip.nodes.begin(), tip.nodes.end(), n))
               nodes.insert(n);
-        row.add_row(mesh.nodes, {nodes.begin(), nodes.end()}, mesh.symmetry_nodes, chord, tip.normal);
+        add_row(mesh, {nodes.begin(), nodes.end()}, tip.chord);
       }
-    return row;
   }
 } // namespace birdstrike

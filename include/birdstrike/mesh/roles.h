@@ -1,0 +1,71 @@
+#pragma once
+
+#include <birdstrike/mesh/blade_mesh.h>
+#include <birdstrike/mesh/orientation.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace birdstrike
+{
+  enum class SpanEnd
+  {
+    root,
+    tip
+  };
+
+  /// An end of the blade's span, root or tip: the sides of the mesh that lie on it, and the axes of that cut, right
+  /// angles between them. `span` points into the blade, `chord` from the leading to the trailing edge, `normal` away
+  /// from the struck side, as orientation.h says.
+  ///
+  /// Of a shell the normal is that of the surface of the cells at this end. Forces pass through the edges of the root:
+  /// there cells count by the length of their edge, and the span is square to each edge. The row of the tip moves with
+  /// the cells behind it: there they count by area, and the chord is square to the mean way to their centroids.
+  ///
+  /// Of a built-in solid it is the mean of the cells' third axis, which runs along the mid-surface normal of the shell
+  /// of the same part; of a solid from a file the principal axis of the cut's second moment of area of which that
+  /// moment is smaller, with the sign of `sign_by_axes` z, y, x. Half an end (symmetry plane y = 0) has the middle and
+  /// the axes of the whole.
+  struct BladeEnd
+  {
+    BladeEnd() = default; ///< absent
+    /// The sides with these boundary ids; absent where there is none, or where they run all around.
+    template <int dim>
+    BladeEnd(const BladeMesh<dim> &mesh, SpanEnd end, const std::vector<unsigned int> &ids);
+
+    bool is_present() const
+    {
+      return !sides.empty();
+    }
+    void turn() ///< from now on the normal looks the other way
+    {
+      normal    = -normal;
+      is_turned = !is_turned;
+    }
+
+    std::vector<std::size_t>   sides;                   ///< of the mesh's `boundary`
+    std::vector<std::uint32_t> nodes;                   ///< on them, owned, sorted
+    Point3                     middle = Point3::Zero(); ///< m
+    Point3                     span = Point3::Zero(), chord = Point3::Zero(), normal = Point3::Zero(); ///< unit
+    bool                       is_turned = false; ///< the normal is not that of the mesh
+  };
+
+  /// Off a boundary edge of a shell, in the plane of its cell: unit.
+  Point3 inwards(const SurfaceMesh &mesh, const SurfaceMesh::BoundarySide &edge);
+
+  /// Which part of the mesh plays which role.
+  struct BladeRoles
+  {
+    BladeRoles() = default;
+    /// Ends by boundary ids. `strike`: velocity of the bird relative to the blade (m/s), zero without one.
+    ///
+    /// Both normals look to one side of the blade: that of the tip decides, that of the root without a tip. A twist
+    /// beyond a right angle between them is taken from the mesh where its cells run through from root to tip (shells,
+    /// and solids that are built in), else it cannot be seen.
+    template <int dim>
+    BladeRoles(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &root_ids,
+               const std::vector<unsigned int> &tip_ids, const Point3 &strike);
+
+    BladeEnd root, tip;
+  };
+} // namespace birdstrike

@@ -1,0 +1,127 @@
+#include <birdstrike/mesh/roles.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    struct SideGeometry
+    {
+      double size;   ///< m or m^2
+      Point3 middle; ///< m
+      Point3 off;    ///< of a shell inwards, of a solid the area vector outwards, m^2
+      double weight; ///< in the mean over an end
+      Point3 normal; ///< of the blade at this side
+    };
+
+    SideGeometry geometry_of(const SurfaceMesh &mesh, const SurfaceMesh::BoundarySide &edge, const SpanEnd end)
+    {
+      const Point3 a = mesh.node(edge.nodes[0]), b = mesh.node(edge.nodes[1]), middle = 0.5 * (a + b);
+      const Point3 area   = mesh.area_vector(edge.cell);
+      const double length = (b - a).norm();
+      if (end == SpanEnd::tip)
+        return {length, middle, mesh.centroid(edge.cell) - middle, 1., area};
+      return {length, middle, inwards(mesh, edge), length, area.normalized()};
+    }
+
+    SideGeometry geometry_of(const VolumeMesh &mesh, const VolumeMesh::BoundarySide &face, SpanEnd)
+    {
+      const Point3 outward    = area_vector(mesh, face);
+      Point3       third_axis = Point3::Zero();
+      for (unsigned int k = 0; k < 4; ++k)
+        third_axis += mesh.node(mesh.cells[face.cell][k + 4]) - mesh.node(mesh.cells[face.cell][k]);
+      return {outward.norm(), middle(mesh, face), outward, outward.norm(), (0.25 * third_axis).normalized()};
+    }
+
+    /// The thin principal direction of faces about their centroid: the second of three by second moment, after the one
+    /// out of their plane.
+    Point3 thin_axis(const VolumeMesh &mesh, const std::vector<std::size_t> &faces, const Point3 &centroid)
+    {
+      Matrix3<double> moment = Matrix3<double>::Zero();
+      for (const std::size_t f : faces)
+        for (const std::uint32_t n : mesh.boundary[f].nodes)
+          {
+            const Point3 arm = mesh.node(n) - centroid;
+            moment += area_vector(mesh, mesh.boundary[f]).norm() * arm * arm.transpose();
+          }
+      if (!mesh.symmetry_nodes.empty()) // with the mirror image
+        moment(0, 1) = moment(1, 0) = moment(1, 2) = moment(2, 1) = 0.;
+      const Point3 axis = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(moment).eigenvectors().col(1);
+      return sign_by_axes(axis, {{2, 1, 0}}) * axis;
+    }
+
+    void make_orthonormal(BladeEnd &end)
+    {
+      end.normal.normalize();
+      end.chord = chord_along(end.normal, end.span);
+      end.span  = (end.span - end.span.dot(end.normal) * end.normal).normalized();
+    }
+  } // namespace
+
+  Point3 inwards(const SurfaceMesh &mesh, const SurfaceMesh::BoundarySide &edge)
+  {
+    const Point3 a = mesh.node(edge.nodes[0]), b = mesh.node(edge.nodes[1]), along = (b - a).normalized();
+    const Point3 off = mesh.centroid(edge.cell) - 0.5 * (a + b);
+    return (off - off.dot(along) * along).normalized();
+  }
+
+  template <int dim>
+  BladeEnd::BladeEnd(const BladeMesh<dim> &mesh, const SpanEnd end, const std::vector<unsigned int> &ids)
+    : nodes(mesh.nodes_on(ids))
+  {
+    double size = 0., weight = 0.;
+    for (std::size_t s = 0; s < mesh.boundary.size(); ++s)
+      if (const auto &side = mesh.boundary[s]; std::find(ids.begin(), ids.end(), side.id) != ids.end())
+        {
+          const SideGeometry g = geometry_of(mesh, side, end);
+          sides.push_back(s);
+          size += g.size;
+          middle += g.size * g.middle;
+          span += (dim == 2 ? g.weight : 1.) * g.off;
+          normal += g.weight * g.normal;
+          weight += g.weight * g.normal.norm();
+        }
+    middle /= size;
+    if (!mesh.symmetry_nodes.empty())
+      middle[1] = 0.; // of the whole
+    if constexpr (dim == 3)
+      if (mesh.layers == 0 && !sides.empty())
+        normal = weight * thin_axis(mesh, sides, middle);
+    if (sides.empty() || span.norm() < 1e-6 * size || normal.norm() < 1e-6 * weight)
+      {
+        *this = {}; // nothing here, or all around: no single end to speak of
+        return;
+      }
+    if constexpr (dim == 3) // both are sums over areas, this span outwards
+      {
+        normal.normalize();
+        span = -span.normalized();
+      }
+    make_orthonormal(*this);
+  }
+
+  template <int dim>
+  BladeRoles::BladeRoles(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &root_ids,
+                         const std::vector<unsigned int> &tip_ids, const Point3 &strike)
+    : root(mesh, SpanEnd::root, root_ids), tip(mesh, SpanEnd::tip, tip_ids)
+  {
+    bool runs_through = true;
+    if constexpr (dim == 3)
+      runs_through = mesh.layers > 0;
+    if (!runs_through && root.normal.dot(tip.normal) < 0.)
+      root.turn();
+    if (looks_at_strike(tip.is_present() ? tip.normal : root.normal, strike))
+      {
+        root.turn();
+        tip.turn();
+      }
+  }
+
+  template BladeRoles::BladeRoles(const BladeMesh<2> &, const std::vector<unsigned int> &,
+                                  const std::vector<unsigned int> &, const Point3 &);
+  template BladeRoles::BladeRoles(const BladeMesh<3> &, const std::vector<unsigned int> &,
+                                  const std::vector<unsigned int> &, const Point3 &);
+} // namespace birdstrike
