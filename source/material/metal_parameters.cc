@@ -1,3 +1,4 @@
+#include "material/hardening_laws.h"
 #include "material/table_entry.h"
 
 #include "material/metal_table.h"
@@ -15,16 +16,16 @@ namespace birdstrike
   namespace
   {
     namespace Patterns = dealii::Patterns;
-
-    const NamedChoices<HardeningLaw> &hardening_laws()
-    {
-      static const NamedChoices<HardeningLaw> laws{
-        {"elastic", HardeningLaw::elastic}, {"perfect", HardeningLaw::perfect},
-        {"linear", HardeningLaw::linear},   {"swift", HardeningLaw::swift},
-        {"voce", HardeningLaw::voce},       {"johnson-cook", HardeningLaw::johnson_cook}};
-      return laws;
-    }
   } // namespace
+
+  const NamedChoices<HardeningLaw> &hardening_laws()
+  {
+    static const NamedChoices<HardeningLaw> laws{
+      {"elastic", HardeningLaw::elastic}, {"perfect", HardeningLaw::perfect},
+      {"linear", HardeningLaw::linear},   {"swift", HardeningLaw::swift},
+      {"voce", HardeningLaw::voce},       {"johnson-cook", HardeningLaw::johnson_cook}};
+    return laws;
+  }
 
   void MetalParameters::declare(dealii::ParameterHandler &prm)
   {

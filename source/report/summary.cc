@@ -1,4 +1,6 @@
 #include "report/quantities.h"
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/material/metal_constants.h>
 #include <birdstrike/report/summary.h>
 #include <birdstrike/structure/blade.h>
 
@@ -64,6 +66,15 @@ namespace birdstrike
                                              {"elements", section.n_elements},
                                              {"mass", section.mass},
                                              {"plastic_work", section.plastic_work}});
+    if (run.parameters.blade.is_deformable())
+      for (const auto &[number, of_section] : run.parameters.blade.by_section())
+        {
+          const Metal metal     = of_section.material.metal();
+          Json        constants = {{"section", number}, {"name", metal.name}, {"hardening", hardening_name(metal)}};
+          for (const MetalConstant &constant : constants_in_use(metal))
+            constants[constant.key] = constant.value;
+          json["blade"]["materials"].push_back(constants);
+        }
     for (const SkippedWork &work : run.skipped)
       json["skipped"][work.what] = {{"count", work.count}, {"unit", work.unit}, {"saved", work.saved}};
   }

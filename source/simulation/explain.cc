@@ -6,6 +6,7 @@
 #include <birdstrike/core/prices.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/fields.h>
+#include <birdstrike/material/metal_constants.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
@@ -58,6 +59,9 @@ namespace birdstrike
                   fmt::format("{} elements ({}) of {}, {:.4g} kg", format_count(section.n_elements),
                               of.at(section.number).formulation_name(), of.at(section.number).material.name,
                               section.mass));
+      for (const auto &[number, of_section] : of)
+        table.add(of.size() == 1 ? "metal" : "metal of section " + std::to_string(number),
+                  describe(of_section.material.metal()));
       add_mass_scaling(table, census.mass_scaling, census.n_elements);
       table.add("memory", format_bytes(census.bytes));
     }

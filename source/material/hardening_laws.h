@@ -1,0 +1,9 @@
+#pragma once
+
+#include <birdstrike/core/named_choices.h>
+#include <birdstrike/material/hardening.h>
+
+namespace birdstrike
+{
+  const NamedChoices<HardeningLaw> &hardening_laws();
+} // namespace birdstrike
