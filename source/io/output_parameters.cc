@@ -1,3 +1,4 @@
+#include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/output_parameters.h>
 
@@ -5,6 +6,12 @@
 
 namespace birdstrike
 {
+  const NamedChoices<double> &channel_classes()
+  {
+    static const NamedChoices<double> classes{{"CFC 1000", 1000.}, {"CFC 600", 600.}, {"CFC 180", 180.}, {"none", 0.}};
+    return classes;
+  }
+
   void OutputParameters::declare(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
@@ -25,6 +32,9 @@ namespace birdstrike
                       Bool());
     prm.add_parameter("Bird fields", bird_fields, "Whether fields of the bird are written for ParaView. [-]", Bool());
     prm.add_parameter("HDF5", hdf5, "Whether histories and root profiles are also written to results.h5. [-]", Bool());
+    declare_choice(prm, "Channel class", channel_class, channel_classes(),
+                   "Channel frequency class (SAE J211-1) by which the contact force is filtered, as a load cell's is: "
+                   "filtered.csv, results.h5 and its peak in summary.json. [-]");
     prm.leave_subsection();
   }
 

@@ -21,7 +21,7 @@ namespace birdstrike
     {
       const std::string name = path.filename().string(), extension = path.extension().string();
       for (const char *known :
-           {"original.prm", "parameters.prm", "log.txt", "history.csv", "results.h5", "summary.json"})
+           {"original.prm", "parameters.prm", "log.txt", "history.csv", "filtered.csv", "results.h5", "summary.json"})
         if (name == known || name == std::string(known) + ".part")
           return true;
       return extension == ".pvd" || extension == ".vtu";
@@ -122,7 +122,7 @@ namespace birdstrike
       {
         lock_alone(lock, directory);
         write_state(lock, directory, "failed: it never started");
-        for (const char *name : {"summary.json", "history.csv", "results.h5"})
+        for (const char *name : {"summary.json", "history.csv", "filtered.csv", "results.h5"})
           fs::remove(directory / name);
       }
     catch (...)

@@ -112,6 +112,9 @@ namespace birdstrike
         table.add_heading("Contact");
         add("contact/impulse", shown_vector("contact/impulse"));
         add("contact/peak_force", with_time("contact/peak_force"));
+        if (!std::isnan(value("contact/filtered/peak_force")))
+          table.add("peak force, " + summary.text("contact/filtered/class"),
+                    shown("contact/filtered/peak_force") + " at " + shown("contact/filtered/peak_time"));
         add("contact/max_penetration",
             fmt::format("{} ({:.3f} of the particle spacing)", shown("contact/max_penetration"),
                         value("contact/max_penetration_over_spacing")));

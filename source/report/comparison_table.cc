@@ -81,7 +81,7 @@ namespace birdstrike
     add_unreached_peaks(runs);
     add("Plasticity", {"plastic/max_strain", "plastic/work"}, runs);
     add_computed("Energy", "absorbed by the blade (end less start)", "J", runs, compute_absorbed);
-    add("Contact", {"contact/peak_force"}, runs);
+    add("Contact", {"contact/peak_force", "contact/filtered/peak_force"}, runs);
     add_computed("Contact", "impulse (norm)", "N s", runs, compute_impulse);
     add("Contact", {"contact/max_penetration_over_spacing"}, runs);
     add("Balance", {"energy/max_relative_error", "energy/max_hourglass_over_internal"}, runs);

@@ -30,11 +30,11 @@ namespace birdstrike
     }
   } // namespace
 
-  History::History(const std::filesystem::path &folder, const bool write_hdf5)
-    : folder(folder), write_hdf5(write_hdf5), csv(folder / "history.csv", std::ios::binary)
+  History::History(const std::filesystem::path &folder, const bool write_hdf5, const std::string &table)
+    : folder(folder), table(folder / table), write_hdf5(write_hdf5), csv(this->table, std::ios::binary)
   {
     if (!csv)
-      throw std::runtime_error("Cannot write " + (folder / "history.csv").string());
+      throw std::runtime_error("Cannot write " + this->table.string());
   }
 
   History::~History()
@@ -133,7 +133,7 @@ namespace birdstrike
       }
     csv.flush();
     if (!csv)
-      throw std::runtime_error("Cannot write " + (folder / "history.csv").string() + ": is the disk full?");
+      throw std::runtime_error("Cannot write " + table.string() + ": is the disk full?");
   }
 
   void History::flush_table()

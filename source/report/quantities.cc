@@ -16,6 +16,8 @@ namespace birdstrike
     using View       = Quantity::View;
     using Quantities = std::vector<Quantity>;
 
+    constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
     const SystemState &state(View run)
     {
       return run.shown.state();
@@ -116,6 +118,17 @@ namespace birdstrike
          [](View run) { return state(run).blade_momentum.contact_impulse; }, "impulse on the blade"},
         {"", "contact/peak_force", "N", [](View run) { return run.observed.contact.peak().value(); }, "peak force"},
         {"", "contact/peak_force_time", "s", [](View run) { return run.observed.contact.peak().time(); }},
+        {"", "contact/filtered/class", "",
+         [](View run) { return channel_classes().name(run.parameters.output.channel_class); }},
+        {"", "contact/filtered/peak_force", "N",
+         [](View run) {
+           return run.observed.filtered_force.values.empty() ? absent : run.observed.filtered_force.peak;
+         },
+         "peak force, filtered"},
+        {"", "contact/filtered/peak_time", "s",
+         [](View run) {
+           return run.observed.filtered_force.values.empty() ? absent : run.observed.filtered_force.peak_time;
+         }},
       };
     }
 
@@ -137,13 +150,13 @@ namespace birdstrike
     template <class AnyPeak>
     double value_if_any(const AnyPeak &peak)
     {
-      return peak.value() == 0. ? std::numeric_limits<double>::quiet_NaN() : peak.value();
+      return peak.value() == 0. ? absent : peak.value();
     }
 
     template <class AnyPeak>
     double time_if_any(const AnyPeak &peak)
     {
-      return peak.value() == 0. ? std::numeric_limits<double>::quiet_NaN() : peak.time();
+      return peak.value() == 0. ? absent : peak.time();
     }
 
     /// Whether the curve has come down since: the largest value at the last instant may be on its way up.

@@ -56,7 +56,8 @@ namespace birdstrike
   } // namespace
 
   Recorder::Recorder(const RunView &run, const std::filesystem::path &folder)
-    : history(folder, run.parameters.output.hdf5)
+    : folder(folder)
+    , history(folder, run.parameters.output.hdf5)
     , history_ticks(run.parameters.output.history_interval)
     , field_ticks(field_ticks_of(run.parameters.output.field_interval))
     , flush_interval(run.parameters.output.flush_interval)
@@ -177,6 +178,8 @@ namespace birdstrike
         history.set_constant("root_normal_stress_at_peak", "Pa", root_axes(root), std::move(values));
       }
     set_mid_chord_lines(run.observed);
+    if (!run.observed.filtered_force.values.empty())
+      write_filtered(run.observed.filtered_force);
     history.flush();
     writer.flush();
   }
@@ -191,6 +194,24 @@ namespace birdstrike
     std::vector<double> now_deflected;
     observed.mid_chord->compute_deflection(now_deflected);
     history.set_constant("mid_chord_deflection_at_end", "m", span, std::move(now_deflected));
+  }
+
+  void Recorder::write_filtered(const FilteredForce &force)
+  {
+    std::size_t         row = 0;
+    std::vector<double> times, values;
+    History             table(folder, false, "filtered.csv");
+    table.add_column("time", "s", [&] { return force.time(row); });
+    for (unsigned int d = 0; d < 3; ++d)
+      table.add_column(std::string("contact_force_") + axis_names[d], "N", [&, d] { return force.values[row][d]; });
+    for (; row < force.values.size(); ++row)
+      {
+        table.append_row();
+        times.push_back(force.time(row));
+        values.insert(values.end(), force.values[row].begin(), force.values[row].end());
+      }
+    history.set_constant("filtered", "N", {{"time", "s", std::move(times)}, {"component", "-", {0., 1., 2.}}},
+                         std::move(values));
   }
 
   void Recorder::flush_when_due(const double wall)

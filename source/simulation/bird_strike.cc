@@ -51,7 +51,8 @@ namespace birdstrike
   {
     if (!folder.empty())
       recorder.emplace(view(), folder);
-    has_contact = scene.contact != nullptr;
+    has_contact      = scene.contact != nullptr;
+    observed.contact = ContactWatch(parameters.output.channel_class);
     if (scene.bird)
       {
         const Bird &bird = *scene.bird;
@@ -98,6 +99,7 @@ namespace birdstrike
 
   void BirdStrike::step()
   {
+    observed.contact.make_room(schedule.step);
 #ifdef NDEBUG
     stepper.advance(schedule);
 #else
@@ -207,6 +209,7 @@ namespace birdstrike
     balance.update(state, now, n_steps);
     row_balance.update(state, now, n_steps);
     observed.update_shares(balance, now);
+    observed.filtered_force = observed.contact.channel().filter();
     if (scene.blade)
       observed.update_present(*scene.blade);
     if (recorder)

@@ -83,7 +83,7 @@ check "a lost balance" 3 "energy" "t = " -- run "$top/prm/quickstart.prm" "${fas
 [ ! -e lost/summary.json ] || { echo "FAILED a failed run left a summary"; n_failed=$((n_failed + 1)); }
 
 check "a short run" 0 "Results in" -- run "$top/prm/quickstart.prm" "${fast[@]}" --output short --set "Time/End time=0.3e-3"
-for file in original.prm parameters.prm log.txt history.csv results.h5 summary.json blade.pvd bird.pvd; do
+for file in original.prm parameters.prm log.txt history.csv results.h5 summary.json filtered.csv blade.pvd bird.pvd; do
   [ -s short/$file ] || { echo "FAILED a run left no $file"; n_failed=$((n_failed + 1)); }
 done
 grep -q '"peak_reached": false' short/summary.json && grep -q "tip peak.*(still rising at the end)" short/log.txt ||

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/core/named_choices.h>
+
 #include <string>
 
 namespace dealii
@@ -21,8 +23,12 @@ namespace birdstrike
     bool        blade_fields     = true;   ///< blade.pvd
     bool        bird_fields      = true;   ///< bird.pvd
     bool        hdf5             = true;   ///< results.h5 beside history.csv
+    double      channel_class    = 1000.;  ///< Hz, of the filtered contact force; 0: none
 
     void declare(dealii::ParameterHandler &prm);
     void check() const;
   };
+
+  /// Channel frequency classes (Hz) of SAE J211-1.
+  const NamedChoices<double> &channel_classes();
 } // namespace birdstrike

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/contact/report.h>
+#include <birdstrike/report/force_channel.h>
 #include <birdstrike/time_control/peak.h>
 
 #include <cmath>
@@ -12,6 +13,11 @@ namespace birdstrike
   class ContactWatch
   {
   public:
+    /// Channel frequency class (Hz) of the filtered force; 0: none.
+    explicit ContactWatch(const double channel_class = 0.) : of_channel(channel_class)
+    {
+    }
+
     /// After each evaluation; `step` (s) leads to it from the one before, of which there is none at first.
     void update(const ContactReport &report, const double step)
     {
@@ -22,6 +28,13 @@ namespace birdstrike
       over_spacing = report.max_penetration_over_spacing;
       whole_run.update(clock, present);
       this_row.update(clock, present);
+      of_channel.update(clock, report.force);
+    }
+
+    /// So that a step of `duration` (s) allocates nothing.
+    void make_room(const double duration)
+    {
+      of_channel.make_room(duration);
     }
 
     void archive(Archive &archive)
@@ -33,6 +46,7 @@ namespace birdstrike
       archive("penetration", penetration, over_spacing);
       archive("clock", clock);
       archive("is first", is_first);
+      of_channel.archive(archive);
     }
 
     double force() const ///< N, of the last evaluation
@@ -42,6 +56,10 @@ namespace birdstrike
     const Peak &peak() const ///< N; s since first touch
     {
       return whole_run;
+    }
+    const ForceChannel &channel() const
+    {
+      return of_channel;
     }
     double max_penetration() const ///< m
     {
@@ -63,8 +81,9 @@ namespace birdstrike
     }
 
   private:
-    Peak   whole_run, this_row;
-    double present = 0., penetration = 0., over_spacing = 0., clock = 0.;
-    bool   is_first = true;
+    Peak         whole_run, this_row;
+    ForceChannel of_channel;
+    double       present = 0., penetration = 0., over_spacing = 0., clock = 0.;
+    bool         is_first = true;
   };
 } // namespace birdstrike

@@ -28,9 +28,9 @@ namespace birdstrike
       std::vector<double> values;
     };
 
-    /// Opens folder/history.csv; folder/results.h5 too if `write_hdf5`.
-    History(const std::filesystem::path &folder, bool write_hdf5);
-    ~History(); ///< flushes (while an exception unwinds: history.csv only); an error of the disk is logged
+    /// Opens folder/`table`; folder/results.h5 too if `write_hdf5`.
+    History(const std::filesystem::path &folder, bool write_hdf5, const std::string &table = "history.csv");
+    ~History(); ///< flushes (while an exception unwinds: the table only); an error of the disk is logged
 
     void add_column(const std::string &name, const std::string &unit, std::function<double()> value);
 
@@ -75,7 +75,7 @@ namespace birdstrike
       std::vector<double>                    rows;
     };
 
-    std::filesystem::path          folder;
+    std::filesystem::path          folder, table;
     bool                           write_hdf5;
     std::ofstream                  csv;
     std::vector<Column>            columns;

@@ -33,6 +33,8 @@ namespace birdstrike
     Peak         hourglass_share;          ///< hourglass over internal energy of the blade
     ContactWatch contact;
 
+    FilteredForce filtered_force; ///< at the end of a run
+
     RootSectionReport root_at_peak_stress; ///< the distribution along the chord when the stress peaks
 
     std::optional<MidChord> mid_chord;         ///< of a blade that has such a line

@@ -11,8 +11,8 @@
 
 namespace birdstrike
 {
-  /// Turns a run into curves and fields: history.csv and results.h5, blade.pvd and bird.pvd. It looks at parts and
-  /// never acts on them. Columns of parts that the scene lacks do not exist.
+  /// Turns a run into curves and fields: history.csv, filtered.csv and results.h5, blade.pvd and bird.pvd. It looks at
+  /// parts and never acts on them. Columns of parts that the scene lacks do not exist.
   class Recorder
   {
   public:
@@ -45,9 +45,11 @@ namespace birdstrike
     void add_root_profile(const RunView &run);
     void append_row(const RunView &run);
     void set_mid_chord_lines(const Observed &observed);
+    void write_filtered(const FilteredForce &force);
     void write_fields(const RunView &run);
 
     const RunView             *present = nullptr; ///< while a row is made
+    std::filesystem::path      folder;
     History                    history;
     std::optional<FieldSeries> blade_fields, bird_fields;
     FieldSnapshot              no_bird;               ///< its fields without a particle

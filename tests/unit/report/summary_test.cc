@@ -26,7 +26,8 @@ TEST(Summary, HasTheStableKeys)
     {"root",
      {"peak_normal_stress", "peak_normal_stress_time", "peak_normal_stress_reached", "peak_moment",
       "peak_moment_reached", "peak_force"}},
-    {"contact", {"impulse", "peak_force", "peak_force_time", "max_penetration", "max_penetration_over_spacing"}},
+    {"contact",
+     {"impulse", "peak_force", "peak_force_time", "filtered", "max_penetration", "max_penetration_over_spacing"}},
     {"plastic", {"max_strain", "position", "work"}},
     {"failed", {"elements", "collapsed", "at_root", "mass", "free_mass", "energy"}},
     {"energy",
@@ -111,6 +112,17 @@ TEST(Summary, APeakAtTheLastInstantIsNotReached)
   run.time = 1.001e-3;
   EXPECT_EQ(Summary(run).json["tip"]["peak_reached"], true);
   EXPECT_FALSE(Summary(run).is_false("root/peak_normal_stress_reached"));
+}
+
+TEST(Summary, HoldsTheFilteredPeak)
+{
+  SomeRun some;
+  EXPECT_TRUE(std::isnan(Summary(some.view()).number("contact/filtered/peak_force"))) << "there was no contact";
+  some.observed.filtered_force      = {0., 5e-6, {{3., 0., 4.}}, 5., 1e-3};
+  const nlohmann::ordered_json json = Summary(some.view()).json["contact"]["filtered"];
+  EXPECT_EQ(json["class"], "CFC 1000");
+  EXPECT_EQ(json["peak_force"], 5.);
+  EXPECT_EQ(json["peak_time"], 1e-3);
 }
 
 TEST(Summary, WhatNeverLeftZeroHasNoPeak)
