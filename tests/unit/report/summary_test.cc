@@ -19,7 +19,7 @@ TEST(Summary, HasTheStableKeys)
     {"program", {"version", "build"}},
     {"inputs", {}},
     {"end", {"time", "reason"}},
-    {"blade", {"kind", "elements", "nodes", "mass", "added_rotary_inertia"}},
+    {"blade", {"kind", "elements", "nodes", "mass", "added_rotary_inertia", "materials"}},
     {"bird", {"particles", "mass", "kinetic_energy", "momentum"}},
     {"steps", {"blade", "bird"}},
     {"tip", {"peak", "peak_time", "peak_reached", "final"}},
