@@ -33,11 +33,11 @@ def parse(arguments):
     return options
 
 
-def particle_radius(run):
-    """Half the edge of the cube that a particle fills, m."""
+def particle_radius(run, density):
+    """Half the edge of the cube that a particle fills at this density (kg/m^3), m."""
     with open(run / "summary.json", encoding="utf-8") as file:
         bird = json.load(file)["bird"]
-    return 0.5 * (bird["mass"] / bird["particles"] / 950.) ** (1. / 3.)
+    return 0.5 * (bird["mass"] / bird["particles"] / density) ** (1. / 3.)
 
 
 def colour(view, display, association, name, scale_range, title, simple):
@@ -106,8 +106,8 @@ def show(options):
     particles = simple.Show(bird, view)
     particles.SetRepresentationType("Point Gaussian")
     particles.ShaderPreset = "Sphere"
-    particles.GaussianRadius = particle_radius(options.run)
     bird.UpdatePipeline(0.)
+    particles.GaussianRadius = particle_radius(options.run, bird.PointData["density"].GetRange()[0])
     bounds = join(bounds, bird.GetDataInformation().GetBounds())
     fastest = bird.PointData["velocity"].GetRange(-1)[1]
     bar = colour(view, particles, "POINTS", "velocity", (0., fastest), "speed of the bird, m/s", simple)
