@@ -71,7 +71,7 @@ namespace birdstrike
       /// Nothing where there is no such peak.
       void add_peak(const std::string &text, const std::string &key)
       {
-        if (std::isnan(value(key)))
+        if (std::isnan(value(key)) || value(key) == 0.)
           return;
         const bool has_time = !std::isnan(value(key + "_time"));
         table.add(text, (has_time ? with_time(key) : shown(key)) +
@@ -82,7 +82,7 @@ namespace birdstrike
       {
         table.add_heading("Blade");
         add_peak("tip peak (mid-chord)", "tip/peak");
-        if (!std::isnan(value("tip/final")))
+        if (value("tip/peak") != 0.)
           table.add("tip at the end", shown("tip/final"));
         add_peak("root peak normal stress", "root/peak_normal_stress");
         add_peak("root peak moment", "root/peak_moment");

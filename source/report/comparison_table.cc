@@ -95,7 +95,9 @@ namespace birdstrike
       {
         const Quantity &each = quantity(key);
         add_computed(group, each.text, each.unit, runs, [&](const RunRecord &run) {
-          return has(run, each.subject) ? run.summary().number(each.key) : absent;
+          const double value   = has(run, each.subject) ? run.summary().number(each.key) : absent;
+          const bool   is_zero = value == 0. && (each.key.starts_with("tip/") || each.key.starts_with("root/"));
+          return is_zero ? absent : value; // no tip or root, or held ones
         });
       }
   }

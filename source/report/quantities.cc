@@ -146,20 +146,8 @@ namespace birdstrike
       };
     }
 
-    /// What has never left zero has no peak: a blade without this section, or one that holds it.
-    template <class AnyPeak>
-    double value_if_any(const AnyPeak &peak)
-    {
-      return peak.value() == 0. ? absent : peak.value();
-    }
-
-    template <class AnyPeak>
-    double time_if_any(const AnyPeak &peak)
-    {
-      return peak.value() == 0. ? absent : peak.time();
-    }
-
-    /// Whether the curve has come down since: the largest value at the last instant may be on its way up.
+    /// Whether the curve has come down since: the largest value at the last instant may be on its way up. What has
+    /// never left zero has no peak (null): a blade without this section, or one that holds it.
     template <class AnyPeak>
     std::optional<bool> is_reached(const AnyPeak &peak, View run)
     {
@@ -173,30 +161,28 @@ namespace birdstrike
       return {
         {"blade_momentum", "", "N s", [](View run) { return state(run).blade_momentum.momentum; }},
         {"support_impulse", "", "N s", [](View run) { return state(run).blade_momentum.support_impulse; }},
-        {"", "tip/peak", "m", [](View run) { return value_if_any(run.observed.tip_peak); }, "peak (mid-chord)"},
-        {"", "tip/peak_time", "s", [](View run) { return time_if_any(run.observed.tip_peak); }, "time of the peak"},
+        {"", "tip/peak", "m", [](View run) { return run.observed.tip_peak.value(); }, "peak (mid-chord)"},
+        {"", "tip/peak_time", "s", [](View run) { return run.observed.tip_peak.time(); }, "time of the peak"},
         {"", "tip/peak_reached", "", [](View run) { return is_reached(run.observed.tip_peak, run); }, "Tip peak"},
         {"tip_mid_chord", "", "m", [](View run) { return run.observed.tip.mid_chord; }},
-        {"", "tip/final", "m",
-         [](View run) { return run.observed.tip.mid_chord + 0. * value_if_any(run.observed.tip_peak); },
-         "deflection at the end"},
+        {"", "tip/final", "m", [](View run) { return run.observed.tip.mid_chord; }, "deflection at the end"},
         {"tip_leading", "", "m", [](View run) { return run.observed.tip.leading; }},
         {"tip_trailing", "", "m", [](View run) { return run.observed.tip.trailing; }},
         {"root_normal_force", "", "N", [](View run) { return run.observed.root.normal_force; }},
         {"root_transverse_force", "", "N", [](View run) { return run.observed.root.transverse_force; }},
         {"root_bending_moment", "", "N m", [](View run) { return run.observed.root.bending_moment; }},
         {"root_peak_normal_stress", "", "Pa", [](View run) { return run.observed.root.peak_stress(); }},
-        {"", "root/peak_normal_stress", "Pa", [](View run) { return value_if_any(run.observed.root_stress); },
+        {"", "root/peak_normal_stress", "Pa", [](View run) { return run.observed.root_stress.value(); },
          "peak normal stress"},
-        {"", "root/peak_normal_stress_time", "s", [](View run) { return time_if_any(run.observed.root_stress); },
+        {"", "root/peak_normal_stress_time", "s", [](View run) { return run.observed.root_stress.time(); },
          "time of the peak stress"},
         {"", "root/peak_normal_stress_reached", "", [](View run) { return is_reached(run.observed.root_stress, run); },
          "Root peak normal stress"},
-        {"", "root/peak_moment", "N m", [](View run) { return value_if_any(run.observed.root_moment); },
+        {"", "root/peak_moment", "N m", [](View run) { return run.observed.root_moment.value(); },
          "peak bending moment"},
         {"", "root/peak_moment_reached", "", [](View run) { return is_reached(run.observed.root_moment, run); },
          "Root peak moment"},
-        {"", "root/peak_force", "N", [](View run) { return value_if_any(run.observed.root_force); }, "peak force"},
+        {"", "root/peak_force", "N", [](View run) { return run.observed.root_force.value(); }, "peak force"},
         {"max_plastic_strain", "plastic/max_strain", "-", [](View run) { return run.observed.plastic.value; },
          "peak plastic strain"},
         {"", "plastic/position", "m", [](View run) { return run.observed.plastic.position; }},
