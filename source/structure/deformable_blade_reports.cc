@@ -51,8 +51,11 @@ namespace birdstrike
           snapshot.cells.insert(snapshot.cells.end(), nodes.begin(), nodes.end());
           left.push_back(e);
           number.values.push_back(static_cast<double>(e));
-          damage.values.push_back(elements.damage(e));
-          failed_points.values.push_back(static_cast<double>(elements.n_failed_points(e)));
+          if (can_fail)
+            {
+              damage.values.push_back(elements.damage(e));
+              failed_points.values.push_back(static_cast<double>(elements.n_failed_points(e)));
+            }
         }
     Field node{"node", "", false, 1, {}, true};
     for (std::size_t n = 0; n < plain.nodes.size(); ++n)

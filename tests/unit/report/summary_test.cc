@@ -132,8 +132,9 @@ TEST(Summary, WhatNeverLeftZeroHasNoPeak)
   some.observed.tip_peak.update(0., 0.);
   const nlohmann::json json = nlohmann::json::parse(to_text(Summary(some.view())));
   EXPECT_EQ(json["tip"]["peak"], 0.) << "a number still: scripts format it";
-  for (const char *key : {"/tip/peak_reached", "/root/peak_normal_stress_reached", "/root/peak_moment_reached"})
-    EXPECT_TRUE(json[nlohmann::json::json_pointer(key)].is_null()) << key;
+  EXPECT_TRUE(json["tip"]["peak_reached"].is_null());
+  for (const char *key : {"peak_normal_stress_reached", "peak_moment_reached"})
+    EXPECT_TRUE(json["root"][key].is_null()) << key;
   EXPECT_FALSE(Summary(some.view()).is_false("tip/peak_reached")) << "what is absent says nothing";
 }
 
