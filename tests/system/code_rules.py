@@ -20,11 +20,11 @@ TEXTS = {
     "source/material/metal_parameters.cc": "reads entries that are numbers or 'table'",
     "source/material/table_entry.h": "reads entries that are numbers or 'table'",
     "source/report/history.cc": "names of columns and groups in files",
-    "source/report/run_reuse.cc": "reads a folder's mark",
+    "source/report/comparison/run_reuse.cc": "reads a folder's mark",
     "source/report/text.cc": "units",
     "source/report/closing.cc": "units",
-    "source/report/comparison_print.cc": "units",
-    "source/report/comparison_figures.cc": "names of datasets in results.h5",
+    "source/report/comparison/comparison_print.cc": "units",
+    "source/report/comparison/comparison_figures.cc": "names of datasets in results.h5",
     "source/mesh/mesh_file.cc": "endings of files",
 }
 

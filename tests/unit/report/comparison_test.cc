@@ -1,5 +1,5 @@
-#include "report/comparison_figures.h"
-#include "report/comparison_table.h"
+#include "report/comparison/comparison_figures.h"
+#include "report/comparison/comparison_table.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/comparison_folder.h>
 

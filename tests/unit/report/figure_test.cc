@@ -1,4 +1,4 @@
-#include "report/figure.h"
+#include "report/comparison/figure.h"
 #include <birdstrike/core/child_process.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "report/compare_plan.h"
+#include "report/comparison/compare_plan.h"
 
-#include "report/comparison_figures.h"
-#include "report/comparison_table.h"
+#include "report/comparison/comparison_figures.h"
+#include "report/comparison/comparison_table.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>

@@ -1,5 +1,5 @@
-#include "report/comparison_table.h"
-#include "report/curve_features.h"
+#include "report/comparison/comparison_table.h"
+#include "report/comparison/curve_features.h"
 #include "report/quantities.h"
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/choices.h>

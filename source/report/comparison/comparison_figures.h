@@ -1,7 +1,7 @@
 #pragma once
 
-#include "report/comparison_table.h"
-#include "report/figure.h"
+#include "report/comparison/comparison_table.h"
+#include "report/comparison/figure.h"
 
 namespace birdstrike
 {

@@ -1,4 +1,4 @@
-#include "report/run_record.h"
+#include "report/comparison/run_record.h"
 
 #include <charconv>
 #include <fstream>

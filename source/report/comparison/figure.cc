@@ -1,5 +1,5 @@
-#include "report/figure.h"
-#include "report/comparison_table.h"
+#include "report/comparison/figure.h"
+#include "report/comparison/comparison_table.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "report/comparison_table.h"
+#include "report/comparison/comparison_table.h"
 #include <birdstrike/report/text.h>
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "report/comparison_figures.h"
+#include "report/comparison/comparison_figures.h"
 
 #include <algorithm>
 #include <cmath>

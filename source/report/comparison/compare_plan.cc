@@ -1,6 +1,6 @@
-#include "report/compare_plan.h"
+#include "report/comparison/compare_plan.h"
 
-#include "report/run_reuse.h"
+#include "report/comparison/run_reuse.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/comparison_folder.h>
 

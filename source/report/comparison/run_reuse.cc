@@ -1,5 +1,5 @@
-#include "report/run_reuse.h"
-#include "report/run_record.h"
+#include "report/comparison/run_reuse.h"
+#include "report/comparison/run_record.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/run_record.h"
+#include "report/comparison/run_record.h"
 
 #include <functional>
 #include <string>

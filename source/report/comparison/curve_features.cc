@@ -1,4 +1,4 @@
-#include "report/curve_features.h"
+#include "report/comparison/curve_features.h"
 
 #include <algorithm>
 
