@@ -58,6 +58,8 @@ namespace birdstrike
     if (metal.failure.law == FailureLaw::johnson_cook)
       for (std::size_t k = 0; k < metal.failure.d.size(); ++k)
         all.push_back({"failure_d" + std::to_string(k + 1), "-", metal.failure.d[k]});
+    if (metal.elongation > 0.)
+      all.push_back({"elongation", "-", metal.elongation});
     return all;
   }
 

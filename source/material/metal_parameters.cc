@@ -32,8 +32,8 @@ namespace birdstrike
     const Patterns::Anything text;
     const std::string        table = " or 'table', the value of the named metal. ";
     prm.add_parameter("Name", name,
-                      "Metal whose data are taken where an entry below says 'table'; the two Johnson-Cook sets of "
-                      "Ti-6Al-4V are recalled, not verified; 'custom' has no data of its own. [-]",
+                      "Metal whose data are taken where an entry below says 'table'; 'custom' has no data of its own. "
+                      "[-]",
                       Patterns::Selection(metal_table().selection() + (metal_table().has(name) ? "" : "|" + name)));
     prm.add_parameter("Density", density, "Density" + table + "[kg/m^3]", text);
     prm.add_parameter("Young's modulus", young, "Young's modulus" + table + "[Pa]", text);
@@ -63,6 +63,11 @@ namespace birdstrike
                       Patterns::Double(0.));
     prm.add_parameter("Melting temperature", melting_temperature,
                       "Temperature at which no strength is left" + table + "[K]", text);
+    prm.add_parameter("Elongation", elongation,
+                      "Engineering strain at break of a tensile test" + table +
+                        "A run warns where the metal is strained beyond it, ln(1 + elongation) in equivalent plastic "
+                        "strain; 0: unknown. It fails nothing: see Failure. [-]",
+                      text);
     failure.declare(prm);
   }
 
@@ -108,6 +113,7 @@ namespace birdstrike
     replace(h.rate_factor, rate_factor, where + "Rate factor", 0., 10.);
     replace(h.reference_rate, reference_rate, where + "Reference rate", 1e-12, big);
     replace(h.softening_exponent, softening_exponent, where + "Softening exponent", 1e-6, 100.);
+    replace(result.elongation, elongation, where + "Elongation", 0., 10.);
     if (hardening != "table")
       h.law = hardening_laws().at(hardening);
     h.density             = result.density;

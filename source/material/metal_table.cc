@@ -6,7 +6,8 @@ namespace birdstrike
 {
   namespace
   {
-    Metal make_metal(const std::string &name, const double density, const Elasticity &elasticity, const double yield)
+    Metal make_metal(const std::string &name, const double density, const Elasticity &elasticity, const double yield,
+                     const double elongation)
     {
       Metal metal;
       metal.name              = name;
@@ -15,6 +16,7 @@ namespace birdstrike
       metal.hardening.law     = HardeningLaw::perfect;
       metal.hardening.yield   = yield;
       metal.hardening.density = density;
+      metal.elongation        = elongation;
       return metal;
     }
 
@@ -42,22 +44,17 @@ namespace birdstrike
 
   const NamedChoices<Metal> &metal_table()
   {
-    static const Metal ti_811 = make_metal("Ti-8Al-1Mo-1V", 4370., {121e9, 0.32}, 930e6);
-    static const Metal ti_64  = with_heat(make_metal("Ti-6Al-4V", 4430., {113.8e9, 0.342}, 880e6), 526.3, 1873.);
-    static const Metal al     = make_metal("Al 6061-T6", 2700., {68.9e9, 0.33}, 276e6);
-    static const Metal jc_862 =
-      make_johnson_cook(ti_64, "Ti-6Al-4V Johnson-Cook 862", {862e6, 331e6, 0.34, 0.012, 0.8});
-    static const Metal jc_1098 =
-      make_johnson_cook(ti_64, "Ti-6Al-4V Johnson-Cook 1098", {1098e6, 1092e6, 0.93, 0.014, 1.1});
+    static const Metal ti_811  = make_metal("Ti-8Al-1Mo-1V", 4370., {121e9, 0.32}, 930e6, 0.12);
+    static const Metal ti_64   = with_heat(make_metal("Ti-6Al-4V", 4430., {113.8e9, 0.342}, 880e6, 0.14), 526.3, 1873.);
+    static const Metal al      = make_metal("Al 6061-T6", 2700., {68.9e9, 0.33}, 276e6, 0.12);
     static const Metal al_2024 = [] {
-      const Metal data  = with_heat(make_metal("Al 2024", 2780., {73e9, 0.33}, 369e6), 875., 775.);
+      const Metal data  = with_heat(make_metal("Al 2024", 2780., {73e9, 0.33}, 369e6, 0.), 875., 775.);
       Metal       metal = make_johnson_cook(data, "Al 2024 Johnson-Cook", {369e6, 684e6, 0.73, 0.0083, 1.7});
       metal.failure.d   = {{0.13, 0.13, -1.5, 0.011, 0.}};
       return metal;
     }();
-    static const NamedChoices<Metal> table{{"custom", Metal()},    {ti_811.name, ti_811}, {ti_64.name, ti_64},
-                                           {al.name, al},          {jc_862.name, jc_862}, {jc_1098.name, jc_1098},
-                                           {al_2024.name, al_2024}};
+    static const NamedChoices<Metal> table{
+      {"custom", Metal()}, {ti_811.name, ti_811}, {ti_64.name, ti_64}, {al.name, al}, {al_2024.name, al_2024}};
     return table;
   }
 } // namespace birdstrike

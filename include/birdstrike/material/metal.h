@@ -16,6 +16,7 @@ namespace birdstrike
     double      density = 4430.; ///< kg/m^3
     Elasticity  elasticity;
     Hardening   hardening;
-    Failure     failure; ///< none in the table: constants only
+    Failure     failure;         ///< none in the table: constants only
+    double      elongation = 0.; ///< engineering strain at break in a tensile test; 0: unknown. No law uses it
   };
 } // namespace birdstrike

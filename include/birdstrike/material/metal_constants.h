@@ -12,7 +12,8 @@ namespace birdstrike
     double      value;
   };
 
-  /// The constants that a metal's laws use, those that they do not use left out: what is not listed plays no part.
+  /// The constants that a metal's laws use, those that they do not use left out; and its elongation, if known, which
+  /// only a warning uses. What is not listed plays no part.
   std::vector<MetalConstant> constants_in_use(const Metal &metal);
 
   /// "johnson-cook", as Material/Hardening names it.

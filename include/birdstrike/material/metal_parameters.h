@@ -36,6 +36,7 @@ namespace birdstrike
     double      initial_temperature = 293.;    ///< K
     double      room_temperature    = 293.;    ///< K
     std::string melting_temperature = "table"; ///< K
+    std::string elongation          = "table"; ///< -
     std::string softening_exponent  = "table"; ///< -
 
     FailureParameters failure{};
