@@ -66,15 +66,21 @@ namespace birdstrike
     }
 
     /// A slab takes whole numbers of cells along each length.
+    std::array<double, 3> count_cells(const Shape &shape, const double cell)
+    {
+      std::array<double, 3> n;
+      for (int d = 0; d < 3; ++d)
+        n[d] = std::max(1., std::round(2. * shape.half_lengths()[d] / cell));
+      return n;
+    }
+
     std::vector<Point3> pack_slab(const BirdParameters &parameters, const Shape &shape)
     {
       const Lattice       lattice = make_lattice(parameters.packing);
       const double        a       = lattice.cell * parameters.spacing;
-      std::array<int, 3>  n;
+      const auto          n       = count_cells(shape, a);
       std::vector<Point3> points;
-      for (int d = 0; d < 3; ++d)
-        n[d] = std::max(1, static_cast<int>(std::lround(2. * shape.half_lengths()[d] / a)));
-      const double inset = lattice.basis.size() == 1 ? 0.5 : 0.25;
+      const double        inset = lattice.basis.size() == 1 ? 0.5 : 0.25;
       for (int k = 0; k < n[2]; ++k)
         for (int j = 0; j < n[1]; ++j)
           for (int i = 0; i < n[0]; ++i)
@@ -121,6 +127,16 @@ namespace birdstrike
                                      period, 2. * range));
     }
   } // namespace
+
+  double count_particles(const BirdParameters &parameters)
+  {
+    const Shape shape(parameters);
+    if (!shape.is_slab())
+      return shape.volume() / std::pow(parameters.spacing, 3);
+    const Lattice lattice = make_lattice(parameters.packing);
+    const auto    n       = count_cells(shape, lattice.cell * parameters.spacing);
+    return n[0] * n[1] * n[2] * static_cast<double>(lattice.basis.size());
+  }
 
   Packing compute_packing(const BirdParameters &parameters, const Shape &shape)
   {

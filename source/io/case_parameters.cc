@@ -1,7 +1,9 @@
 #include "io/parameter_tree.h"
+#include "io/scene_size.h"
 #include "io/symmetry_check.h"
 #include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/memory.h>
 #include <birdstrike/io/case_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -79,6 +81,7 @@ namespace birdstrike
     blade.is_halved = bird.is_halved = has_symmetry_plane;
     if (bird.enabled)
       blade.bird_velocity = bird.velocity;
+    require_memory(*this, static_cast<double>(available_memory()));
     if (has_symmetry_plane)
       require_symmetry(*this);
     require_stable_bird_step(*this);

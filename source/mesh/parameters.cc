@@ -125,6 +125,15 @@ namespace birdstrike
     prm.leave_subsection();
   }
 
+  GeometryParameters::Counts GeometryParameters::count_generated(const bool is_solid) const
+  {
+    if (mesh.generator == MeshGenerator::file)
+      return {};
+    const double n_chord = mesh.n_chord / (is_halved ? 2u : 1u), n_span = mesh.n_span, n_layers = mesh.n_layers;
+    return {n_span * n_chord * (is_solid ? n_layers : 1.),
+            (n_span + 1.) * (n_chord + 1.) * (is_solid ? n_layers + 1. : 1.)};
+  }
+
   void GeometryParameters::check_geometry() const
   {
     if (thickness.maximum.empty())

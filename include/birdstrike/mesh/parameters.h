@@ -83,6 +83,14 @@ namespace birdstrike
     ThicknessParameters thickness{};
     bool                is_halved = false; ///< only y >= 0 is computed; set by the case
 
+    /// Elements and nodes of what is computed, exactly; real numbers, for there may be more than an integer holds.
+    struct Counts
+    {
+      double elements = 0., nodes = 0.;
+    };
+    /// Of a built-in part before it is built, as a shell or in layers of bricks; nothing of a file.
+    Counts count_generated(bool is_solid) const;
+
     /// Rules between their entries. Throws InputError.
     void check_geometry() const;
   };

@@ -1,0 +1,78 @@
+#include "io/scene_size.h"
+#include <birdstrike/bird/packing.h>
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/prices.h>
+#include <birdstrike/io/case_parameters.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr double most_particles = 4e9;     ///< numbered with 32 bits
+    constexpr double most_nodes     = 4e9 / 6; ///< so are their unknowns
+
+    std::string gibibytes(const double bytes)
+    {
+      return fmt::format("{:.3g} GiB", bytes / (1024. * 1024. * 1024.));
+    }
+
+    std::string describe_bird(const BirdParameters &bird, const double n_particles)
+    {
+      const Shape shape(bird);
+      return fmt::format("The bird, {:.4g} m long and {:.4g} m thick by {}, takes {:.3g} particles at Bird/Particle "
+                         "spacing = {:g} m.",
+                         shape.length(), shape.diameter(),
+                         shape.is_slab()
+                           ? "Bird/Slab lengths"
+                           : fmt::format("Bird/Mass = {:g} kg and Bird/Density = {:g} kg/m^3", bird.mass, bird.density),
+                         n_particles, bird.spacing);
+    }
+
+    std::string describe_mesh(const BladeParameters &blade, const SceneSize &size)
+    {
+      const MeshParameters &mesh = blade.mesh;
+      return fmt::format("The blade takes {:.3g} elements and {:.3g} nodes by Blade/Mesh/Elements along span = {}, "
+                         "Elements along chord = {}{}.",
+                         size.n_elements, size.n_nodes, mesh.n_span, mesh.n_chord,
+                         blade.kind == BladeKind::solid ? fmt::format(", Layers = {}", mesh.n_layers) : "");
+    }
+  } // namespace
+
+  SceneSize compute_scene_size(const CaseParameters &parameters)
+  {
+    SceneSize size;
+    if (parameters.bird.enabled)
+      size.n_particles = count_particles(parameters.bird) / (parameters.has_symmetry_plane ? 2. : 1.);
+    const BladeParameters &blade = parameters.blade;
+    if (blade.is_deformable() || (blade.kind == BladeKind::rigid && blade.rigid.surface == RigidSurface::mesh))
+      {
+        const auto counts = blade.count_generated(blade.kind == BladeKind::solid);
+        size.n_elements   = counts.elements;
+        size.n_nodes      = counts.nodes;
+      }
+    size.bytes_of_bird  = prices::building_particle * size.n_particles;
+    size.bytes_of_blade = prices::building_element * size.n_elements + prices::building_node * size.n_nodes;
+    return size;
+  }
+
+  void require_memory(const CaseParameters &parameters, const double available)
+  {
+    const SceneSize size   = compute_scene_size(parameters);
+    const double    needed = size.bytes_of_bird + size.bytes_of_blade;
+    if (needed <= available && size.n_particles <= most_particles && size.n_nodes <= most_nodes)
+      return;
+    const std::string found =
+      fmt::format("The case needs about {} of memory; {} are there.\n", gibibytes(needed), gibibytes(available));
+    if (size.bytes_of_blade > size.bytes_of_bird)
+      throw InputError(found + describe_mesh(parameters.blade, size) + "\nReduce these numbers.");
+    const double left    = std::max(0.1 * available, 0.9 * available - size.bytes_of_blade);
+    const double fitting = std::min(left / prices::building_particle, most_particles);
+    const double spacing = parameters.bird.spacing * std::cbrt(size.n_particles / fitting);
+    throw InputError(found + describe_bird(parameters.bird, size.n_particles) +
+                     fmt::format("\nIf that is its size, set Bird/Particle spacing to {:.2g} m or more.", spacing));
+  }
+} // namespace birdstrike
