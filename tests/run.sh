@@ -9,7 +9,7 @@ build=${BIRDSTRIKE_BUILD:-$top/build}
 
 mapfile -t packages <"$top/.ci/packages"
 bash "$top/.ci/install" "${packages[@]}" libgtest-dev clang-format-14 python3 valgrind \
-  python3-numpy python3-h5py paraview python3-paraview xvfb xauth libgl1-mesa-dri
+  python3-numpy python3-h5py python3-jsonschema paraview python3-paraview xvfb xauth libgl1-mesa-dri
 
 mkdir -p "$build"
 if ! cmake -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DBIRDSTRIKE_TESTS=ON -DBIRDSTRIKE_WERROR=ON >"$build/build.log" 2>&1 ||

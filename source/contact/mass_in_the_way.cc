@@ -14,6 +14,9 @@ namespace birdstrike
   {
     using Quadrilateral = std::array<Point3, 4>;
 
+    /// Of coordinates in a triangle: a path along the edge of two meets one of them.
+    constexpr double slack = 1e-9;
+
     Point3 mean_relative_velocity(const PointsView &points, const FacetsView &facets)
     {
       Point3 sum = Point3::Zero(), nodes = Point3::Zero();
@@ -116,7 +119,7 @@ namespace birdstrike
                 const Point3 p = at[point] - a;
                 const double s = (p[0] * (c[1] - a[1]) - p[1] * (c[0] - a[0])) / det,
                              t = ((b[0] - a[0]) * p[1] - (b[1] - a[1]) * p[0]) / det;
-                if (s >= 0. && t >= 0. && s + t <= 1. && s * (b[2] - a[2]) + t * (c[2] - a[2]) >= p[2])
+                if (s >= -slack && t >= -slack && s + t <= 1. + slack && s * (b[2] - a[2]) + t * (c[2] - a[2]) >= p[2])
                   is_hit[point] = 1;
               }
       }

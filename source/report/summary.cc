@@ -1,4 +1,5 @@
 #include "report/quantities.h"
+#include "report/run_warnings.h"
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/material/metal_constants.h>
 #include <birdstrike/report/summary.h>
@@ -42,15 +43,19 @@ namespace birdstrike
 
   Summary::Summary(const RunView &run)
   {
-    json["case"] = nullptr;
+    json["schema"] = schema;
+    json["case"]   = nullptr;
     for (const char *object :
-         {"program", "inputs", "end", "blade", "bird", "steps", "tip", "root", "contact", "plastic", "failed", "energy",
-          "momentum", "angular_momentum", "retired", "skipped", "cost"})
+         {"units", "program", "inputs", "end", "blade", "bird", "steps", "tip", "root", "contact", "plastic", "failed",
+          "energy", "momentum", "angular_momentum", "retired", "skipped", "cost"})
       json[object] = Json::object();
     json["inputs"] = Json::array();
 
     std::map<std::string, Json> parts; // by name
     const std::string           of_part = "energy/parts/";
+    for (const Quantity &each : quantities())
+      if (!each.key.empty() && !each.unit.empty())
+        json["units"][each.key] = each.unit;
     for (const Quantity &each : quantities())
       if (each.key.starts_with(of_part))
         parts[each.key.substr(of_part.size())] = value_of(each, run);
@@ -75,8 +80,20 @@ namespace birdstrike
             constants[constant.key] = constant.value;
           json["blade"]["materials"].push_back(constants);
         }
+    json["warnings"] = Json::array();
+    for (const Warnings &each : {run.case_warnings, find_run_warnings(run)})
+      for (const Warning &warning : each)
+        json["warnings"].push_back({{"code", warning.code}, {"text", warning.text}});
     for (const SkippedWork &work : run.skipped)
       json["skipped"][work.what] = {{"count", work.count}, {"unit", work.unit}, {"saved", work.saved}};
+  }
+
+  Warnings Summary::warnings() const
+  {
+    Warnings all;
+    for (const Json &each : json.value("warnings", Json::array()))
+      all.push_back({each.at("code"), each.at("text")});
+    return all;
   }
 
   void Summary::set_inputs(const std::vector<InputFile> &files)

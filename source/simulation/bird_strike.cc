@@ -40,9 +40,11 @@ namespace birdstrike
     std::atomic<bool> stop_requested{false};
   } // namespace
 
-  BirdStrike::BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder)
+  BirdStrike::BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder,
+                         Warnings case_warnings)
     : parameters(parameters)
     , scene(scene)
+    , case_warnings(std::move(case_warnings))
     , stepper(scene, timings, &observed.contact)
     , sections{timings.section("retirement"), timings.section("step votes"), timings.section("balance and output")}
     , balance(parameters.time.energy_error_limit)
@@ -247,6 +249,7 @@ namespace birdstrike
     run.particle_step     = costs.particle_step;
     run.element_step      = costs.element_step;
     run.skipped           = compute_skipped();
+    run.case_warnings     = case_warnings;
     return run;
   }
 

@@ -22,8 +22,10 @@ namespace birdstrike
   class BirdStrike
   {
   public:
-    /// Without a folder nothing is written: for tests and for callers that look at the parts themselves.
-    BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder = {});
+    /// Without a folder nothing is written: for tests and for callers that look at the parts themselves. The summary
+    /// has the warnings known beforehand, and adds its own.
+    BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder = {},
+               Warnings case_warnings = {});
 
     /// Steps until a stop criterion is met; goes on from where the strike stands.
     void run();
@@ -71,6 +73,7 @@ namespace birdstrike
     const CaseParameters &parameters;
     Timings               timings;
     Scene                &scene;
+    Warnings              case_warnings;
     Stepper               stepper;
     struct Sections
     {

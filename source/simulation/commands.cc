@@ -1,4 +1,5 @@
 #include "simulation/bird_strike.h"
+#include "simulation/case_warnings.h"
 #include "simulation/explain.h"
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
@@ -17,13 +18,23 @@ namespace birdstrike
 {
   namespace
   {
-    /// Reads and checks a case; the command line's folder wins over the file's.
-    void read(CaseParameters &parameters, const CaseRequest &request)
+    void show(const Warnings &warnings)
+    {
+      for (const Warning &warning : warnings)
+        log().warn("Warning: {}", warning.text);
+    }
+
+    /// Reads and checks a case; the command line's folder wins over the file's. Warnings of the entries are shown at
+    /// once, for what is built of a wrong unit may take long, and returned.
+    Warnings read(CaseParameters &parameters, const CaseRequest &request)
     {
       std::vector<std::string> overrides = request.overrides;
       if (!request.output.empty())
         overrides.push_back("Output/Directory=" + request.output);
       parameters.read(request.prm_file, overrides);
+      Warnings warnings = find_input_warnings(parameters);
+      show(warnings);
+      return warnings;
     }
 
     void stop_on_signal(int)
@@ -34,9 +45,9 @@ namespace birdstrike
 
   void run_case(const CaseRequest &request)
   {
-    CaseParameters parameters;
-    read(parameters, request);
-    const auto        inputs = list_input_files(parameters);
+    CaseParameters    parameters;
+    Warnings          warnings = read(parameters, request);
+    const auto        inputs   = list_input_files(parameters);
     Scene             scene(parameters); // refuses a bad case before a folder is touched
     const std::string forecast = explain(parameters, scene);
 
@@ -49,14 +60,18 @@ namespace birdstrike
     folder.write_text("original.prm", parameters.file.original());
     folder.write_text("parameters.prm", parameters.file.as_prm());
     log().info("{}", forecast);
+    const Warnings of_scene = find_scene_warnings(parameters, scene);
+    show(of_scene);
+    warnings.insert(warnings.end(), of_scene.begin(), of_scene.end());
     bool is_interrupted = false;
     try
       {
-        BirdStrike strike(parameters, scene, folder.path());
+        BirdStrike strike(parameters, scene, folder.path(), warnings);
         strike.run();
         log().info("{}", strike.closing_report());
         Summary summary = strike.compute_summary();
         summary.set_inputs(inputs);
+        show(summary.warnings()); // those of the beginning once more: they are far up by now
         folder.finish(to_text(summary));
         is_interrupted = strike.is_interrupted();
         log().info("Results in {}", folder.path().string());
@@ -77,6 +92,7 @@ namespace birdstrike
     read(parameters, request);
     Scene scene(parameters);
     std::cout << explain(parameters, scene);
+    show(find_scene_warnings(parameters, scene));
   }
 
   void validate_case(const CaseRequest &request)
@@ -85,6 +101,7 @@ namespace birdstrike
     read(parameters, request);
     Scene scene(parameters);
     explain(parameters, scene);
+    show(find_scene_warnings(parameters, scene));
     std::cout << request.prm_file << ": valid\n";
   }
 

@@ -112,19 +112,26 @@ namespace birdstrike
     {
       const OutputParameters &output   = parameters.output;
       const double            end_time = parameters.time.end_time;
-      const double n_fields = 2. + (output.field_interval > 0. ? std::floor(end_time / output.field_interval) : 0.);
-      const double n_rows   = output.history_interval > 0. ? end_time / output.history_interval + 2. : 0.;
-      double       bytes    = 0.;
-      if (scene.blade && output.blade_fields)
-        bytes += n_fields * static_cast<double>(compute_field_file_bytes(scene.blade->snapshot()));
-      if (scene.bird && output.bird_fields)
-        bytes += n_fields * static_cast<double>(compute_field_file_bytes(scene.bird->snapshot()));
+      const double            n_rows   = output.history_interval > 0. ? end_time / output.history_interval + 2. : 0.;
       table.add_heading("Files");
       table.add("folder", parameters.run_directory());
       table.add("history rows", format_count(static_cast<std::uint64_t>(n_rows)));
-      table.add("field files, before compression, at most", format_bytes(bytes));
+      table.add("field files, before compression, at most", format_bytes(compute_field_bytes(parameters, scene)));
     }
   } // namespace
+
+  double compute_field_bytes(const CaseParameters &parameters, const Scene &scene)
+  {
+    const OutputParameters &output = parameters.output;
+    const double            n_fields =
+      2. + (output.field_interval > 0. ? std::floor(parameters.time.end_time / output.field_interval) : 0.);
+    double bytes = 0.;
+    if (scene.blade && output.blade_fields)
+      bytes += n_fields * static_cast<double>(compute_field_file_bytes(scene.blade->snapshot()));
+    if (scene.bird && output.bird_fields)
+      bytes += n_fields * static_cast<double>(compute_field_file_bytes(scene.bird->snapshot()));
+    return bytes;
+  }
 
   std::string explain(const CaseParameters &parameters, const Scene &scene)
   {

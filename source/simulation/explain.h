@@ -10,4 +10,7 @@ namespace birdstrike
   /// What a case would compute, as a table: parts with mass, energy and momentum, first step and who limits it,
   /// expected steps and run time, memory and bytes on disk. Looks only: a run that was explained first is the same.
   std::string explain(const CaseParameters &parameters, const Scene &scene);
+
+  /// Bytes of all field files before compression, at most.
+  double compute_field_bytes(const CaseParameters &parameters, const Scene &scene);
 } // namespace birdstrike

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/core/warning.h>
 #include <birdstrike/report/balance.h>
 #include <birdstrike/report/observed.h>
 #include <birdstrike/time_control/end_reason.h>
@@ -58,6 +59,7 @@ namespace birdstrike
     std::size_t n_blade_steps = 0, n_bird_steps = 0;
     double      wall = 0., particle_step = 0., element_step = 0.; ///< s of run time: in all, per step of an entity
 
-    std::vector<SkippedWork> skipped = {};
+    std::vector<SkippedWork> skipped       = {};
+    Warnings                 case_warnings = {}; ///< known before the first step
   };
 } // namespace birdstrike

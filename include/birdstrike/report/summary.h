@@ -13,9 +13,14 @@ namespace birdstrike
 {
   /// The outcome of a run in stable keys for scripts (summary.json): SI units, absent parts are zero, a quantity that
   /// could not be computed (NaN) becomes null. The keys are those of source/report/quantities.h and, with one entry for
-  /// each name, energy/parts (J at the end, see ledger.h), energy/error_origins (J), inputs and skipped.
+  /// each name, energy/parts (J at the end, see ledger.h), energy/error_origins (J), inputs, warnings and
+  /// skipped. Its JSON schema: tests/data/summary.schema.json.
   struct Summary
   {
+    /// Of the keys and their meaning: a script that reads another one than it knows should look. Keys may be added
+    /// under the same number.
+    static constexpr int schema = 1;
+
     nlohmann::ordered_json json;
 
     Summary() = default;
@@ -27,6 +32,8 @@ namespace birdstrike
     std::string text(const std::string &key) const;
     /// Whether it says no, e.g. "tip/peak_reached"; what is absent or null says nothing.
     bool is_false(const std::string &key) const;
+
+    Warnings warnings() const;
 
     void set_inputs(const std::vector<InputFile> &files); ///< as they were when the run read them
   };

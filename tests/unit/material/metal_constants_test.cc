@@ -20,10 +20,11 @@ namespace birdstrike
     TEST(MetalConstants, OfTheDefaultTitaniumSayThatItDoesNotHarden)
     {
       const Metal metal = MetalParameters().metal();
-      EXPECT_EQ(
-        listed(metal),
-        (std::map<std::string, double>{
-          {"density", 4430.}, {"youngs_modulus", 113.8e9}, {"poissons_ratio", 0.342}, {"yield_stress", 880e6}}));
+      EXPECT_EQ(listed(metal), (std::map<std::string, double>{{"density", 4430.},
+                                                              {"youngs_modulus", 113.8e9},
+                                                              {"poissons_ratio", 0.342},
+                                                              {"yield_stress", 880e6},
+                                                              {"elongation", 0.14}}));
       EXPECT_EQ(describe(metal), "Ti-6Al-4V: 4430 kg/m^3, E 113.8 GPa, nu 0.342, yield 880 MPa, no hardening, no rate "
                                  "dependence, does not fail");
     }

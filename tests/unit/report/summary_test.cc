@@ -15,7 +15,9 @@ TEST(Summary, HasTheStableKeys)
 {
   const nlohmann::json json = nlohmann::json::parse(to_text(make_empty_summary("")));
   const std::vector<std::pair<std::string, std::vector<std::string>>> keys{
+    {"schema", {}},
     {"case", {}},
+    {"units", {}},
     {"program", {"version", "build"}},
     {"inputs", {}},
     {"end", {"time", "reason"}},
@@ -36,6 +38,7 @@ TEST(Summary, HasTheStableKeys)
     {"momentum", {"max_relative_error"}},
     {"angular_momentum", {"max_relative_error"}},
     {"retired", {"particles", "mass", "energy"}},
+    {"warnings", {}},
     {"skipped", {}},
     {"cost", {"wall", "threads", "ns_per_particle_step", "ns_per_element_step", "peak_memory"}}};
   EXPECT_EQ(json.size(), keys.size());

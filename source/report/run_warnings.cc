@@ -1,0 +1,117 @@
+#include "report/run_warnings.h"
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/report/run_view.h>
+#include <birdstrike/report/text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr double much_energy_error = 0.01; ///< -, of the energy scale
+    constexpr double much_hourglass    = 0.1;  ///< -, of the internal energy (usual limit: 5 to 10 %)
+    constexpr double much_momentum     = 1e-4; ///< -: bookkeeping is right to round-off, friction's couple to 1e-5
+    constexpr double small_force       = 0.01; ///< of the filtered peak
+    constexpr double deep              = 0.5;  ///< particle spacings
+
+    void check_balance(const RunView &run, Warnings &warnings)
+    {
+      if (const double error = run.balance.energy_error().largest; error > much_energy_error)
+        {
+          const Balance::Origins                from      = run.balance.origins();
+          const std::pair<const char *, double> origins[] = {
+            {"the bird", from.bird}, {"the blade", from.blade}, {"contact", from.contact}, {"the steps", from.steps}};
+          const auto most = std::max_element(std::begin(origins), std::end(origins), [](const auto &a, const auto &b) {
+            return std::abs(a.second) < std::abs(b.second);
+          });
+          warnings.push_back({"balance/energy", "The energy balance was off by up to " + format_share(error) +
+                                                  "; most of it, at the end, from " + most->first + " (" +
+                                                  format_quantity(most->second, "J") + ")."});
+        }
+      for (const auto &[name, error] : {std::pair("momentum", run.balance.momentum_error().largest),
+                                        std::pair("angular momentum", run.balance.angular_momentum_error().largest)})
+        if (error > much_momentum)
+          warnings.push_back({"balance/momentum", fmt::format("The balance of {} was off by {:.2g}.", name, error)});
+      if (const double share = run.observed.hourglass_share.value(); share > much_hourglass)
+        warnings.push_back({"balance/hourglass",
+                            "Hourglass energy was up to " + format_share(share) +
+                              " of the internal energy: refine the mesh, or set Blade/Element/Formulation to 'fully "
+                              "integrated' or 'B-bar'."});
+    }
+
+    void check_peaks(const RunView &run, Warnings &warnings)
+    {
+      const Observed &of = run.observed;
+      for (const auto &[name, value, time] :
+           {std::tuple("tip deflection", of.tip_peak.value(), of.tip_peak.time()),
+            std::tuple("root normal stress", of.root_stress.value(), of.root_stress.time()),
+            std::tuple("root moment", of.root_moment.value(), of.root_moment.time())})
+        if (value != 0. && time >= run.time)
+          warnings.push_back({"peak/not_reached", fmt::format("The largest {} is that at the end of the run, where it "
+                                                              "still rises: no peak yet (Time/End time).",
+                                                              name)});
+    }
+
+    void check_metal(const RunView &run, Warnings &warnings)
+    {
+      double smallest = INFINITY; // true strain at break, of the metals that know it
+      bool   can_fail = false;
+      for (const auto &[number, of_section] : run.parameters.blade.by_section())
+        {
+          const Metal metal = of_section.material.metal();
+          can_fail          = can_fail || metal.failure.can_fail();
+          if (metal.elongation > 0.)
+            smallest = std::min(smallest, std::log1p(metal.elongation));
+        }
+      const PeakPlasticStrain &most = run.observed.plastic;
+      if (!can_fail && most.value > smallest)
+        warnings.push_back(
+          {"metal/elongation",
+           fmt::format("Equivalent plastic strain reaches {:.3g} at ({:.4g}, {:.4g}, {:.4g}) m, beyond the metal's "
+                       "elongation at break ({:.3g} true strain): it would tear there, and no failure is set "
+                       "(Blade/Material/Failure).",
+                       most.value, most.position[0], most.position[1], most.position[2], smallest)});
+      const FailureReport &failure = run.observed.failure;
+      if (failure.n_partly > 0)
+        warnings.push_back({"metal/partly_failed",
+                            fmt::format("{} elements carry on with {} failed points: they are not among the failed "
+                                        "elements (fields: failed_points).",
+                                        failure.n_partly, failure.n_points)});
+      if (failure.n_at_root > 0)
+        warnings.push_back({"metal/failed_at_root", fmt::format("{} elements at the root section have failed: root "
+                                                                "forces and stresses lack theirs.",
+                                                                failure.n_at_root)});
+      if (failure.has_lost_tip)
+        warnings.push_back({"metal/lost_tip", "The tip's deflection is of nodes that fly free."});
+    }
+  } // namespace
+
+  Warnings find_run_warnings(const RunView &run)
+  {
+    Warnings warnings;
+    check_balance(run, warnings);
+    if (run.parameters.blade.is_deformable())
+      {
+        check_peaks(run, warnings);
+        check_metal(run, warnings);
+      }
+    const auto  &force = run.observed.force;
+    const double peak  = run.observed.filtered_force.peak;
+    if (run.contact && peak > 0. && std::hypot(force[0], force[1], force[2]) > small_force * peak)
+      warnings.push_back(
+        {"contact/unfinished", "The bird still pushes on the blade at the end of the run, with " +
+                                 format_quantity(std::hypot(force[0], force[1], force[2]), "N") +
+                                 ": impulse, momentum and all that follows are not final (Time/End time)."});
+    if (const double depth = run.observed.contact.max_penetration_over_spacing(); depth > deep)
+      warnings.push_back({"contact/penetration",
+                          fmt::format("Particles went up to {:.2g} spacings into the blade: contact was too soft for "
+                                      "this strike (Contact/Stiffness scale).",
+                                      depth)});
+    return warnings;
+  }
+} // namespace birdstrike

@@ -1,0 +1,183 @@
+#include "simulation/case_warnings.h"
+#include "simulation/explain.h"
+#include "simulation/scene.h"
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/contact/contact.h>
+#include <birdstrike/contact/mass_in_the_way.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/report/text.h>
+#include <birdstrike/structure/blade.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// A quantity, the range in which those of bird strike lie (an order of magnitude and more to spare), and other
+    /// units that a number out of range may have been meant in.
+    struct Plausible
+    {
+      struct Unit
+      {
+        const char *name;
+        double      factor; ///< SI over this unit
+      };
+
+      std::string       code, entry;
+      double            value;
+      const char       *unit;
+      double            lowest, highest;
+      std::vector<Unit> others;
+    };
+
+    void check(const Plausible &p, Warnings &warnings)
+    {
+      if (p.value >= p.lowest && p.value <= p.highest)
+        return;
+      std::string text = fmt::format("{} = {:.6g} {}: such values are between {:.3g} and {:.3g}.", p.entry, p.value,
+                                     p.unit, p.lowest, p.highest);
+      for (const Plausible::Unit &other : p.others)
+        if (const double meant = p.value * other.factor; meant >= p.lowest && meant <= p.highest)
+          {
+            text += fmt::format(" Was it meant in {}? That would be {:.6g} {}.", other.name, meant, p.unit);
+            break;
+          }
+      warnings.push_back({"unit/" + p.code, text});
+    }
+
+    using Units = std::vector<Plausible::Unit>;
+    const Units of_density{{"g/cm^3", 1e3}, {"t/mm^3", 1e12}, {"kg/mm^3", 1e9}};
+    const Units of_stress{{"GPa", 1e9}, {"MPa", 1e6}}; // the larger one first: 113.8 is no rubber
+    const Units of_length{{"mm", 1e-3}};
+
+    void check_metals(const BladeParameters &blade, Warnings &warnings)
+    {
+      for (const auto &[number, of_section] : blade.by_section())
+        {
+          const std::string where = "Blade/" + BladeParameters::section_path(number) + "Material/";
+          const Metal       metal = of_section.material.metal(where);
+          check({"density", where + "Density", metal.density, "kg/m^3", 500., 25e3, of_density}, warnings);
+          check({"young", where + "Young's modulus", metal.elasticity.young, "Pa", 5e5, 2e12, of_stress}, warnings);
+          if (metal.hardening.law == HardeningLaw::elastic)
+            continue;
+          check({"yield", where + "Yield stress", metal.hardening.yield, "Pa", 1e5, 1e10, of_stress}, warnings);
+          const double strain = metal.hardening.yield / metal.elasticity.young;
+          if (warnings.empty() && strain > 0.1)
+            warnings.push_back({"material/yield_strain",
+                                fmt::format("{}Yield stress is {:.3g} of Young's modulus: no metal stays elastic to "
+                                            "such strains.",
+                                            where, strain)});
+        }
+    }
+
+    void check_bird(const BirdParameters &bird, Warnings &warnings)
+    {
+      const auto &v = bird.velocity;
+      if (bird.shape != BirdShape::slab)
+        check({"bird_mass", "Bird/Mass", bird.mass, "kg", 1e-3, 20., {{"g", 1e-3}}}, warnings);
+      check({"bird_density", "Bird/Density", bird.density, "kg/m^3", 300., 3e3, of_density}, warnings);
+      check({"speed",
+             "Norm of Bird/Velocity",
+             std::hypot(v[0], v[1], v[2]),
+             "m/s",
+             5.,
+             1500.,
+             {{"mm/s", 1e-3}, {"km/s", 1e3}}},
+            warnings);
+      check({"spacing", "Bird/Particle spacing", bird.spacing, "m", 1e-4, 0.05, of_length}, warnings);
+    }
+
+    void check_layers(const BladeParameters &blade, Warnings &warnings)
+    {
+      if (blade.kind != BladeKind::solid || blade.mesh.generator == MeshGenerator::file)
+        return;
+      for (const auto &[number, of_section] : blade.by_section())
+        {
+          const SolidFormulation kind      = of_section.solid_formulation();
+          const unsigned int     n_layers  = blade.mesh.n_layers;
+          const bool             can_yield = of_section.material.metal().hardening.law != HardeningLaw::elastic;
+          const char            *why       = nullptr;
+          if (kind == SolidFormulation::b_bar && n_layers < 4)
+            why = "fully integrated bricks lock in bending (first frequency of a thin plate +23 % with two layers)";
+          else if (kind == SolidFormulation::one_point && n_layers < 4 && can_yield)
+            why = "such a section yields as few points or as a whole, not layer by layer";
+          if (why != nullptr)
+            warnings.push_back(
+              {"blade/layers",
+               fmt::format("Blade/Mesh/Layers = {} with Blade/{}Element/Formulation = {}: {}. One layer "
+                           "of solid-shells, or four layers, bend right.",
+                           n_layers, BladeParameters::section_path(number), of_section.formulation_name(), why)});
+        }
+    }
+
+    void check_aim(const Scene &scene, const BirdParameters &bird, Warnings &warnings)
+    {
+      if (!scene.contact)
+        return;
+      const double share = compute_share_in_the_way(scene.bird->points(), scene.blade->facets());
+      if (share < 0.98)
+        warnings.push_back({"bird/misses_in_part",
+                            "Only " + format_share(share) +
+                              " of the bird's mass is in the way of the blade, by straight paths to its outline." +
+                              (bird.roll == 0. && bird.shape != BirdShape::slab
+                                 ? " Rows of particles may lie along an edge and be caught or missed as a whole: see "
+                                   "Bird/Roll."
+                                 : "")});
+    }
+  } // namespace
+
+  Warnings find_input_warnings(const CaseParameters &parameters)
+  {
+    Warnings               warnings;
+    const BladeParameters &blade = parameters.blade;
+    for (const std::string &entry : blade.unused_entries())
+      warnings.push_back({"entry/unused", "Blade/" + entry + " is set, and means nothing for a blade of kind '" +
+                                            blade_kinds().name(blade.kind) + "'."});
+    for (std::size_t k = 1; k <= blade.sections.size(); ++k)
+      if (const auto &section = blade.sections[k - 1];
+          section.material_ids.empty() && section != BladeParameters::Section{})
+        warnings.push_back({"entry/unused", "Blade/" + BladeParameters::section_path(k) +
+                                              "Material ids is empty: no other entry of this section is used."});
+    if (blade.is_deformable())
+      check_metals(blade, warnings);
+    if (parameters.bird.enabled)
+      check_bird(parameters.bird, warnings);
+    check({"end_time", "Time/End time", parameters.time.end_time, "s", 0., 0.5, {{"ms", 1e-3}, {"us", 1e-6}}},
+          warnings);
+    return warnings;
+  }
+
+  Warnings find_scene_warnings(const CaseParameters &parameters, const Scene &scene)
+  {
+    Warnings               warnings;
+    const BladeParameters &blade = parameters.blade;
+    if (scene.blade && scene.blade->is_deformable())
+      {
+        const BladeCensus census = scene.blade->census();
+        check({"blade_size", "Largest length of the blade (root of its area)", std::sqrt(census.area), "m", 3e-3, 3.,
+               of_length},
+              warnings);
+        check({"blade_mass", "Mass of the blade", census.mass, "kg", 1e-4, 200., {{"g", 1e-3}}}, warnings);
+        if (census.n_held_dofs == 0)
+          warnings.push_back({"blade/free", "Nothing holds the blade: it flies off (Blade/Supports)."});
+        check_layers(blade, warnings);
+      }
+    if (scene.bird)
+      {
+        check_aim(scene, parameters.bird, warnings);
+        const double across = scene.bird->packing().diameter / parameters.bird.spacing;
+        if (parameters.bird.shape != BirdShape::slab && across < 8.)
+          warnings.push_back({"bird/coarse", fmt::format("{:.1f} particles across the bird: impulse and deflection are "
+                                                         "within a percent from about ten on (Bird/Particle spacing).",
+                                                         across)});
+      }
+    constexpr double much = 20. * 1024. * 1024. * 1024.; // bytes, 20 GiB
+    if (const double bytes = compute_field_bytes(parameters, scene); bytes > much)
+      warnings.push_back({"output/large", "Field files may take " + format_bytes(bytes) +
+                                            " before compression (Output/Field interval)."});
+    return warnings;
+  }
+} // namespace birdstrike

@@ -1,0 +1,122 @@
+#include "report/run_warnings.h"
+
+#include <gtest/gtest.h>
+
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/report/run_view.h>
+#include <birdstrike/report/summary.h>
+
+#include <cmath>
+
+using namespace birdstrike;
+
+namespace
+{
+  /// A run of 10 ms of which nothing is doubtful, until a test makes it so.
+  struct SoundRun
+  {
+    CaseParameters parameters;
+    Observed       observed;
+    Balance        balance{INFINITY};
+
+    SoundRun()
+    {
+      parameters.blade.kind = BladeKind::shell;
+      observed.tip_peak.update(5e-3, 0.1);
+      observed.root_stress.update(5e-3, 1e9);
+      observed.root_moment.update(5e-3, 400.);
+      book(1000., 0);
+    }
+
+    void book(const double kinetic, const unsigned long step)
+    {
+      SystemState state;
+      state.blade.kinetic = kinetic;
+      balance.update(state, 1e-6 * step, step);
+    }
+
+    std::vector<std::string> codes(const double end = 10e-3) const
+    {
+      RunView run{parameters, observed, balance, balance, nullptr, nullptr, nullptr, false};
+      run.time = end;
+      std::vector<std::string> all;
+      for (const Warning &warning : find_run_warnings(run))
+        {
+          all.push_back(warning.code);
+          EXPECT_TRUE(warning.text.ends_with(".")) << warning.text;
+        }
+      return all;
+    }
+  };
+
+  using Codes = std::vector<std::string>;
+} // namespace
+
+TEST(RunWarnings, ASoundRunHasNone)
+{
+  EXPECT_EQ(SoundRun().codes(), Codes{});
+}
+
+TEST(RunWarnings, EnergyThatDrifts)
+{
+  SoundRun run;
+  run.book(1005., 1);
+  EXPECT_EQ(run.codes(), Codes{}) << "half a percent";
+  run.book(1020., 2);
+  run.book(1000., 3); // back again: the largest error counts
+  EXPECT_EQ(run.codes(), Codes{"balance/energy"});
+}
+
+TEST(RunWarnings, HourglassOverTheUsualLimit)
+{
+  SoundRun run;
+  run.observed.hourglass_share.update(0., 0.099);
+  EXPECT_EQ(run.codes(), Codes{});
+  run.observed.hourglass_share.update(0., 0.101);
+  EXPECT_EQ(run.codes(), Codes{"balance/hourglass"});
+}
+
+TEST(RunWarnings, PeaksThatAreTheEndOfTheRun)
+{
+  const SoundRun run;
+  EXPECT_EQ(run.codes(5e-3), (Codes{"peak/not_reached", "peak/not_reached", "peak/not_reached"}));
+}
+
+TEST(RunWarnings, StrainBeyondTheElongation)
+{
+  SoundRun run; // Ti-6Al-4V tears at 14 %: true strain 0.131
+  run.observed.plastic.value = 0.130;
+  EXPECT_EQ(run.codes(), Codes{});
+  run.observed.plastic.value = 0.132;
+  EXPECT_EQ(run.codes(), Codes{"metal/elongation"});
+  run.parameters.blade.material.elongation = "0.2";
+  EXPECT_EQ(run.codes(), Codes{});
+  run.parameters.blade.material.elongation  = "table";
+  run.parameters.blade.material.failure.law = FailureLaw::plastic_strain;
+  EXPECT_EQ(run.codes(), Codes{}) << "it tears where it must";
+}
+
+TEST(RunWarnings, ElementsThatFailInPartAndWhatHangsOnThem)
+{
+  SoundRun run;
+  run.observed.failure.n_partly = 3;
+  run.observed.failure.n_points = 5;
+  EXPECT_EQ(run.codes(), Codes{"metal/partly_failed"});
+  run.observed.failure.n_at_root    = 1;
+  run.observed.failure.has_lost_tip = true;
+  EXPECT_EQ(run.codes(), (Codes{"metal/partly_failed", "metal/failed_at_root", "metal/lost_tip"}));
+}
+
+TEST(RunWarnings, StandInTheSummaryAfterThoseOfTheCase)
+{
+  SoundRun run;
+  run.observed.failure.n_partly = 1;
+  RunView view{run.parameters, run.observed, run.balance, run.balance, nullptr, nullptr, nullptr, false};
+  view.time          = 10e-3;
+  view.case_warnings = {{"unit/speed", "Fast."}};
+  const Warnings all = Summary(view).warnings();
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].code, "unit/speed");
+  EXPECT_EQ(all[0].text, "Fast.");
+  EXPECT_EQ(all[1].code, "metal/partly_failed");
+}

@@ -1,0 +1,93 @@
+#include "simulation/case_warnings.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/scene.h"
+#include <birdstrike/io/case_parameters.h>
+
+#include <algorithm>
+
+using namespace birdstrike;
+
+namespace
+{
+  const std::string frontal = BIRDSTRIKE_SOURCE_DIR "/prm/frontal.prm";
+
+  std::vector<std::string> codes(const Warnings &warnings)
+  {
+    std::vector<std::string> all;
+    for (const Warning &warning : warnings)
+      all.push_back(warning.code);
+    return all;
+  }
+
+  Warnings of_inputs(const std::vector<std::string> &overrides)
+  {
+    CaseParameters parameters;
+    parameters.read(frontal, overrides);
+    return find_input_warnings(parameters);
+  }
+
+  std::vector<std::string> of_scene(std::vector<std::string> overrides)
+  {
+    overrides.push_back("Bird/Particle spacing=0.004"); // fast
+    CaseParameters parameters;
+    parameters.read(frontal, overrides);
+    const Scene scene(parameters);
+    return codes(find_scene_warnings(parameters, scene));
+  }
+} // namespace
+
+TEST(CaseWarnings, AShippedCaseHasNone)
+{
+  EXPECT_EQ(codes(of_inputs({})), codes({}));
+  EXPECT_EQ(of_scene({}), codes({}));
+}
+
+TEST(CaseWarnings, NamesTheUnitThatWasMeant)
+{
+  // a case typed in mm, t, s (MPa): each entry by itself
+  const std::vector<std::tuple<std::string, std::string, std::string>> wrong{
+    {"Blade/Material/Young's modulus=113800", "unit/young", "MPa? That would be 1.138e+11 Pa"},
+    {"Blade/Material/Young's modulus=113.8", "unit/young", "GPa? That would be 1.138e+11 Pa"},
+    {"Blade/Material/Yield stress=880", "unit/yield", "MPa? That would be 8.8e+08 Pa"},
+    {"Blade/Material/Density=4.43", "unit/density", "g/cm^3? That would be 4430 kg/m^3"},
+    {"Bird/Density=0.95", "unit/bird_density", "g/cm^3? That would be 950 kg/m^3"},
+    {"Bird/Mass=100.5", "unit/bird_mass", "in g? That would be 0.1005 kg"},
+    {"Bird/Velocity=0, 0, 177400", "unit/speed", "mm/s? That would be 177.4 m/s"},
+    {"Time/End time=12", "unit/end_time", "ms? That would be 0.012 s"}};
+  for (const auto &[entry, code, text] : wrong)
+    {
+      const Warnings warnings = of_inputs({entry});
+      ASSERT_EQ(codes(warnings), std::vector{code}) << entry;
+      EXPECT_NE(warnings[0].text.find(text), std::string::npos) << warnings[0].text;
+    }
+}
+
+TEST(CaseWarnings, NamesEntriesWithoutMeaning)
+{
+  const Warnings warnings = of_inputs({"Blade/Mesh/Layers=4"}); // of a shell
+  ASSERT_EQ(codes(warnings), std::vector<std::string>{"entry/unused"});
+  EXPECT_NE(warnings[0].text.find("Blade/Mesh/Layers"), std::string::npos);
+}
+
+TEST(CaseWarnings, LooksAtTheParts)
+{
+  using Codes = std::vector<std::string>;
+  EXPECT_EQ(of_scene({"Blade/Supports/Clamped=", "Blade/Supports/Free=0"}), Codes{"blade/free"});
+  EXPECT_EQ(of_scene({"Bird/Chordwise offset=-0.04445"}), Codes{"bird/misses_in_part"});
+  EXPECT_EQ(of_scene({"Output/Field interval=1e-9"}), Codes{"output/large"});
+  EXPECT_EQ(of_scene({"Blade/Kind=solid"}), Codes{}) << "one layer of solid-shells";
+  EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Mesh/Layers=2"}), Codes{"blade/layers"});
+  EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Mesh/Layers=4"}), Codes{});
+  EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Mesh/Layers=2", "Blade/Element/Formulation=B-bar"}),
+            Codes{"blade/layers"});
+}
+
+TEST(CaseWarnings, ABirdOfFewParticlesIsCoarse)
+{
+  CaseParameters parameters;
+  parameters.read(frontal, {"Bird/Particle spacing=0.006"});
+  const Scene scene(parameters);
+  EXPECT_EQ(codes(find_scene_warnings(parameters, scene)), std::vector<std::string>{"bird/coarse"});
+}
