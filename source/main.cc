@@ -70,6 +70,11 @@ namespace
     compare->add_option("--output", request.output, "Folder of the comparison")->capture_default_str();
     compare->callback([&] { action = [&] { birdstrike::compare_cases(requests.of_comparison); }; });
 
+    CLI::App *columns = app.add_subcommand("columns", "What every column of the histories is: unit, frame, sign");
+    columns->add_option("FILE", requests.of_case.prm_file, "Parameter file: the columns of this case alone");
+    declare_overrides(columns, requests.of_case.overrides);
+    columns->callback([&] { action = [&] { birdstrike::print_columns(requests.of_case); }; });
+
     CLI::App *parameters = app.add_subcommand("parameters", "All entries with text, range, default and unit");
     parameters->add_flag("--json", requests.as_json, "As JSON instead of prm");
     parameters->callback([&] { action = [&] { birdstrike::print_parameters(requests.as_json); }; });

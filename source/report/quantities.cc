@@ -32,7 +32,7 @@ namespace birdstrike
           rows.push_back(
             {std::string(entry.column),
              (entry.rules().account == Account::memorandum ? "energy/" : "energy/parts/") + std::string(entry.name),
-             "J", &entry});
+             "J", &entry, "", std::string(entry.meaning)});
       return rows;
     }
 
@@ -42,11 +42,12 @@ namespace birdstrike
         {"", "case", "", [](View run) { return run.parameters.name; }},
         {"", "program/version", "", [](View) { return program_identity().version; }},
         {"", "program/build", "", [](View) { return program_identity().build; }},
-        {"time", "end/time", "s", [](View run) { return run.time; }, "end time"},
+        {"time", "end/time", "s", [](View run) { return run.time; }, "end time", "Time since first touch"},
         {"", "end/reason", "", [](View run) { return end_reasons().name(run.end_reason); }, "ended"},
-        {"step", "", "-", [](View run) { return static_cast<double>(run.n_steps); }},
-        {"bird_step", "", "s", [](View run) { return run.bird ? run.bird_step : 0.; }},
-        {"blade_step", "", "s", [](View run) { return run.blade_step; }},
+        {"step", "", "-", [](View run) { return static_cast<double>(run.n_steps); }, "",
+         "Number of macro steps so far"},
+        {"bird_step", "", "s", [](View run) { return run.bird ? run.bird_step : 0.; }, "", "Present step of the bird"},
+        {"blade_step", "", "s", [](View run) { return run.blade_step; }, "", "Present step of the blade"},
         {"", "blade/kind", "",
          [](View run) { return blade_kinds().name(run.blade ? run.blade->kind() : BladeKind::none); }, "blade"},
         {"", "blade/elements", "count", [](View run) { return run.blade ? run.blade->n_elements() : std::size_t(0); },
@@ -58,14 +59,19 @@ namespace birdstrike
         {"", "steps/blade", "count", [](View run) { return run.n_blade_steps; }, "steps of the blade"},
         {"", "steps/bird", "count", [](View run) { return run.n_bird_steps; }, "steps of the bird"},
         {"", "energy/initial", "J", [](View run) { return run.balance.initial_energy(); }, "initial energy"},
-        {"energy", "energy/final", "J", [](View run) { return run.shown.energy(); }},
-        {"energy_error", "", "-", [](View run) { return run.shown.energy_error().now; }},
+        {"energy", "energy/final", "J", [](View run) { return run.shown.energy(); }, "",
+         "Sum of all energies less external work: constant but for errors"},
+        {"energy_error", "", "-", [](View run) { return run.shown.energy_error().now; }, "",
+         "Change of the sum of all energies less external work, over the initial energy plus |external work|"},
         {"", "energy/max_relative_error", "share", [](View run) { return run.balance.energy_error().largest; },
          "largest energy error"},
-        {"momentum_error", "", "-", [](View run) { return run.shown.momentum_error().now; }},
+        {"momentum_error", "", "-", [](View run) { return run.shown.momentum_error().now; }, "",
+         "Change of the momentum that is carried, retired and given to supports, less that of loads and damping, over "
+         "its scale"},
         {"", "momentum/max_relative_error", "-", [](View run) { return run.balance.momentum_error().largest; },
          "largest momentum error"},
-        {"angular_momentum_error", "", "-", [](View run) { return run.shown.angular_momentum_error().now; }},
+        {"angular_momentum_error", "", "-", [](View run) { return run.shown.angular_momentum_error().now; }, "",
+         "Change of the angular momentum about the origin, as momentum_error"},
         {"", "angular_momentum/max_relative_error", "-",
          [](View run) { return run.balance.angular_momentum_error().largest; }, "largest angular momentum error"},
         {"", "cost/wall", "s", [](View run) { return run.wall; }, "run time"},
@@ -90,14 +96,16 @@ namespace birdstrike
         {"", "bird/mass", "kg", [](View run) { return run.bird_at_start.mass; }},
         {"", "bird/kinetic_energy", "J", [](View run) { return run.bird_at_start.kinetic_energy; }},
         {"", "bird/momentum", "N s", [](View run) { return run.bird_at_start.momentum; }},
-        {"particles", "", "-", [](View run) { return run.bird ? double(run.bird->n_particles()) : 0.; }},
+        {"particles", "", "-", [](View run) { return run.bird ? double(run.bird->n_particles()) : 0.; }, "",
+         "Particles of the bird that are computed still (of the whole with a symmetry plane)"},
       };
     }
 
     Quantities of_bird()
     {
       return {
-        {"bird_momentum", "", "N s", [](View run) { return state(run).bird_momentum.momentum; }},
+        {"bird_momentum", "", "N s", [](View run) { return state(run).bird_momentum.momentum; }, "",
+         "Momentum that the bird carries, global axes"},
         {"", "retired/particles", "count", [](View run) { return run.n_retired; }},
         {"", "retired/mass", "kg",
          [](View run) {
@@ -112,10 +120,13 @@ namespace birdstrike
     Quantities of_force()
     {
       return {
-        {"contact_force", "", "N", [](View run) { return run.observed.force; }},
-        {"contact_force_peak", "", "N", [](View run) { return run.observed.contact.peak_since_row(); }},
+        {"contact_force", "", "N", [](View run) { return run.observed.force; }, "",
+         "Force of the bird on the blade at the row's time, global axes"},
+        {"contact_force_peak", "", "N", [](View run) { return run.observed.contact.peak_since_row(); }, "",
+         "Largest norm of the contact force since the row before, over every evaluation of contact"},
         {"contact_impulse", "contact/impulse", "N s",
-         [](View run) { return state(run).blade_momentum.contact_impulse; }, "impulse on the blade"},
+         [](View run) { return state(run).blade_momentum.contact_impulse; }, "impulse on the blade",
+         "Time integral of the contact force on the blade, global axes"},
         {"", "contact/peak_force", "N", [](View run) { return run.observed.contact.peak().value(); }, "peak force"},
         {"", "contact/peak_force_time", "s", [](View run) { return run.observed.contact.peak().time(); }},
         {"", "contact/filtered/class", "",
@@ -136,8 +147,10 @@ namespace birdstrike
     {
       return {
         {"points_in_contact", "", "-",
-         [](View run) { return run.contact ? double(run.contact->report().n_touching) : 0.; }},
-        {"penetration", "", "m", [](View run) { return run.contact ? run.contact->report().penetration : 0.; }},
+         [](View run) { return run.contact ? double(run.contact->report().n_touching) : 0.; }, "",
+         "Pairs of particle and facet that touch"},
+        {"penetration", "", "m", [](View run) { return run.contact ? run.contact->report().penetration : 0.; }, "",
+         "Largest penetration of a particle now"},
         {"", "contact/max_penetration", "m", [](View run) { return run.observed.contact.max_penetration(); },
          "largest penetration"},
         {"", "contact/max_penetration_over_spacing", "-",
@@ -159,19 +172,28 @@ namespace birdstrike
     Quantities of_blade()
     {
       return {
-        {"blade_momentum", "", "N s", [](View run) { return state(run).blade_momentum.momentum; }},
-        {"support_impulse", "", "N s", [](View run) { return state(run).blade_momentum.support_impulse; }},
+        {"blade_momentum", "", "N s", [](View run) { return state(run).blade_momentum.momentum; }, "",
+         "Momentum that the blade carries, global axes"},
+        {"support_impulse", "", "N s", [](View run) { return state(run).blade_momentum.support_impulse; }, "",
+         "Time integral of the force that the blade exerts on its supports, global axes"},
         {"", "tip/peak", "m", [](View run) { return run.observed.tip_peak.value(); }, "peak (mid-chord)"},
         {"", "tip/peak_time", "s", [](View run) { return run.observed.tip_peak.time(); }, "time of the peak"},
         {"", "tip/peak_reached", "", [](View run) { return is_reached(run.observed.tip_peak, run); }, "Tip peak"},
-        {"tip_mid_chord", "", "m", [](View run) { return run.observed.tip.mid_chord; }},
+        {"tip_mid_chord", "", "m", [](View run) { return run.observed.tip.mid_chord; }, "",
+         "Displacement of the tip row at mid-chord along its undeformed normal; positive away from the struck side"},
         {"", "tip/final", "m", [](View run) { return run.observed.tip.mid_chord; }, "deflection at the end"},
-        {"tip_leading", "", "m", [](View run) { return run.observed.tip.leading; }},
-        {"tip_trailing", "", "m", [](View run) { return run.observed.tip.trailing; }},
-        {"root_normal_force", "", "N", [](View run) { return run.observed.root.normal_force; }},
-        {"root_transverse_force", "", "N", [](View run) { return run.observed.root.transverse_force; }},
-        {"root_bending_moment", "", "N m", [](View run) { return run.observed.root.bending_moment; }},
-        {"root_peak_normal_stress", "", "Pa", [](View run) { return run.observed.root.peak_stress(); }},
+        {"tip_leading", "", "m", [](View run) { return run.observed.tip.leading; }, "",
+         "Displacement of the tip's corner where the chord begins (smaller y of a flat plate), as tip_mid_chord"},
+        {"tip_trailing", "", "m", [](View run) { return run.observed.tip.trailing; }, "",
+         "Displacement of the tip's corner where the chord ends, as tip_mid_chord"},
+        {"root_normal_force", "", "N", [](View run) { return run.observed.root.normal_force; }, "",
+         "Force of the blade on its clamped section along the span, tension positive"},
+        {"root_transverse_force", "", "N", [](View run) { return run.observed.root.transverse_force; }, "",
+         "Force of the blade on its clamped section along its normal, positive away from the struck side"},
+        {"root_bending_moment", "", "N m", [](View run) { return run.observed.root.bending_moment; }, "",
+         "Moment about normal x span at the section's middle; positive stretches the struck face"},
+        {"root_peak_normal_stress", "", "Pa", [](View run) { return run.observed.root.peak_stress(); }, "",
+         "Largest absolute value of the normal stress along the span in the root's elements, both faces"},
         {"", "root/peak_normal_stress", "Pa", [](View run) { return run.observed.root_stress.value(); },
          "peak normal stress"},
         {"", "root/peak_normal_stress_time", "s", [](View run) { return run.observed.root_stress.time(); },
@@ -184,7 +206,7 @@ namespace birdstrike
          "Root peak moment"},
         {"", "root/peak_force", "N", [](View run) { return run.observed.root_force.value(); }, "peak force"},
         {"max_plastic_strain", "plastic/max_strain", "-", [](View run) { return run.observed.plastic.value; },
-         "peak plastic strain"},
+         "peak plastic strain", "Largest equivalent plastic strain of any integration point"},
         {"", "plastic/position", "m", [](View run) { return run.observed.plastic.position; }},
         {"", "plastic/work", "J", [](View run) { return state(run).blade.plastic; }, "plastic work"},
       };
@@ -194,7 +216,7 @@ namespace birdstrike
     {
       return {
         {"failed_elements", "failed/elements", "-", [](View run) { return run.observed.failure.n_elements; },
-         "failed elements"},
+         "failed elements", "Elements that have failed so far"},
         {"", "failed/collapsed", "count", [](View run) { return run.observed.failure.n_collapsed; },
          "  of these, collapsed"},
         {"", "failed/at_root", "count", [](View run) { return run.observed.failure.n_at_root; },

@@ -35,6 +35,7 @@ namespace birdstrike
     std::string unit;   ///< "m", "-", "count", "B", "share"
     Source      value;
     std::string text    = {}; ///< in words, where a table shows it
+    std::string meaning = {}; ///< of a column: of what, in which frame, with which sign
     Subject     subject = Subject::run;
 
     bool   is_vector() const;

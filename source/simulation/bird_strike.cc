@@ -5,6 +5,7 @@
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/closing.h>
+#include <birdstrike/report/columns.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
@@ -267,6 +268,12 @@ namespace birdstrike
   {
     const RunView run = view_whole_run();
     return birdstrike::closing_report(run, Summary(run)) + "\n" + timings.table();
+  }
+
+  std::string BirdStrike::describe_columns() const
+  {
+    const RunView run = view();
+    return birdstrike::describe_columns(&run);
   }
 
   void BirdStrike::forget_stop_requests()

@@ -46,6 +46,7 @@ namespace birdstrike
     bool        is_interrupted() const; ///< ended by such a request
     Summary     compute_summary() const;
     std::string closing_report() const;
+    std::string describe_columns() const; ///< of what it writes
 
   private:
     void      plan();

@@ -5,6 +5,7 @@
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/run_folder.h>
+#include <birdstrike/report/columns.h>
 #include <birdstrike/report/summary.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/simulation/commands.h>
@@ -103,6 +104,20 @@ namespace birdstrike
     explain(parameters, scene);
     show(find_scene_warnings(parameters, scene));
     std::cout << request.prm_file << ": valid\n";
+  }
+
+  void print_columns(const CaseRequest &request)
+  {
+    if (request.prm_file.empty())
+      {
+        std::cout << describe_columns(nullptr);
+        return;
+      }
+    CaseParameters parameters;
+    read(parameters, request);
+    Scene      scene(parameters);
+    BirdStrike strike(parameters, scene);
+    std::cout << strike.describe_columns();
   }
 
   void print_parameters(const bool as_json)

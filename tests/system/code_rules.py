@@ -19,7 +19,6 @@ TEXTS = {
     "source/io/comparison_folder.cc": "endings of files",
     "source/material/metal_parameters.cc": "reads entries that are numbers or 'table'",
     "source/material/table_entry.h": "reads entries that are numbers or 'table'",
-    "source/report/history.cc": "names of columns and groups in files",
     "source/report/comparison/run_reuse.cc": "reads a folder's mark",
     "source/report/text.cc": "units",
     "source/report/closing.cc": "units",

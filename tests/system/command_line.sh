@@ -40,12 +40,15 @@ variant() { sed -E "$1" "$top/prm/quickstart.prm" >case.prm; }
 fast=(--set "Bird/Particle spacing=0.006" --set "Blade/Mesh/Elements along span=14" --set "Blade/Mesh/Elements along chord=4")
 
 check "version" 0 "birdstrike [0-9]+\.[0-9]+" -- --version
-check "help" 0 "run" "explain" "validate" "parameters" "130 interrupted" -- --help
+check "help" 0 "run" "explain" "validate" "columns" "parameters" "130 interrupted" -- --help
 check "help of run" 0 "--set" "--output" -- run --help
 check "no subcommand" 2 -- 
 check "unknown subcommand" 2 -- fly
 check "parameters as prm" 0 "subsection Bird" "set Mass" "\[kg\]" -- parameters
 check "parameters as JSON" 0 '"Bird"' '"unit"' -- parameters --json
+check "columns" 0 "root_bending_moment +N m +.*struck face" "probe_NAME_ux, _uy, _uz" "failed_elements" -- columns
+check "columns of a case" 0 "contact_force_x, _y, _z +N" -- columns "$top/prm/quickstart.prm"
+grep -qE "failed_elements|NAME" out.txt && { echo "FAILED columns of a case has others'"; n_failed=$((n_failed + 1)); }
 check "explain" 0 "particles" "limited by" "momentum" -- explain "$top/prm/quickstart.prm"
 check "validate" 0 "valid" -- validate "$top/prm/quickstart.prm"
 [ -z "$(ls | grep -v out.txt)" ] || { echo "FAILED explain or validate wrote: $(ls)"; n_failed=$((n_failed + 1)); }

@@ -9,6 +9,7 @@ import unittest
 PROGRAM, TOP = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 sys.path.insert(0, str(TOP / "prm"))
 
+import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 from birdstrike import Run  # noqa: E402
 
@@ -75,6 +76,14 @@ class Reader(unittest.TestCase):
         np.testing.assert_array_equal(history.axes["time"], run.tip.time)
         with self.assertRaisesRegex(KeyError, "mid_chord_deflection_at_peak"):
             run.profile("none")
+
+    def test_every_dataset_says_what_it_is(self):
+        with h5py.File(self.run_of["shell"].folder / "results.h5") as file:
+            for group in file:
+                for name, data in file[group].items():
+                    self.assertEqual(data.attrs["name"], group if name == "values" else name)
+                    self.assertGreater(len(data.attrs["unit"]), 0, name)
+                    self.assertGreater(len(data.attrs["description"]), 10, name)
 
     def test_an_unfinished_run_can_be_read(self):
         folder = pathlib.Path(self.scratch.name) / "unfinished"

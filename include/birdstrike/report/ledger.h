@@ -29,6 +29,7 @@ namespace birdstrike
     std::string_view name; ///< in summary.json
     PartOfSystem     part; ///< nullptr: of all parts together
     double EnergyReport::*kind;
+    std::string_view      meaning;
     std::string_view      column = name;
 
     double value(const SystemState &state) const
@@ -48,24 +49,40 @@ namespace birdstrike
 
   /// In the order of the columns.
   inline constexpr std::array<LedgerEntry, 18> ledger{{
-    {"staggering", nullptr, &EnergyReport::staggering},
-    {"bird_kinetic", &SystemState::bird, &EnergyReport::kinetic},
-    {"bird_elastic", &SystemState::bird, &EnergyReport::elastic},
-    {"bird_dissipated", &SystemState::bird, &EnergyReport::dissipated},
-    {"bird_internal", &SystemState::bird, &EnergyReport::internal},
-    {"bird_retired", &SystemState::bird, &EnergyReport::retired},
-    {"contact_stored", &SystemState::contact, &EnergyReport::elastic},
-    {"contact_dissipated", &SystemState::contact, &EnergyReport::dissipated},
-    {"blade_kinetic", &SystemState::blade, &EnergyReport::kinetic},
-    {"blade_elastic", &SystemState::blade, &EnergyReport::elastic},
-    {"blade_plastic", &SystemState::blade, &EnergyReport::plastic},
-    {"blade_hourglass", &SystemState::blade, &EnergyReport::hourglass},
-    {"blade_viscous", &SystemState::blade, &EnergyReport::viscous},
-    {"blade_damped", &SystemState::blade, &EnergyReport::damped},
-    {"external_work", &SystemState::blade, &EnergyReport::external_work, "blade_external_work"},
-    {"self_contact_stored", &SystemState::self_contact, &EnergyReport::elastic},
-    {"self_contact_dissipated", &SystemState::self_contact, &EnergyReport::dissipated},
-    {"blade_eroded", &SystemState::blade, &EnergyReport::eroded},
+    {"staggering", nullptr, &EnergyReport::staggering,
+     "What the energy that leapfrog conserves has besides, -|f dt|^2/(8 m) and what changes of the step did to it; of "
+     "either sign"},
+    {"bird_kinetic", &SystemState::bird, &EnergyReport::kinetic,
+     "Kinetic energy of the bird, of the velocities at whole steps"},
+    {"bird_elastic", &SystemState::bird, &EnergyReport::elastic,
+     "Energy stored by compression, of the equation of state at the present densities"},
+    {"bird_dissipated", &SystemState::bird, &EnergyReport::dissipated,
+     "Heat of the artificial viscosity or of the Riemann flux, its rate summed up"},
+    {"bird_internal", &SystemState::bird, &EnergyReport::internal,
+     "Work of the bird's own forces (its energy equation); no part of the sum"},
+    {"bird_retired", &SystemState::bird, &EnergyReport::retired,
+     "Energy of particles that have left, all kinds together"},
+    {"contact_stored", &SystemState::contact, &EnergyReport::elastic,
+     "Energy in the penalty springs of contact, of the present penetration"},
+    {"contact_dissipated", &SystemState::contact, &EnergyReport::dissipated,
+     "Energy taken by dampers and friction of contact"},
+    {"blade_kinetic", &SystemState::blade, &EnergyReport::kinetic,
+     "Kinetic energy of the blade, rotation of shells included, of the velocities at whole steps"},
+    {"blade_elastic", &SystemState::blade, &EnergyReport::elastic,
+     "Recoverable energy of the blade's present stresses; of bricks with that of the stabilisation, which is their "
+     "bending"},
+    {"blade_plastic", &SystemState::blade, &EnergyReport::plastic, "Plastic work of the blade"},
+    {"blade_hourglass", &SystemState::blade, &EnergyReport::hourglass,
+     "Work on the hourglass stabilisation of shells, stored or not"},
+    {"blade_viscous", &SystemState::blade, &EnergyReport::viscous, "Energy taken by the bulk viscosity of bricks"},
+    {"blade_damped", &SystemState::blade, &EnergyReport::damped, "Energy taken by Blade/Loads/Damping"},
+    {"external_work", &SystemState::blade, &EnergyReport::external_work,
+     "Work of loads and driven supports on the blade; taken off the sum", "blade_external_work"},
+    {"self_contact_stored", &SystemState::self_contact, &EnergyReport::elastic,
+     "Energy in the springs between parts of the blade that meet"},
+    {"self_contact_dissipated", &SystemState::self_contact, &EnergyReport::dissipated,
+     "Energy taken by the dampers between parts of the blade that meet"},
+    {"blade_eroded", &SystemState::blade, &EnergyReport::eroded, "Elastic energy that failed elements had"},
   }};
 
   static_assert(std::all_of(energy_kinds.begin(), energy_kinds.end(),

@@ -38,10 +38,6 @@ namespace birdstrike
     void flush();
 
   private:
-    void add_columns(const RunView &run, bool of_blade);
-    void add_column(const std::string &name, const std::string &unit, std::function<double(const RunView &)> value);
-    void add_pressures(const RunView &run);
-    void add_probes(const RunView &run);
     void add_root_profile(const RunView &run);
     void append_row(const RunView &run);
     void set_mid_chord_lines(const Observed &observed);

@@ -25,6 +25,9 @@ namespace birdstrike
   /// Reads and checks the case, mesh and first touch included. Builds the parts, takes no step, writes nothing.
   void validate_case(const CaseRequest &request);
 
+  /// Prints what every column of a case's histories is; without a file, of any case's.
+  void print_columns(const CaseRequest &request);
+
   /// Prints every parameter with text, range, default and unit, as prm or as JSON.
   void print_parameters(bool as_json);
 } // namespace birdstrike

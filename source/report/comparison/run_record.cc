@@ -4,7 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "report/history_hdf5.h"
+#include "report/histories/history_hdf5.h"
 
 namespace birdstrike
 {

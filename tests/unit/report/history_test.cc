@@ -17,9 +17,9 @@ namespace
   /// Two columns and one profile over [3 stations][2 faces] in which every value is different.
   void record(History &history, double &time, const int n_rows)
   {
-    history.add_column("time", "s", [&time] { return time; });
-    history.add_column("tip_deflection", "m", [&time] { return std::sin(1. / (time + 0.3)); });
-    history.add_profile("root_stress", "Pa", {{"chord", "m", {-1., 0., 1.}}, {"face", "-", {-1., 1.}}},
+    history.add_column({"time", "s"}, [&time] { return time; });
+    history.add_column({"tip_deflection", "m"}, [&time] { return std::sin(1. / (time + 0.3)); });
+    history.add_profile({"root_stress", "Pa"}, {{{"chord", "m"}, {-1., 0., 1.}}, {{"face", "-"}, {-1., 1.}}},
                         [&time](const std::span<double> values) {
                           for (std::size_t i = 0; i < values.size(); ++i)
                             values[i] = 1e6 * time + i / 7.;
@@ -66,7 +66,7 @@ TEST(History, ResultsFileHoldsColumnsProfilesAxesAndUnits)
   {
     History history(scratch.path(), true);
     record(history, time, 4);
-    history.set_constant("root_stress_at_peak", "Pa", {{"chord", "m", {0., 1.}}}, {3., 4.});
+    history.set_constant({"root_stress_at_peak", "Pa"}, {{{"chord", "m"}, {0., 1.}}}, {3., 4.});
   }
   using dealii::HDF5::File;
   File file((scratch.path() / "results.h5").string(), File::FileAccessMode::open);
@@ -91,12 +91,12 @@ TEST(History, RefusesBadNamesAndLateColumns)
   const ScratchFolder scratch;
   History             history(scratch.path(), true);
   const auto          one = [] { return 1.; };
-  history.add_column("time", "s", one);
-  EXPECT_THROW(history.add_column("time", "s", one), std::logic_error);
-  EXPECT_THROW(history.add_column("a,b", "s", one), std::logic_error);
-  EXPECT_THROW(history.set_constant("c", "m", {{"x", "m", {1., 2.}}}, {1.}), std::logic_error);
+  history.add_column({"time", "s"}, one);
+  EXPECT_THROW(history.add_column({"time", "s"}, one), std::logic_error);
+  EXPECT_THROW(history.add_column({"a,b", "s"}, one), std::logic_error);
+  EXPECT_THROW(history.set_constant({"c", "m"}, {{{"x", "m"}, {1., 2.}}}, {1.}), std::logic_error);
   history.append_row();
-  EXPECT_THROW(history.add_column("late", "s", one), std::logic_error);
+  EXPECT_THROW(history.add_column({"late", "s"}, one), std::logic_error);
   EXPECT_EQ(history.n_rows(), 1u);
   EXPECT_EQ(history.column("time"), std::vector<double>{1.});
   EXPECT_THROW(history.column("none"), std::logic_error);

@@ -52,21 +52,21 @@ struct RecordedRun
     double              t = 0.;
     birdstrike::History history(folder, true);
     const auto          phase = [&t] { return 2. * std::numbers::pi * t / 10e-3; };
-    history.add_column("time", "s", [&] { return t; });
-    history.add_column("tip_mid_chord", "m", [&] { return stays - (peak - stays) * std::cos(phase()); });
-    history.add_column("root_bending_moment", "N m", [&] { return 400. * std::sin(phase()); });
-    history.add_column("blade_kinetic", "J", [&] { return t == 0. ? 2.5 : 1.; });
+    history.add_column({"time", "s"}, [&] { return t; });
+    history.add_column({"tip_mid_chord", "m"}, [&] { return stays - (peak - stays) * std::cos(phase()); });
+    history.add_column({"root_bending_moment", "N m"}, [&] { return 400. * std::sin(phase()); });
+    history.add_column({"blade_kinetic", "J"}, [&] { return t == 0. ? 2.5 : 1.; });
     for (const std::string axis : {"x", "y", "z"})
-      history.add_column("contact_force_" + axis, "N", [] { return 1000.; });
-    history.add_column("contact_force_peak", "N", [] { return 1000. * std::sqrt(3.); });
+      history.add_column({"contact_force_" + axis, "N"}, [] { return 1000.; });
+    history.add_column({"contact_force_peak", "N"}, [] { return 1000. * std::sqrt(3.); });
     for (int row = 0; row < 2600; ++row)
       {
         t = row * 10e-6;
         history.append_row();
       }
-    history.set_constant("root_normal_stress_at_peak", "Pa", {{"face", "-", {-1., 1.}}, {"chord", "m", {-0.01, 0.01}}},
-                         {1e8, 2e8, -1e8, -2e8});
-    history.set_constant("mid_chord_deflection_at_peak", "m", {{"span", "m", {0., 0.3}}}, {0., peak});
+    history.set_constant({"root_normal_stress_at_peak", "Pa"},
+                         {{{"face", "-"}, {-1., 1.}}, {{"chord", "m"}, {-0.01, 0.01}}}, {1e8, 2e8, -1e8, -2e8});
+    history.set_constant({"mid_chord_deflection_at_peak", "m"}, {{{"span", "m"}, {0., 0.3}}}, {0., peak});
   }
 
   /// `prm`: the file that the run is said to have been made of.

@@ -54,6 +54,17 @@ TEST(Summary, HasTheStableKeys)
   EXPECT_EQ(json["bird"]["momentum"].size(), 3u);
 }
 
+// What a reader finds in `birdstrike columns` and in the attributes of results.h5: no column without words or unit.
+TEST(Quantities, EveryColumnHasAUnitAndAMeaning)
+{
+  for (const Quantity &each : quantities())
+    if (!each.column.empty())
+      {
+        EXPECT_NE(each.unit, "") << each.column;
+        EXPECT_GT(each.meaning.size(), 10u) << each.column;
+      }
+}
+
 namespace
 {
   /// Where a run stands that has computed nothing but what a test gives it.

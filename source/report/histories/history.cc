@@ -7,7 +7,7 @@
 #include <spdlog/spdlog.h>
 #include <stdexcept>
 
-#include "report/history_hdf5.h"
+#include "report/histories/history_hdf5.h"
 
 namespace birdstrike
 {
@@ -54,47 +54,56 @@ namespace birdstrike
       }
   }
 
+  std::string History::group() const
+  {
+    return table.stem().string();
+  }
+
+  void History::add_group(const History &other)
+  {
+    require_new_name(other.group());
+    groups.push_back(&other);
+  }
+
   void History::require_new_name(const std::string &name) const
   {
-    const auto is_taken = [&](const auto &item) { return item.name == name; };
-    if (name.empty() || name == "history" || std::any_of(columns.begin(), columns.end(), is_taken) ||
+    const auto is_taken = [&](const auto &item) { return item.what.name == name; };
+    if (name.empty() || name == group() || std::any_of(columns.begin(), columns.end(), is_taken) ||
         std::any_of(profiles.begin(), profiles.end(), is_taken))
       throw std::logic_error("History: the name '" + name + "' is empty or taken.");
     if (rows > 0)
       throw std::logic_error("History: '" + name + "' is added after the first row.");
   }
 
-  void History::add_column(const std::string &name, const std::string &unit, std::function<double()> value)
+  void History::add_column(const Column &what, std::function<double()> value)
   {
-    require_new_name(name);
-    if (name.find_first_of(", \n/") != std::string::npos)
-      throw std::logic_error("History: the name '" + name + "' holds a comma, a blank or a slash.");
-    columns.push_back({name, unit, std::move(value), {}});
+    require_new_name(what.name);
+    if (what.name.find_first_of(", \n/") != std::string::npos)
+      throw std::logic_error("History: the name '" + what.name + "' holds a comma, a blank or a slash.");
+    columns.push_back({what, std::move(value), {}});
   }
 
-  void History::add_profile(const std::string &name, const std::string &unit, std::vector<Axis> axes,
-                            std::function<void(std::span<double>)> fill)
+  void History::add_profile(const Column &what, std::vector<Axis> axes, std::function<void(std::span<double>)> fill)
   {
-    require_new_name(name);
+    require_new_name(what.name);
     const std::size_t size = compute_size(axes);
     if (size > 0 && write_hdf5)
-      profiles.push_back({name, unit, std::move(axes), size, std::move(fill), {}});
+      profiles.push_back({what, std::move(axes), size, std::move(fill), {}});
   }
 
-  void History::set_constant(const std::string &name, const std::string &unit, std::vector<Axis> axes,
-                             std::vector<double> values)
+  void History::set_constant(const Column &what, std::vector<Axis> axes, std::vector<double> values)
   {
     const std::size_t size = compute_size(axes);
-    if (size != values.size() || name == "history")
-      throw std::logic_error("History: '" + name + "' has " + std::to_string(values.size()) + " values for " +
+    if (size != values.size() || what.name == group())
+      throw std::logic_error("History: '" + what.name + "' has " + std::to_string(values.size()) + " values for " +
                              std::to_string(size) + " places.");
     if (size > 0)
-      constants[name] = {name, unit, std::move(axes), size, {}, std::move(values)};
+      constants[what.name] = {what, std::move(axes), size, {}, std::move(values)};
   }
 
   void History::append_row()
   {
-    for (Column &column : columns)
+    for (Curve &column : columns)
       column.rows.push_back(column.value());
     for (Profile &profile : profiles)
       {
@@ -109,8 +118,8 @@ namespace birdstrike
     std::string names;
     for (std::size_t i = 0; i < columns.size(); ++i)
       {
-        csv << "# " << i + 1 << ": " << columns[i].name << " [" << columns[i].unit << "]\n";
-        names += (i > 0 ? "," : "") + columns[i].name;
+        csv << "# " << i + 1 << ": " << columns[i].what.name << " [" << columns[i].what.unit << "]\n";
+        names += (i > 0 ? "," : "") + columns[i].what.name;
       }
     csv << names << '\n';
   }
@@ -123,7 +132,7 @@ namespace birdstrike
     for (; rows_in_file < rows; ++rows_in_file)
       {
         line.clear();
-        for (const Column &column : columns)
+        for (const Curve &column : columns)
           {
             if (!line.empty())
               line += ',';
@@ -152,32 +161,27 @@ namespace birdstrike
   void History::write_results() const
   {
     ResultsFile results(folder / "results.h5");
-    for (const Column &column : columns)
-      if (rows > 0)
-        results.write("history", column.name, column.unit, {rows}, column.rows);
-    const auto write_axes = [&](const Profile &profile) {
-      for (const Axis &axis : profile.axes)
-        results.write(profile.name, axis.name, axis.unit, {axis.values.size()}, axis.values);
+    const auto  write_columns = [&](const History &of) {
+      for (const Curve &column : of.columns)
+        if (of.rows > 0)
+          results.write(of.group(), column.what.name, column.what, {of.rows}, column.rows);
     };
-    const auto shape_of = [](const Profile &profile) {
-      std::vector<std::size_t> shape;
+    write_columns(*this);
+    for (const History *other : groups)
+      write_columns(*other);
+    const auto write = [&](const Profile &profile, std::vector<std::size_t> shape) {
       for (const Axis &axis : profile.axes)
-        shape.push_back(axis.values.size());
-      return shape;
+        {
+          shape.push_back(axis.values.size());
+          results.write(profile.what.name, axis.what.name, axis.what, {axis.values.size()}, axis.values);
+        }
+      if (!profile.rows.empty())
+        results.write(profile.what.name, "values", profile.what, shape, profile.rows);
     };
     for (const Profile &profile : profiles)
-      {
-        auto shape = shape_of(profile);
-        shape.insert(shape.begin(), rows);
-        write_axes(profile);
-        if (rows > 0)
-          results.write(profile.name, "values", profile.unit, shape, profile.rows);
-      }
+      write(profile, {rows});
     for (const auto &[name, constant] : constants)
-      {
-        write_axes(constant);
-        results.write(name, "values", constant.unit, shape_of(constant), constant.rows);
-      }
+      write(constant, {});
     results.close();
   }
 
@@ -189,15 +193,15 @@ namespace birdstrike
   std::vector<std::string> History::column_names() const
   {
     std::vector<std::string> names;
-    for (const Column &column : columns)
-      names.push_back(column.name);
+    for (const Curve &column : columns)
+      names.push_back(column.what.name);
     return names;
   }
 
   const std::vector<double> &History::column(const std::string &name) const
   {
-    for (const Column &column : columns)
-      if (column.name == name)
+    for (const Curve &column : columns)
+      if (column.what.name == name)
         return column.rows;
     throw std::logic_error("History: there is no column '" + name + "'.");
   }

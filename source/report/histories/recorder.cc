@@ -1,6 +1,5 @@
-#include "report/quantities.h"
+#include "report/histories/columns.h"
 #include <birdstrike/bird/bird.h>
-#include <birdstrike/contact/contact.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/recorder.h>
 #include <birdstrike/structure/blade.h>
@@ -12,46 +11,15 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr std::array<const char *, 3> axis_names{{"x", "y", "z"}};
-
-    /// A user's name as part of a column's: what separates columns becomes an underscore.
-    std::string column_name(std::string name)
-    {
-      for (char &letter : name)
-        if (letter == ' ' || letter == ',' || letter == '/' || letter == '\t')
-          letter = '_';
-      return name;
-    }
-
     /// Intervals of zero mean "first and last state only".
     Ticks field_ticks_of(const double interval)
     {
       return Ticks(interval > 0. ? interval : 1e300);
     }
 
-    bool has_columns(const RunView &run, const Subject subject)
-    {
-      switch (subject)
-        {
-        case Subject::run:
-          return true;
-        case Subject::bird:
-          return run.bird != nullptr;
-        case Subject::contact:
-          return run.contact != nullptr;
-        case Subject::blade:
-          return run.blade != nullptr;
-        case Subject::self_contact:
-          return run.has_self_contact;
-        case Subject::failure:
-          return run.blade != nullptr && run.blade->failure().can_fail;
-        }
-      return false;
-    }
-
     std::vector<History::Axis> root_axes(const RootSectionReport &root)
     {
-      return {{"face", "-", {-1., 1.}}, {"chord", "m", root.chord_position}};
+      return {{axis("face"), {-1., 1.}}, {axis("chord"), root.chord_position}};
     }
   } // namespace
 
@@ -62,15 +30,10 @@ namespace birdstrike
     , field_ticks(field_ticks_of(run.parameters.output.field_interval))
     , flush_interval(run.parameters.output.flush_interval)
   {
-    add_columns(run, false);
-    if (run.contact)
-      add_pressures(run);
-    add_columns(run, true);
+    for (HistoryColumn &column : history_columns(&run))
+      history.add_column(column.what, [this, value = std::move(column.value)] { return value(*present); });
     if (run.blade)
-      {
-        add_probes(run);
-        add_root_profile(run);
-      }
+      add_root_profile(run);
     if (run.blade && run.parameters.output.blade_fields)
       blade_fields.emplace(folder, "blade");
     if (run.bird && run.parameters.output.bird_fields)
@@ -84,46 +47,12 @@ namespace birdstrike
       }
   }
 
-  void Recorder::add_columns(const RunView &run, const bool of_blade)
-  {
-    for (const Quantity &each : quantities())
-      if (!each.column.empty() && has_columns(run, each.subject) && (each.subject >= Subject::blade) == of_blade)
-        for (unsigned int c = 0; c < (each.is_vector() ? 3 : 1); ++c)
-          add_column(each.column + (each.is_vector() ? std::string("_") + axis_names[c] : ""), each.unit,
-                     [&each, c](const RunView &now) { return each.number(now, c); });
-  }
-
-  void Recorder::add_column(const std::string &name, const std::string &unit,
-                            std::function<double(const RunView &)> value)
-  {
-    history.add_column(name, unit, [this, value = std::move(value)] { return value(*present); });
-  }
-
-  void Recorder::add_pressures(const RunView &run)
-  {
-    const auto patches = run.parameters.contact.pressure_patches();
-    for (std::size_t p = 0; p < patches.size(); ++p)
-      add_column("pressure_" + column_name(patches[p].name), "Pa", [p](const RunView &now) {
-        return now.contact && !now.contact->report().patch_pressures.empty() ? now.contact->report().patch_pressures[p]
-                                                                             : 0.;
-      });
-  }
-
-  void Recorder::add_probes(const RunView &run)
-  {
-    const auto probes = run.blade->probes();
-    for (std::size_t p = 0; p < probes.size(); ++p)
-      for (unsigned int c = 0; c < 3; ++c)
-        add_column("probe_" + column_name(probes[p].name) + "_u" + axis_names[c], "m",
-                   [p, c](const RunView &now) { return now.observed.probes[p].displacement[c]; });
-  }
-
   void Recorder::add_root_profile(const RunView &run)
   {
     const RootSectionReport root = run.blade->root_section();
     const std::size_t       n    = root.chord_position.size();
     if (n > 0)
-      history.add_profile("root_normal_stress", "Pa", root_axes(root), [this, n](const std::span<double> values) {
+      history.add_profile(profile("root_normal_stress"), root_axes(root), [this, n](const std::span<double> values) {
         const RootSectionReport &now = present->observed.root;
         std::copy_n(now.stress_struck.begin(), n, values.begin());
         std::copy_n(now.stress_rear.begin(), n, values.begin() + n);
@@ -175,7 +104,7 @@ namespace birdstrike
       {
         std::vector<double> values = root.stress_struck;
         values.insert(values.end(), root.stress_rear.begin(), root.stress_rear.end());
-        history.set_constant("root_normal_stress_at_peak", "Pa", root_axes(root), std::move(values));
+        history.set_constant(profile("root_normal_stress_at_peak"), root_axes(root), std::move(values));
       }
     set_mid_chord_lines(run.observed);
     if (!run.observed.filtered_force.values.empty())
@@ -188,12 +117,12 @@ namespace birdstrike
   {
     if (!observed.mid_chord)
       return;
-    const std::vector<History::Axis> span{{"span", "m", observed.mid_chord->span_position()}};
+    const std::vector<History::Axis> span{{axis("span"), observed.mid_chord->span_position()}};
     if (!observed.mid_chord_at_peak.empty())
-      history.set_constant("mid_chord_deflection_at_peak", "m", span, observed.mid_chord_at_peak);
+      history.set_constant(profile("mid_chord_deflection_at_peak"), span, observed.mid_chord_at_peak);
     std::vector<double> now_deflected;
     observed.mid_chord->compute_deflection(now_deflected);
-    history.set_constant("mid_chord_deflection_at_end", "m", span, std::move(now_deflected));
+    history.set_constant(profile("mid_chord_deflection_at_end"), span, std::move(now_deflected));
   }
 
   void Recorder::write_filtered(const FilteredForce &force)
@@ -201,16 +130,15 @@ namespace birdstrike
     std::size_t         row = 0;
     std::vector<double> times, values;
     History             table(folder, false, "filtered.csv");
-    table.add_column("time", "s", [&] { return force.time(row); });
-    for (unsigned int d = 0; d < 3; ++d)
-      table.add_column(std::string("contact_force_") + axis_names[d], "N", [&, d] { return force.values[row][d]; });
+    for (unsigned int k = 0; k < 4; ++k)
+      table.add_column(filtered_columns()[k], [&, k] { return k == 0 ? force.time(row) : force.values[row][k - 1]; });
     for (; row < force.values.size(); ++row)
       {
         table.append_row();
         times.push_back(force.time(row));
         values.insert(values.end(), force.values[row].begin(), force.values[row].end());
       }
-    history.set_constant("filtered", "N", {{"time", "s", std::move(times)}, {"component", "-", {0., 1., 2.}}},
+    history.set_constant(profile("filtered"), {{axis("time"), std::move(times)}, {axis("component"), {0., 1., 2.}}},
                          std::move(values));
   }
 

@@ -1,4 +1,4 @@
-#include "report/history_hdf5.h"
+#include "report/histories/history_hdf5.h"
 
 #include <deal.II/base/hdf5.h>
 
@@ -65,7 +65,7 @@ namespace birdstrike
 
   ResultsFile::~ResultsFile() = default;
 
-  void ResultsFile::write(const std::string &group, const std::string &name, const std::string &unit,
+  void ResultsFile::write(const std::string &group, const std::string &name, const Column &what,
                           const std::vector<std::size_t> &shape, const std::vector<double> &values)
   {
     auto found = open->groups.find(group);
@@ -74,7 +74,9 @@ namespace birdstrike
     const std::vector<hsize_t> dimensions(shape.begin(), shape.end());
     auto                       dataset = found->second.create_dataset<double>(name, dimensions);
     dataset.write(values);
-    dataset.set_attribute("unit", unit);
+    dataset.set_attribute("name", what.name);
+    dataset.set_attribute("unit", what.unit);
+    dataset.set_attribute("description", what.meaning);
     n_bytes += values.size() * sizeof(double);
   }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/core/column.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -16,8 +18,8 @@ namespace birdstrike
     explicit ResultsFile(const std::filesystem::path &path);
     ~ResultsFile();
 
-    /// /<group>/<name>, row-major, with the attribute "unit".
-    void write(const std::string &group, const std::string &name, const std::string &unit,
+    /// /<group>/<name>, row-major, with the attributes "name", "unit" and "description" that say what it is.
+    void write(const std::string &group, const std::string &name, const Column &what,
                const std::vector<std::size_t> &shape, const std::vector<double> &values);
 
     void close();
