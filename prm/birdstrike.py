@@ -53,7 +53,9 @@ class Mesh:
     """What one field file holds.
 
     time       s
-    points     [n][3], m: a blade's before the strike (add nodes["displacement"]), particles where they are
+    points     [n][3], m: a blade's before the strike (add nodes["displacement"]) unless is_deformed, particles where
+               they are
+    is_deformed  whether the blade's points have been moved (Output/Blade geometry = deformed)
     cells_of   [m][1, 4 or 8] numbers of nodes, in VTK's order
     nodes      {name: [n] or [n][components]}, cells the same for cells
     units      {name: unit}
@@ -64,8 +66,9 @@ class Mesh:
         self.path = pathlib.Path(path)
         piece = xml.etree.ElementTree.parse(self.path).getroot()
         grid = piece.find("UnstructuredGrid")
-        time = grid.find("FieldData/DataArray")
-        self.time = float(time.text) if time is not None else None
+        of_file = {array.get("Name"): array.text for array in grid.findall("FieldData/DataArray")}
+        self.time = float(of_file["TimeValue"]) if "TimeValue" in of_file else None
+        self.is_deformed = "deformed" in of_file
         piece = grid.find("Piece")
         self.units = {array.get("Name"): array.get("units", "") for array in piece.iter("DataArray") if array.get("Name")}
         self.points = _read(piece.find("Points/DataArray"))

@@ -89,7 +89,9 @@ def show(options):
     field = options.field or next(name for name in ("von_mises_stress_top", "von_mises_stress", *fields) if name in fields)
     if field not in fields:
         sys.exit(f"The blade has no cell field '{field}'. There are: {', '.join(fields)}.")
-    bent = simple.WarpByVector(Input=blade, Vectors=("POINTS", "displacement"), registrationName="blade displaced")
+    is_deformed = "deformed" in blade.FieldData.keys()
+    bent = blade if is_deformed else simple.WarpByVector(Input=blade, Vectors=("POINTS", "displacement"),
+                                                         registrationName="blade displaced")
     largest, bounds = 0., None
     for time in times:
         bent.UpdatePipeline(time)

@@ -12,6 +12,18 @@ namespace birdstrike
     return classes;
   }
 
+  const NamedChoices<bool> &blade_geometries()
+  {
+    static const NamedChoices<bool> choices{{"undeformed", false}, {"deformed", true}};
+    return choices;
+  }
+
+  const NamedChoices<bool> &removed_particle_choices()
+  {
+    static const NamedChoices<bool> choices{{"left out", false}, {"fly on", true}};
+    return choices;
+  }
+
   void OutputParameters::declare(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
@@ -31,6 +43,14 @@ namespace birdstrike
     prm.add_parameter("Blade fields", blade_fields, "Whether fields of the blade are written for ParaView. [-]",
                       Bool());
     prm.add_parameter("Bird fields", bird_fields, "Whether fields of the bird are written for ParaView. [-]", Bool());
+    declare_choice(
+      prm, "Blade geometry", is_deformed, blade_geometries(),
+      "Where the fields of the blade stand: on the undeformed mesh, to be warped by the field displacement, "
+      "or on the deformed one, which any viewer shows as it is. [-]");
+    declare_choice(
+      prm, "Removed particles", removed_fly_on, removed_particle_choices(),
+      "Particles that can meet the blade no more are removed from the computation (Bird/Retire); fields of "
+      "the bird leave them out, or let them fly on as they flew, marked by the field removed. [-]");
     prm.add_parameter("HDF5", hdf5, "Whether histories and root profiles are also written to results.h5. [-]", Bool());
     declare_choice(prm, "Channel class", channel_class, channel_classes(),
                    "Channel frequency class (SAE J211-1) by which the contact force is filtered, as a load cell's is: "

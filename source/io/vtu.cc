@@ -142,8 +142,10 @@ namespace birdstrike
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n"
            "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">"
-        << time << "</DataArray>\n</FieldData>\n<Piece"
-        << attribute("NumberOfPoints", std::to_string(n_points_of(snapshot)))
+        << time << "</DataArray>\n";
+    if (snapshot.is_deformed) // a viewer that warps does not warp twice
+      out << "<DataArray type=\"UInt8\" Name=\"deformed\" NumberOfTuples=\"1\" format=\"ascii\">1</DataArray>\n";
+    out << "</FieldData>\n<Piece" << attribute("NumberOfPoints", std::to_string(n_points_of(snapshot)))
         << attribute("NumberOfCells", std::to_string(n_cells_of(snapshot))) << ">\n<Points>\n";
     write_array(out, attribute("NumberOfComponents", "3"),
                 std::vector<float>(snapshot.points.begin(), snapshot.points.end()));

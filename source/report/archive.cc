@@ -28,6 +28,7 @@ namespace birdstrike
     root_force.archive(archive, "root force");
     hourglass_share.archive(archive, "hourglass share");
     contact.archive(archive);
+    removed_particles.archive(archive);
     archive_root(archive, root_at_peak_stress);
     archive.list("mid-chord deflection at tip peak", mid_chord_at_peak);
   }

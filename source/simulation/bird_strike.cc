@@ -166,13 +166,22 @@ namespace birdstrike
     const Timings::Scope scope(timings, sections.retirement);
     const double         horizon = std::min(retirement_horizon, parameters.time.end_time - now);
     if (parameters.bird.retire)
-      n_retired += scene.retire_particles(horizon);
+      {
+        const bool          are_kept = parameters.output.removed_fly_on && parameters.output.bird_fields;
+        const FieldSnapshot before   = are_kept ? scene.bird->snapshot() : FieldSnapshot();
+        const std::size_t   n        = scene.retire_particles(horizon);
+        if (are_kept && n > 0)
+          observed.removed_particles.keep(before, scene.bird->snapshot(), now);
+        n_retired += n;
+      }
     const std::size_t n_left = scene.bird->n_particles();
     if (n_left > 0 && !is_bird_phase_over(horizon))
       return;
     log().info("The bird's phase ends at t = {}: {} particles are left, {:.2g} N s is the most that they could still "
                "give. From here the blade runs on alone.",
                format_quantity(now, "s"), n_left, reachable_impulse);
+    if (parameters.output.removed_fly_on && parameters.output.bird_fields && n_left > 0)
+      observed.removed_particles.keep(scene.bird->snapshot(), {}, now);
     n_retired += n_left;
     n_dropped = scene.bird->state().size();
     stepper.drop_bird();

@@ -68,6 +68,39 @@ class Reader(unittest.TestCase):
         self.assertEqual(sorted(bird.nodes["id"]), list(range(len(bird.points))))
         np.testing.assert_allclose(bird.nodes["velocity"][:, 2], 177.4, rtol=1e-6)
 
+    def run_more(self, name, *entries):
+        folder = pathlib.Path(self.scratch.name) / name
+        subprocess.run([PROGRAM, "run", TOP / "prm" / "quickstart.prm", "--output", folder, "--set", "Output/Field interval=2e-4",
+                        *(a for entry in entries for a in ("--set", entry))], check=True, stdout=subprocess.DEVNULL)
+        return Run(folder)
+
+    def test_a_deformed_blade_stands_where_it_is(self):
+        deformed = self.run_more("deformed", "Output/Blade geometry=deformed", "Time/End time=2e-4").blade(2e-4)
+        mesh = self.run_of["shell"].blade(2e-4)
+        self.assertTrue(deformed.is_deformed)
+        self.assertFalse(mesh.is_deformed)
+        np.testing.assert_array_equal(deformed.nodes["displacement"], mesh.nodes["displacement"])
+        np.testing.assert_allclose(deformed.points, mesh.points + mesh.nodes["displacement"], atol=1e-7)
+
+    def test_contact_impulse_sums_to_what_the_bird_has_given(self):
+        for run in self.run_of.values():
+            given = run.blade(2e-4).nodes["contact_impulse"].astype(float).sum(axis=0)
+            np.testing.assert_allclose(given[2], run.summary["contact"]["impulse"][2], rtol=1e-5)  # floats of the file
+            self.assertEqual(run.blade(2e-4).units["contact_impulse"], "N s")
+
+    def test_removed_particles_fly_on(self):
+        run = self.run_more("flying", "Output/Removed particles=fly on", "Time/End time=1.4e-3")
+        first, last = run.bird(0.), run.bird(1.4e-3)
+        self.assertEqual(sorted(last.nodes["id"]), sorted(first.nodes["id"]))  # none is missing
+        gone = last.nodes["removed"] == 1
+        self.assertEqual(gone.sum(), run.summary["retired"]["particles"])
+        self.assertGreater(gone.sum(), 100)
+        before = run.bird(1.2e-3)
+        at, was = np.argsort(last.nodes["id"]), np.argsort(before.nodes["id"])
+        since = gone[at] & (before.nodes["removed"][was] == 1)  # removed before both files
+        flown = before.points[was] + (last.time - before.time) * before.nodes["velocity"][was]
+        np.testing.assert_allclose(last.points[at][since], flown[since], atol=2e-7)
+
     def test_profiles_have_axes(self):
         run = self.run_of["shell"]
         history = run.profile("root_normal_stress")

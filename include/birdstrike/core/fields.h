@@ -26,5 +26,6 @@ namespace birdstrike
                                  ///< current position of particles
     std::vector<std::uint32_t> cells; ///< [n_cells][2^dim], deal.II's (lexicographic) vertex order; points: identity
     std::vector<Field>         fields;
+    bool                       is_deformed = false; ///< points have been moved by the field displacement
   };
 } // namespace birdstrike

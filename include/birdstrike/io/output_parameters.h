@@ -23,6 +23,8 @@ namespace birdstrike
     bool        blade_fields     = true;   ///< blade.pvd
     bool        bird_fields      = true;   ///< bird.pvd
     bool        hdf5             = true;   ///< results.h5 beside history.csv
+    bool        is_deformed      = false;  ///< blade's points in its fields
+    bool        removed_fly_on   = false;  ///< in the bird's fields
     double      channel_class    = 1000.;  ///< Hz, of the filtered contact force; 0: none
 
     void declare(dealii::ParameterHandler &prm);
@@ -31,4 +33,8 @@ namespace birdstrike
 
   /// Channel frequency classes (Hz) of SAE J211-1.
   const NamedChoices<double> &channel_classes();
+
+  // How they are spelt: "undeformed", "deformed"; "left out", "fly on".
+  const NamedChoices<bool> &blade_geometries();
+  const NamedChoices<bool> &removed_particle_choices();
 } // namespace birdstrike

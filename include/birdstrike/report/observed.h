@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/report/contact_watch.h>
+#include <birdstrike/report/removed_particles.h>
 #include <birdstrike/structure/probes/mid_chord.h>
 #include <birdstrike/structure/reports.h>
 #include <birdstrike/time_control/peak.h>
@@ -32,6 +33,8 @@ namespace birdstrike
     Peak         root_force;               ///< N, norm of normal and transverse force
     Peak         hourglass_share;          ///< hourglass over internal energy of the blade
     ContactWatch contact;
+
+    RemovedParticles removed_particles; ///< where Output/Removed particles asks for them
 
     FilteredForce filtered_force; ///< at the end of a run
 

@@ -17,6 +17,15 @@ namespace birdstrike
       return Ticks(interval > 0. ? interval : 1e300);
     }
 
+    /// The points of a blade to where they are.
+    void deform(FieldSnapshot &blade)
+    {
+      const auto displacement = std::ranges::find(blade.fields, std::string("displacement"), &Field::name);
+      for (std::size_t k = 0; k < blade.points.size(); ++k)
+        blade.points[k] += displacement->values[k];
+      blade.is_deformed = true;
+    }
+
     std::vector<History::Axis> root_axes(const RootSectionReport &root)
     {
       return {{axis("face"), {-1., 1.}}, {axis("chord"), root.chord_position}};
@@ -70,11 +79,20 @@ namespace birdstrike
   void Recorder::write_fields(const RunView &run)
   {
     if (blade_fields)
-      writer.write(*blade_fields, run.blade->snapshot(), run.time);
-    if (bird_fields && run.bird)
-      writer.write(*bird_fields, run.bird->snapshot(), run.time);
-    else if (bird_fields && !std::exchange(has_left_bird, true))
-      writer.write(*bird_fields, no_bird, run.time); // ParaView shows the last file from there on
+      {
+        FieldSnapshot blade = run.blade->snapshot();
+        if (run.parameters.output.is_deformed)
+          deform(blade);
+        writer.write(*blade_fields, std::move(blade), run.time);
+      }
+    const bool has_bird = run.bird || run.parameters.output.removed_fly_on;
+    if (bird_fields && (has_bird || !std::exchange(has_left_bird, true))) // ParaView shows the last file from there on
+      {
+        FieldSnapshot bird = run.bird ? run.bird->snapshot() : no_bird;
+        if (run.parameters.output.removed_fly_on)
+          run.observed.removed_particles.add_to(bird, run.time);
+        writer.write(*bird_fields, std::move(bird), run.time);
+      }
     last_field = run.time;
   }
 

@@ -21,6 +21,7 @@ namespace birdstrike
       unknowns("velocity", vectors->velocity);
       unknowns("internal force", vectors->force);
       unknowns("contact force", vectors->contact);
+      unknowns("contact impulse", vectors->received);
       if (loads.is_active())
         unknowns("load", vectors->external);
     });

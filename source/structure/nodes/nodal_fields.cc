@@ -23,6 +23,10 @@ namespace birdstrike
       acceleration[k] = (f[k] + c[k] + vectors->external.begin()[k]) * vectors->inverse_mass.begin()[k];
     add("acceleration", "m/s^2", acceleration.data());
     add("contact_force", "N", vectors->contact.begin());
+    std::vector<double> impulse(n_unknowns * n_nodes); // with what is in transit, as momenta() counts it
+    for (std::size_t k = 0; k < impulse.size(); ++k)
+      impulse[k] = vectors->received.begin()[k] + in_transit * vectors->contact.begin()[k];
+    add("contact_impulse", "N s", impulse.data());
   }
 
   template void NodalMechanics<3>::add_fields(std::vector<Field> &) const;

@@ -158,7 +158,7 @@ namespace birdstrike
   void NodalMechanics<n_unknowns>::kick_contact(const double half_step, const HalfKick half)
   {
     const bool    first = half == HalfKick::first;
-    double       *v     = vectors->velocity.begin();
+    double       *v = vectors->velocity.begin(), *received = vectors->received.begin();
     const double *f = vectors->contact.begin(), *kicking = f, *inverse = vectors->inverse_mass.begin();
     if (scaled)
       {
@@ -169,8 +169,9 @@ namespace birdstrike
     // contact leaves the moments at zero: what happens to rotations is nothing
     const auto kick = [=, this](const auto is_scaled) {
       return sum_components<2>([=](const auto &at, Eight *sum) {
-        Eight force_on, before, mobility;
+        Eight force_on, before, mobility, so_far;
         at.read(f, force_on);
+        at.read(received, so_far);
         at.read(v, before);
         at.read(inverse, mobility);
         const Eight impulse = half_step * force_on;
@@ -182,6 +183,7 @@ namespace birdstrike
           }
         const Eight after = before + change;
         at.write(after, v);
+        at.write(so_far + impulse, received);
         sum[0] += impulse;
         sum[1] += impulse * (first ? after : before);
       });

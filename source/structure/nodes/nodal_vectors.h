@@ -20,7 +20,8 @@ namespace birdstrike
     explicit Vectors(const NodeSpace &space)
     {
       const auto unknowns = space.unknowns(n_unknowns), coordinates = space.unknowns(3);
-      for (Vector *v : {&displacement, &velocity, &increment, &force, &contact, &external, &mass, &inverse_mass})
+      for (Vector *v :
+           {&displacement, &velocity, &increment, &force, &contact, &external, &received, &mass, &inverse_mass})
         v->reinit(unknowns);
       reference.reinit(coordinates);
       position.reinit(coordinates);
@@ -30,6 +31,7 @@ namespace birdstrike
     Vector displacement, velocity;   ///< m and rad, and per s
     Vector increment;                ///< of the displacement since the last forces
     Vector force, contact, external; ///< N and N m, of elements, of contact, of loads
+    Vector received;                 ///< N s, impulse of contact that the kicks have given, for fields
     Vector mass, inverse_mass;       ///< kg and kg m^2; inverse 0 where held
     Vector reference, position;      ///< m, three entries a node
     Vector node_inverse_mass;        ///< 1/kg, an entry a node, 0 where all three are held

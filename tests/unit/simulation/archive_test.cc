@@ -123,6 +123,8 @@ namespace
   const Case features[] = {
     {"Half", shipped("frontal"), with(coarse, {"Case/Symmetry plane=y"}), 20, 300},
     {"SolidHalf", shipped("frontal"), with(solid, {"Case/Symmetry plane=y"}), 20, 300},
+    {"RemovedFlyOn", shipped("frontal"), with(coarse, {"Output/Removed particles=fly on"}), 400, 500,
+     "observed/removed particles/position"},
     {"BelytschkoTsay", shipped("frontal"), with(coarse, {formulation + "Belytschko-Tsay"}), 20, 300},
     {"FullyIntegrated", shipped("frontal"), with(coarse, {formulation + "fully integrated"}), 20, 300},
     {"OnePointBricks", shipped("frontal"), with(solid, {formulation + "one point", "Blade/Mesh/Layers=2"}), 20, 200},
