@@ -23,7 +23,6 @@ TEXTS = {
     "source/report/text.cc": "units",
     "source/report/closing.cc": "units",
     "source/report/comparison/comparison_print.cc": "units",
-    "source/report/comparison/comparison_figures.cc": "names of datasets in results.h5",
     "source/mesh/mesh_file.cc": "endings of files",
 }
 

@@ -31,29 +31,34 @@ namespace birdstrike
       return std::abs(share) < 10. ? fmt::format("{:+.3g} %", 100. * share) : fmt::format("{:+.0f} %", 100. * share);
     }
 
-    /// Every cell as text: a line of headings, then one line a row.
-    std::vector<std::vector<std::string>> make_cells(const std::vector<std::string>   &names,
-                                                     const std::vector<ComparisonRow> &rows)
+    /// A table of cells: one line of headings, then one line a run.
+    using Cells = std::vector<std::vector<std::string>>;
+
+    /// One table a group: a run a line, a quantity a column, its difference to the first run behind it.
+    std::vector<Cells> make_groups(const std::vector<std::string> &names, const std::vector<ComparisonRow> &rows)
     {
-      std::vector<std::vector<std::string>> cells{{""}};
-      for (std::size_t run = 0; run < names.size(); ++run)
-        {
-          cells[0].push_back(names[run]);
-          if (run > 0)
-            cells[0].push_back("difference");
-        }
+      std::vector<Cells> groups;
       for (const ComparisonRow &row : rows)
         {
-          std::vector<std::string> line{row.group + ": " + row.quantity};
+          if (groups.empty() || groups.back()[0][0] != row.group)
+            {
+              groups.push_back({{row.group}});
+              for (const std::string &name : names)
+                groups.back().push_back({name});
+            }
+          Cells     &cells           = groups.back();
+          const bool has_differences = !row.values.empty() && names.size() > 1;
+          cells[0].push_back(row.quantity);
+          if (has_differences)
+            cells[0].emplace_back("");
           for (std::size_t run = 0; run < names.size(); ++run)
             {
-              line.push_back(show(row, run));
-              if (run > 0)
-                line.push_back(show_difference(row, run));
+              cells[run + 1].push_back(show(row, run));
+              if (has_differences)
+                cells[run + 1].push_back(run == 0 ? "" : show_difference(row, run));
             }
-          cells.push_back(std::move(line));
         }
-      return cells;
+      return groups;
     }
 
     std::string csv_number(const double value)
@@ -74,17 +79,25 @@ namespace birdstrike
 
   std::string ComparisonTable::as_text() const
   {
-    const auto               cells = make_cells(names, all);
-    std::vector<std::size_t> widths(cells[0].size());
-    for (const auto &line : cells)
-      for (std::size_t c = 0; c < line.size(); ++c)
-        widths[c] = std::max(widths[c], line[c].size());
+    const std::vector<Cells> groups = make_groups(names, all);
+    std::size_t              first  = 0; // width of the runs' names
+    for (const Cells &cells : groups)
+      for (const auto &line : cells)
+        first = std::max(first, line[0].size());
     std::string text;
-    for (const auto &line : cells)
+    for (const Cells &cells : groups)
       {
-        text += fmt::format("{:<{}}", line[0], widths[0]);
-        for (std::size_t c = 1; c < line.size(); ++c)
-          text += fmt::format("  {:>{}}", line[c], widths[c]);
+        std::vector<std::size_t> widths(cells[0].size());
+        for (const auto &line : cells)
+          for (std::size_t c = 1; c < line.size(); ++c)
+            widths[c] = std::max(widths[c], line[c].size());
+        for (const auto &line : cells)
+          {
+            std::string shown = fmt::format("{:<{}}", line[0], first);
+            for (std::size_t c = 1; c < line.size(); ++c)
+              shown += fmt::format("  {:>{}}", line[c], widths[c]);
+            text += shown.substr(0, shown.find_last_not_of(' ') + 1) + '\n';
+          }
         text += '\n';
       }
     for (const std::string &note : remarks)
@@ -94,7 +107,6 @@ namespace birdstrike
 
   std::string ComparisonTable::as_markdown() const
   {
-    const auto  cells = make_cells(names, all);
     std::string text;
     const auto  add_line = [&](const std::vector<std::string> &line) {
       for (std::string cell : line)
@@ -105,35 +117,44 @@ namespace birdstrike
         }
       text += "|\n";
     };
-    add_line(cells[0]);
-    text += "|---|";
-    for (std::size_t c = 1; c < cells[0].size(); ++c)
-      text += "---:|";
-    text += '\n';
-    for (std::size_t k = 1; k < cells.size(); ++k)
-      add_line(cells[k]);
+    for (const Cells &cells : make_groups(names, all))
+      {
+        add_line(cells[0]);
+        text += "|---|";
+        for (std::size_t c = 1; c < cells[0].size(); ++c)
+          text += "---:|";
+        text += '\n';
+        for (std::size_t k = 1; k < cells.size(); ++k)
+          add_line(cells[k]);
+        text += '\n';
+      }
     for (const std::string &note : remarks)
-      text += "\n" + note + "\n";
+      text += note + "\n\n";
     return text;
   }
 
   std::string ComparisonTable::as_csv() const
   {
-    std::string text = "group,quantity,unit";
-    for (const std::string &name : names)
-      text += "," + csv_field(name);
-    for (std::size_t run = 1; run < names.size(); ++run)
-      text += "," + csv_field("difference of " + names[run] + " [%]");
-    text += '\n';
+    std::string text = "case";
     for (const ComparisonRow &row : all)
       {
         // counts and shares are pure numbers; their own units only say how a reader wants them
-        const bool is_pure = row.unit == "count" || row.unit == "share";
-        text += csv_field(row.group) + "," + csv_field(row.quantity) + "," + (is_pure ? "-" : row.unit);
-        for (std::size_t run = 0; run < names.size(); ++run)
+        const bool        is_pure = row.unit == "count" || row.unit == "share";
+        const std::string unit    = row.unit.empty() ? "" : " [" + (is_pure ? "-" : row.unit) + "]";
+        text += "," + csv_field(row.group + ": " + row.quantity + unit);
+      }
+    for (const ComparisonRow &row : all)
+      if (!row.values.empty())
+        text += "," + csv_field("difference of " + row.group + ": " + row.quantity + " [%]");
+    text += '\n';
+    for (std::size_t run = 0; run < names.size(); ++run)
+      {
+        text += csv_field(names[run]);
+        for (const ComparisonRow &row : all)
           text += "," + (row.values.empty() ? csv_field(row.texts[run]) : csv_number(row.values[run]));
-        for (std::size_t run = 1; run < names.size(); ++run)
-          text += "," + (row.values.empty() ? "" : csv_number(100. * row.difference(run)));
+        for (const ComparisonRow &row : all)
+          if (!row.values.empty())
+            text += "," + csv_number(100. * row.difference(run));
         text += '\n';
       }
     return text;

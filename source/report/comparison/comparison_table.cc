@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace birdstrike
 {
@@ -62,6 +63,8 @@ namespace birdstrike
 
   ComparisonTable::ComparisonTable(const std::vector<ComparedRun> &runs)
   {
+    if (runs.size() > 1)
+      remarks.push_back("Differences are to '" + runs[0].name + "'.");
     for (const ComparedRun &run : runs)
       {
         names.push_back(run.name);
@@ -79,6 +82,7 @@ namespace birdstrike
     add("Root", {"root/peak_force", "root/peak_moment", "root/peak_normal_stress", "root/peak_normal_stress_time"},
         runs);
     add_unreached_peaks(runs);
+    say_what_root_stress_is(runs);
     add("Plasticity", {"plastic/max_strain", "plastic/work"}, runs);
     add_computed("Energy", "absorbed by the blade (end less start)", "J", runs, compute_absorbed);
     add("Contact", {"contact/peak_force", "contact/filtered/peak_force"}, runs);
@@ -132,6 +136,19 @@ namespace birdstrike
         if (!of.empty())
           remarks.push_back(quantity(key).text + " of " + of + ": still rising at the end, no peak yet.");
       }
+  }
+
+  void ComparisonTable::say_what_root_stress_is(const std::vector<ComparedRun> &runs)
+  {
+    std::set<std::string> kinds;
+    for (const ComparedRun &run : runs)
+      if (has(run.record, Subject::blade) && run.record.is_complete())
+        kinds.insert(run.record.summary().text("blade/kind"));
+    if (kinds.size() > 1)
+      remarks.emplace_back("Root stress of a shell is that of the outermost integration points (0.91 of half the "
+                           "thickness with five Gauss points), of a solid that of its skin, both in the row of "
+                           "elements at the clamped edge: more apart than the blades are. Compare root moments, or "
+                           "stresses of one kind on one mesh.");
   }
 
   void ComparisonTable::add_permanent_deflection(const std::vector<ComparedRun> &runs)

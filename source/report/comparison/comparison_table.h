@@ -8,14 +8,14 @@
 
 namespace birdstrike
 {
-  /// One column of a comparison.
+  /// One of the runs that are compared.
   struct ComparedRun
   {
     std::string name;   ///< "frontal", "frontal solid"
     RunRecord   record; ///< complete, or of a run that was lost
   };
 
-  /// One line of a comparison. Quantities have `values`, in SI units, NaN where a run has none; properties have
+  /// One quantity of a comparison. Quantities have `values`, in SI units, NaN where a run has none; properties have
   /// `texts`.
   struct ComparisonRow
   {
@@ -29,9 +29,9 @@ namespace birdstrike
     double difference(std::size_t run) const;
   };
 
-  /// What runs came to, side by side: one column a run, and how much it differs from the first. Peaks are those of
-  /// summary.json, taken at every step of the run and not at the rows of its history. Rows that no run
-  /// fills are left out. Writes no files.
+  /// What runs came to, side by side: a line a run, and how much it differs from the first. Peaks are those of
+  /// summary.json, taken at every step of the run and not at the rows of its history. Quantities that no
+  /// run has are left out. Writes no files.
   class ComparisonTable
   {
   public:
@@ -42,9 +42,9 @@ namespace birdstrike
     /// What the rows cannot say: how a permanent deflection was taken, which runs were lost and why.
     const std::vector<std::string> &notes() const;
 
-    std::string as_text() const;     ///< aligned columns for a terminal, values with SI prefixes
-    std::string as_markdown() const; ///< the same as a table of Markdown
-    std::string as_csv() const;      ///< all digits, SI units: quantity, unit, one column a run, differences in percent
+    std::string as_text() const;     ///< a table a group, aligned for a terminal, values with SI prefixes
+    std::string as_markdown() const; ///< the same as tables of Markdown
+    std::string as_csv() const;      ///< one row a run, all digits, SI units; differences in percent behind
 
   private:
     std::vector<std::string>   names;
@@ -58,6 +58,7 @@ namespace birdstrike
     void add_computed(const std::string &group, const std::string &text, const std::string &unit,
                       const std::vector<ComparedRun> &runs, const std::function<double(const RunRecord &)> &value);
     void add_unreached_peaks(const std::vector<ComparedRun> &runs);
+    void say_what_root_stress_is(const std::vector<ComparedRun> &runs);
     void add_permanent_deflection(const std::vector<ComparedRun> &runs);
     void add_row(ComparisonRow row);
   };

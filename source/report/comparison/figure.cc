@@ -15,6 +15,8 @@ namespace birdstrike
     constexpr std::array<const char *, 7> palette{
       {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"}};
 
+    constexpr unsigned int n_dashes = 4; ///< gnuplot's first dash types: full, dashed, dotted, dash-dotted
+
     constexpr unsigned int panel_width = 800, panel_height = 480; // pixels
 
     /// gnuplot's single-quoted text, in which only the quote itself is special.
@@ -49,18 +51,24 @@ namespace birdstrike
     /// `column`: number of the first line's x in the file.
     std::string plot_of(const FigurePanel &panel, const std::string &file, unsigned int column)
     {
-      std::string text = "set title " + quote(panel.title) + "\nset xlabel " + quote(label(panel.x)) + "\nset ylabel " +
-                         quote(label(panel.y)) + "\nset xrange [*:" +
-                         (panel.x_end > 0. ? fmt::format("{}", panel.x_end * panel.x.factor) : "*") + "]\nplot ";
+      std::string text =
+        "set title " + quote(panel.title) + "\nset xlabel " + quote(label(panel.x)) + "\nset ylabel " +
+        quote(label(panel.y)) + "\nset xrange [" +
+        (panel.x_end > 0. ? fmt::format("{}:{}", panel.x_begin * panel.x.factor, panel.x_end * panel.x.factor)
+                          : "*:*") +
+        "]\nplot ";
       for (const FigureLine &line : panel.lines)
         {
-          const std::string title = line.title.empty() ? "notitle" : "title " + quote(line.title);
+          const std::string title  = line.title.empty() ? "notitle" : "title " + quote(line.title);
+          const auto        dashes = 1 + line.style / static_cast<unsigned int>(palette.size()) % n_dashes;
           text += fmt::format("{}{} using (${}*{}):(${}*{}) with lines lw 2 dt {} lc rgb '{}' {}",
                               &line == &panel.lines.front() ? "" : ", \\\n     ", quote(file), column, panel.x.factor,
-                              column + 1, panel.y.factor, line.is_dashed ? 2 : 1, palette[line.colour % palette.size()],
-                              title);
+                              column + 1, panel.y.factor, dashes, palette[line.style % palette.size()], title);
           column += 2;
         }
+      for (const FigureLevel &level : panel.levels)
+        text += fmt::format(", \\\n     {} with lines lw 1 dt 3 lc rgb '#404040' {}", level.y * panel.y.factor,
+                            level.title.empty() ? "notitle" : "title " + quote(level.title));
       return text + "\n";
     }
   } // namespace

@@ -11,8 +11,14 @@ namespace birdstrike
   {
     std::string         title; ///< in the legend; empty: none
     std::vector<double> x, y;
-    unsigned int        colour    = 0; ///< number in the palette
-    bool                is_dashed = false;
+    unsigned int        style = 0; ///< colour and dashes: the first 28 are all distinct
+  };
+
+  /// A value that a reader looks for: a horizontal line across a panel, of the axis' SI unit.
+  struct FigureLevel
+  {
+    std::string title; ///< in the legend; empty: none
+    double      y;
   };
 
   /// A quantity on an axis: what it is, its SI unit in the data, and how it is shown: multiplied, with another unit.
@@ -29,7 +35,8 @@ namespace birdstrike
     std::string             title;
     FigureAxis              x, y;
     std::vector<FigureLine> lines;
-    double                  x_end = 0.; ///< where the picture ends, of the data's unit; 0: where the data do
+    double x_begin = 0., x_end = 0.; ///< where the picture begins and ends, of the data's unit; both 0: as the data
+    std::vector<FigureLevel> levels = {};
   };
 
   /// Panels in rows that share one file.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "../io/scratch_folder.h"
 
 using birdstrike::Figure;
@@ -18,8 +20,7 @@ namespace
              {"Root",
               {"time", "s", "ms", 1e3},
               {"moment", "N m", "N m", 1.},
-              {{"it's a_case, here", {0., 0.001, 0.1 + 0.2}, {0., 1., 2.}, 0, false},
-               {"other", {0., 0.002}, {3., 4.}, 1, true}}}}};
+              {{"it's a_case, here", {0., 0.001, 0.1 + 0.2}, {0., 1., 2.}, 0}, {"other", {0., 0.002}, {3., 4.}, 1}}}}};
   }
 } // namespace
 
@@ -41,11 +42,35 @@ TEST(Figure, ScriptNamesFilesColumnsAndUnits)
     EXPECT_NE(script.find(text), std::string::npos) << text << "\n" << script;
 }
 
+TEST(Figure, TwentyEightCurvesAreAllDistinct)
+{
+  Figure figure{"many", 1, {{"Many", {"time", "s", "s"}, {"value", "-", "-"}, {}}}};
+  for (unsigned int k = 0; k < 28; ++k)
+    figure.panels[0].lines.push_back({std::to_string(k), {0.}, {1.}, k});
+  const std::string     script = script_of({figure});
+  std::set<std::string> styles;
+  for (std::size_t at = 0; (at = script.find(" dt ", at + 1)) != std::string::npos;)
+    styles.insert(script.substr(at, script.find("title", at) - at));
+  EXPECT_EQ(styles.size(), 28u);
+}
+
+TEST(Figure, LevelsAreDrawnInTheShownUnit)
+{
+  Figure figure             = make_figure();
+  figure.panels[1].y.factor = 1e-6;
+  figure.panels[1].levels   = {{"yield stress", 880e6}};
+  const std::string script  = script_of({figure});
+  EXPECT_NE(script.find("880 with lines"), std::string::npos) << script;
+  EXPECT_NE(script.find("title 'yield stress'"), std::string::npos);
+}
+
 TEST(Figure, GnuplotDrawsIt)
 {
   const ScratchFolder scratch;
-  scratch.write("tip.csv", data_of(make_figure()));
-  scratch.write("figures.gp", script_of({make_figure()}));
+  Figure              figure = make_figure();
+  figure.panels[1].levels    = {{"yield stress", 3.5}};
+  scratch.write("tip.csv", data_of(figure));
+  scratch.write("figures.gp", script_of({figure}));
   const auto result = birdstrike::run_child({{"gnuplot", "figures.gp"}, scratch.path().string(), true});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.output, "") << "warnings, too, are faults of the script";

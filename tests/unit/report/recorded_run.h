@@ -30,13 +30,19 @@ struct RecordedRun
   bool                          is_rising = false; ///< at the end, the tip
   std::map<std::string, double> more      = {};    ///< further values by their keys
   std::vector<std::string>      overrides;
+  std::string                   kind   = "shell";
+  std::map<std::string, double> metals = {}; ///< their yield stresses, Pa
 
   birdstrike::Summary make_summary(const std::string &name) const
   {
-    birdstrike::Summary made           = make_empty_summary(name);
-    auto               &json           = made.json;
-    json["end"]["reason"]              = reason;
-    json["blade"]["kind"]              = "shell";
+    birdstrike::Summary made = make_empty_summary(name);
+    auto               &json = made.json;
+    json["end"]["reason"]    = reason;
+    json["blade"]["kind"]    = kind;
+    if (!metals.empty())
+      json["blade"]["materials"].clear();
+    for (const auto &[metal, stress] : metals)
+      json["blade"]["materials"].push_back({{"name", metal}, {"yield_stress", stress}});
     json["tip"]["peak"]                = peak;
     json["tip"]["peak_reached"]        = !is_rising;
     json["contact"]["impulse"]         = {3., 0., -4.};
