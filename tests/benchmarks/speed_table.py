@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The README's table "Speed" from what run.sh has measured: python3 tests/benchmarks/speed_table.py build/speed
+"""The table "Measured" of tests/README.md from what run.sh has measured: python3 tests/benchmarks/speed_table.py build/speed
 
 Reads benchmarks.json and the run folders NAME-THREADS-REPEAT, of which the fastest counts. What is missing becomes a dash.
 """
