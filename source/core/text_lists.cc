@@ -27,15 +27,12 @@ namespace birdstrike
       return pieces;
     }
 
-    /// Values between blanks or commas.
     template <class Value>
-    std::vector<Value> parse_words(std::string text, const Patterns::PatternBase &pattern, const std::string &entry,
-                                   const std::string &allowed)
+    std::vector<Value> parse_values(const std::string &text, const Patterns::PatternBase &pattern,
+                                    const std::string &entry, const std::string &allowed)
     {
-      std::replace_if(
-        text.begin(), text.end(), [](const unsigned char c) { return c == ',' || std::isspace(c); }, ' ');
       std::vector<Value> values;
-      for (const std::string &word : split(text, ' '))
+      for (const std::string &word : parse_words(text))
         {
           if (!pattern.match(word))
             refuse(entry, word, allowed);
@@ -45,14 +42,21 @@ namespace birdstrike
     }
   } // namespace
 
+  std::vector<std::string> parse_words(std::string text)
+  {
+    std::replace_if(
+      text.begin(), text.end(), [](const unsigned char c) { return c == ',' || std::isspace(c); }, ' ');
+    return split(text, ' ');
+  }
+
   std::vector<unsigned int> parse_ids(const std::string &text, const std::string &entry)
   {
-    return parse_words<unsigned int>(text, Patterns::Integer(0), entry, "boundary ids, e.g. '0, 2'");
+    return parse_values<unsigned int>(text, Patterns::Integer(0), entry, "boundary ids, e.g. '0, 2'");
   }
 
   std::vector<double> parse_numbers(const std::string &text, const std::size_t count, const std::string &entry)
   {
-    auto numbers = parse_words<double>(text, Patterns::Double(), entry, "a number such as 0.0889 or 1e-3");
+    auto numbers = parse_values<double>(text, Patterns::Double(), entry, "a number such as 0.0889 or 1e-3");
     if (numbers.size() != count)
       refuse(entry, text, std::to_string(count) + " numbers separated by blanks");
     return numbers;
@@ -76,8 +80,8 @@ namespace birdstrike
   {
     static const std::array<std::string, 6> names{{"ux", "uy", "uz", "rx", "ry", "rz"}};
     std::array<bool, 6>                     held{};
-    for (const auto &word : parse_words<std::string>(text, Patterns::Selection("ux|uy|uz|rx|ry|rz|clamped|hinged"),
-                                                     entry, "ux uy uz rx ry rz, clamped (all six), hinged (ux uy uz)"))
+    for (const auto &word : parse_values<std::string>(text, Patterns::Selection("ux|uy|uz|rx|ry|rz|clamped|hinged"),
+                                                      entry, "ux uy uz rx ry rz, clamped (all six), hinged (ux uy uz)"))
       for (unsigned int c = 0; c < 6; ++c)
         held[c] = held[c] || word == names[c] || word == "clamped" || (word == "hinged" && c < 3);
     return held;

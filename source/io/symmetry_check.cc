@@ -130,7 +130,7 @@ namespace birdstrike
     void require_both_edges(const std::string &ids, const std::string &entry)
     {
       constexpr unsigned int leading = 2, trailing = 3; // boundaries of the flat plate
-      const auto             list = parse_ids(ids, "Blade/" + entry);
+      const auto             list = built_in_boundaries().parse(ids, "Blade/" + entry);
       const auto has = [&](const unsigned int id) { return std::find(list.begin(), list.end(), id) != list.end(); };
       refuse_unless(has(leading) == has(trailing), "Blade/" + entry, "both edges (2 and 3) or neither");
     }

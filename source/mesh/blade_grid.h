@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/files/imported_mesh.h"
 #include <birdstrike/mesh/blade_mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -15,6 +16,7 @@ namespace birdstrike
     using CellIterator = typename dealii::DoFHandler<dim, 3>::active_cell_iterator;
 
     dealii::Triangulation<dim, 3>             triangulation;
+    MeshLabels                                labels;
     std::unique_ptr<dealii::FESystem<dim, 3>> element;
     dealii::DoFHandler<dim, 3>                dofs;
     std::vector<std::uint32_t>                node_of_vertex; ///< global

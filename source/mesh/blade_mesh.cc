@@ -107,9 +107,12 @@ namespace birdstrike
     const MeshParameters &mesh         = parameters.mesh;
     const bool            is_generated = mesh.generator != MeshGenerator::file;
     if (is_generated)
-      generate(parameters, grid->triangulation);
+      {
+        generate(parameters, grid->triangulation);
+        grid->labels.boundaries = built_in_boundaries();
+      }
     else
-      read_mesh_file(mesh, grid->triangulation);
+      grid->labels = read_mesh_file(mesh, grid->triangulation);
     set_material_ids(mesh.material_boxes, parameters.is_halved, grid->triangulation);
     grid->is_halved = parameters.is_halved;
     if (grid->is_halved)
@@ -228,6 +231,8 @@ namespace birdstrike
       }
     const auto ids = grid->triangulation.get_boundary_ids();
     this->boundary_ids.assign(ids.begin(), ids.end());
+    this->boundary_names = grid->labels.boundaries;
+    this->material_names = grid->labels.materials;
     if (this->space.is_whole())
       check_connection(*this);
     if (grid->is_halved)

@@ -1,4 +1,7 @@
 #include "mesh/mesh_file.h"
+
+#include "mesh/files/file_lines.h"
+#include "mesh/files/readers.h"
 #include <birdstrike/core/quiet_errors.h>
 
 #include <birdstrike/core/errors.h>
@@ -7,9 +10,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 
 namespace birdstrike
@@ -19,70 +20,53 @@ namespace birdstrike
     template <int dim>
     const std::string cells_of = dim == 2 ? "quadrilaterals" : "hexahedra";
 
-    std::ifstream open(const std::string &file)
+    std::string ending_of(const std::string &file)
     {
-      std::ifstream in(file);
-      if (!in)
-        throw InputError("Blade/Mesh/File: cannot open '" + file + "'.\nPaths are relative to the working directory.");
-      return in;
+      return file.substr(std::min(file.rfind('.'), file.size()));
     }
 
     /// Two formats end on .inp; only Abaqus' begins with a keyword or comment line.
     bool is_abaqus(const std::string &file)
     {
-      std::ifstream in    = open(file);
-      char          first = 0;
-      in >> first;
-      return first == '*';
-    }
-
-    /// Whether some element is a brick (C3D8, C3D8R, ...); deal.II's reader takes the nodes of any type as they come.
-    bool has_abaqus_bricks(const std::string &file)
-    {
-      std::ifstream in = open(file);
-      for (std::string line; std::getline(in, line);)
-        {
-          line.erase(std::remove_if(line.begin(), line.end(), [](const unsigned char c) { return std::isspace(c); }),
-                     line.end());
-          std::transform(line.begin(), line.end(), line.begin(), [](const unsigned char c) { return std::toupper(c); });
-          if (line.find("TYPE=C3D8") != std::string::npos)
-            return true;
-        }
+      FileLines lines(file);
+      while (lines.next())
+        if (const auto text = trim(lines.text()); !text.empty())
+          return text[0] == '*';
       return false;
     }
 
-    template <int dim>
-    typename dealii::GridIn<dim, 3>::Format format_of(const std::string &file)
+    /// The formats that readers of our own read.
+    std::optional<ImportedMesh> import(const std::string &file)
     {
-      using Reader             = dealii::GridIn<dim, 3>;
-      const std::string suffix = file.substr(std::min(file.rfind('.'), file.size()));
-      if (suffix == ".msh")
-        return Reader::msh;
-      if (suffix == ".inp")
-        return is_abaqus(file) ? Reader::abaqus : Reader::ucd;
-      if (suffix == ".vtk")
-        return Reader::vtk;
+      const std::string ending = ending_of(file);
+      if (ending == ".k" || ending == ".key" || ending == ".dyn")
+        return read_ls_dyna(file);
+      if (ending == ".vtk")
+        return read_vtk(file);
+      if (ending == ".inp" && is_abaqus(file))
+        return read_abaqus(file);
+      if (ending == ".msh" || ending == ".inp")
+        return {};
       throw InputError("Blade/Mesh/File: '" + file +
-                       "' has an unknown ending.\nAllowed: .msh (Gmsh 2 and 4), .inp (UCD or Abaqus), .vtk.");
+                       "' has an unknown ending.\nAllowed: .msh (Gmsh 2 and 4), .inp (Abaqus or UCD), .k .key .dyn "
+                       "(LS-DYNA), .vtk.");
     }
 
+    /// Formats of deal.II's reader.
     template <int dim>
     void read(const std::string &file, dealii::Triangulation<dim, 3> &triangulation)
     {
-      const auto             format = format_of<dim>(file);
-      std::ifstream          in     = open(file);
+      std::ifstream          in(file);
       const QuietErrors      quiet;
       dealii::GridIn<dim, 3> reader;
       reader.attach_triangulation(triangulation);
-      if (format == dealii::GridIn<dim, 3>::abaqus && has_abaqus_bricks(file) != (dim == 3))
-        throw std::invalid_argument("elements of another dimension");
       try
         {
-          reader.read(in, format);
+          reader.read(in, ending_of(file) == ".msh" ? dealii::GridIn<dim, 3>::msh : dealii::GridIn<dim, 3>::ucd);
         }
       catch (const typename dealii::Triangulation<dim, 3>::DistortedCellList &)
         {
-          // The cells exist; check_shape finds the first bad one and names it.
+          // The cells exist; check_cells finds the first bad one and names it.
         }
     }
 
@@ -103,9 +87,9 @@ namespace birdstrike
     }
 
     template <int dim>
-    [[noreturn]] void refuse(const std::string &file)
+    [[noreturn]] void refuse(const std::string &file, const std::size_t n_others)
     {
-      if (const unsigned int n_others = count_cells<5 - dim>(file); n_others > 0)
+      if (n_others > 0)
         throw InputError("Blade/Mesh/File: '" + file + "' holds " + std::to_string(n_others) + " " + cells_of<5 - dim> +
                          ", but " + cells_of<dim> +
                          (dim == 2 ? " of the mid-surface are needed.\nSet Blade/Kind = solid, or give a surface mesh."
@@ -114,30 +98,44 @@ namespace birdstrike
       throw InputError("Blade/Mesh/File: '" + file + "' is not a mesh of " + cells_of<dim> +
                        " that can be read.\nAllowed: " + cells_of<dim> + " with labelled boundary " +
                        (dim == 2 ? "lines" : "quadrilaterals") +
-                       ", every other cell kind removed; Gmsh format 2 or 4, text; Abaqus with sets EB1, EB2, ... and "
-                       "surfaces SS1, SS2, ...\nSave again with " +
+                       ", every other cell kind removed; Gmsh format 2 or 4, text; Abaqus; LS-DYNA; VTK legacy.\n"
+                       "Save again with " +
                        (dim == 2 ? "'Recombine' on and only physical surfaces and lines."
                                  : "only physical volumes and surfaces (transfinite or swept, recombined)."));
+    }
+
+    template <int dim>
+    MeshLabels read_by_dealii(const std::string &file, dealii::Triangulation<dim, 3> &triangulation)
+    {
+      try
+        {
+          read(file, triangulation);
+        }
+      catch (const std::exception &)
+        {
+          refuse<dim>(file, count_cells<5 - dim>(file));
+        }
+      return ending_of(file) == ".msh" ? read_gmsh_names(file, dim) : MeshLabels();
+    }
+
+    /// Bricks make a body, whatever else there is; quadrilaterals are a surface only where there are none.
+    template <int dim>
+    MeshLabels take(const ImportedMesh &mesh, const std::string &file, dealii::Triangulation<dim, 3> &triangulation)
+    {
+      if (mesh.elements[dim].empty() || (dim == 2 && !mesh.elements[3].empty()))
+        refuse<dim>(file, mesh.elements[5 - dim].size());
+      const QuietErrors quiet;
+      return make_triangulation(mesh, file, triangulation);
     }
   } // namespace
 
   template <int dim>
-  void read_mesh_file(const MeshParameters &parameters, dealii::Triangulation<dim, 3> &triangulation)
+  MeshLabels read_mesh_file(const MeshParameters &parameters, dealii::Triangulation<dim, 3> &triangulation)
   {
     const std::string &file = parameters.file;
-    open(file);
-    try
-      {
-        read(file, triangulation);
-      }
-    catch (const InputError &)
-      {
-        throw;
-      }
-    catch (const std::exception &)
-      {
-        refuse<dim>(file);
-      }
+    FileLines{file}; // can be opened
+    const std::optional<ImportedMesh> imported = import(file);
+    MeshLabels labels = imported ? take(*imported, file, triangulation) : read_by_dealii(file, triangulation);
     if (parameters.file_scale != 1.)
       dealii::GridTools::scale(parameters.file_scale, triangulation);
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -147,8 +145,9 @@ namespace birdstrike
                          (dim == 2 ? "Recombine the triangles (Gmsh: Mesh.RecombineAll = 1)."
                                    : "Mesh the body by sweeping or transfinite volumes; tetrahedra and wedges are "
                                      "not offered."));
+    return labels;
   }
 
-  template void read_mesh_file(const MeshParameters &, dealii::Triangulation<2, 3> &);
-  template void read_mesh_file(const MeshParameters &, dealii::Triangulation<3, 3> &);
+  template MeshLabels read_mesh_file(const MeshParameters &, dealii::Triangulation<2, 3> &);
+  template MeshLabels read_mesh_file(const MeshParameters &, dealii::Triangulation<3, 3> &);
 } // namespace birdstrike

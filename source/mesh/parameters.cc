@@ -85,11 +85,13 @@ namespace birdstrike
       "twisted, tapered and cambered by the laws of Profile), both with boundary ids 0 root, 1 tip, 2 leading edge, 3 "
       "trailing edge, or a file. [-]");
     declare_grid(prm, p);
-    prm.add_parameter("File", p.file,
-                      "Quadrilateral surface mesh of a shell, hexahedral volume mesh of a solid: .msh (Gmsh 2 or 4), "
-                      ".inp (UCD or Abaqus) or .vtk; physical lines (solid: surfaces) become boundary ids (unlabelled: "
-                      "0), physical surfaces (solid: volumes) material ids. [-]",
-                      Anything());
+    prm.add_parameter(
+      "File", p.file,
+      "Quadrilateral surface mesh of a shell, hexahedral volume mesh of a solid: .msh (Gmsh 2 or 4), "
+      ".inp (Abaqus or UCD), .k .key .dyn (LS-DYNA) or .vtk. Its named groups (physical lines, solid: "
+      "surfaces; node sets, surfaces, segments) are boundaries, unlabelled: 0; physical surfaces (solid: "
+      "volumes), element sets and parts are materials. Entries take their names or ids. [-]",
+      Anything());
     prm.add_parameter("File scale", p.file_scale, "Metres per length unit of the file, e.g. 0.001. [m]", Double(tiny));
     prm.add_parameter("Material boxes", p.material_boxes,
                       "Material ids of the cells whose centre lies in a box: 'xmin ymin zmin xmax ymax zmax: 1; ...'; "
@@ -107,8 +109,8 @@ namespace birdstrike
                       Anything());
     prm.add_parameter(
       "By material", p.by_material,
-      "Thickness of the cells with a material id, which replaces the value: '1: 0.004; 2: 0.003'; built-in parts have "
-      "the id 0. [m]",
+      "Thickness of the cells with a material id or name, which replaces the value: '1: 0.004; root_block: 0.006'; "
+      "built-in parts have the id 0. [m]",
       Anything());
     prm.add_parameter("Maximum", p.maximum,
                       "Largest thickness of the section of a built-in part, a formula in the normalised span s (0 "

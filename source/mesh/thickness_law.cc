@@ -60,11 +60,11 @@ namespace birdstrike
     }
   } // namespace
 
-  ThicknessLaw make_thickness_law(const GeometryParameters &parameters)
+  ThicknessLaw make_thickness_law(const GeometryParameters &parameters, const NamedIds &materials)
   {
     std::map<unsigned int, double> by_material;
     for (const auto &[key, value] : parse_pairs(parameters.thickness.by_material, "Blade/Thickness/By material"))
-      for (const unsigned int id : parse_ids(key, "Blade/Thickness/By material"))
+      for (const unsigned int id : materials.parse(key, "Blade/Thickness/By material"))
         by_material[id] = parse_numbers(value, 1, "Blade/Thickness/By material")[0];
     return [by_material, law = make_base_law(parameters)](const double *position, const unsigned int material_id) {
       const auto found = by_material.find(material_id);

@@ -19,7 +19,7 @@ namespace birdstrike
     : plane(parameters.is_halved)
     , mesh(parameters)
     , supports(parameters.supports, mesh)
-    , sections(parameters, mesh.material_ids)
+    , sections(parameters, mesh.material_ids, mesh.material_names)
     , lumped(Kind::compute_mass(mesh, sections))
     , elements(Kind::make_elements(mesh, lumped, sections, pool))
     , pressed(Kind::find_pressed(mesh, parameters.loads))

@@ -67,8 +67,8 @@ namespace birdstrike
     {
       prm.enter_subsection(name);
       prm.add_parameter("Material ids", p.material_ids,
-                        "Ids of the cells that have this section instead of the blade's own, e.g. '1, 2'; none: it is "
-                        "not used. What is not given below is the blade's. [-]",
+                        "Ids or names of the cells that have this section instead of the blade's own, e.g. '1, "
+                        "coating'; none: it is not used. What is not given below is the blade's. [-]",
                         Anything());
       declare_choice(prm, "Formulation", p.formulation, element_formulations(),
                      "See Element/Formulation; automatic: the blade's. [-]");
@@ -88,28 +88,34 @@ namespace birdstrike
     void declare_supports(dealii::ParameterHandler &prm, BladeParameters::Supports &p)
     {
       prm.enter_subsection("Supports");
-      prm.add_parameter("Clamped", p.clamped,
-                        "Boundary ids whose nodes are held in all their unknowns, e.g. '0, 2'. [-]", Anything());
-      prm.add_parameter("Hub", p.hub,
-                        "Boundary ids that sit on the hub: clamped, and the section whose forces are reported (without "
-                        "them the clamped ids are). [-]",
+      prm.add_parameter(
+        "Clamped", p.clamped,
+        "Boundary ids or names whose nodes are held in all their unknowns, e.g. '0, 2' or 'root'. A file "
+        "names its own, built-in parts have root, tip, leading_edge, trailing_edge. [-]",
+        Anything());
+      prm.add_parameter(
+        "Hub", p.hub,
+        "Boundary ids or names that sit on the hub: clamped, and the section whose forces are reported (without "
+        "them the clamped ids are). [-]",
+        Anything());
+      prm.add_parameter("Free", p.free, "Boundary ids or names that must exist and are held by nothing. [-]",
                         Anything());
-      prm.add_parameter("Free", p.free, "Boundary ids that must exist and are held by nothing. [-]", Anything());
-      prm.add_parameter("Tip", p.tip, "Boundary ids of the tip row, where the tip deflection is taken. [-]",
+      prm.add_parameter("Tip", p.tip, "Boundary ids or names of the tip row, where the tip deflection is taken. [-]",
                         Anything());
       prm.add_parameter(
         "Held", p.held,
-        "Components held on boundary ids: '3: ux uy rz; 2: hinged'; clamped is all six, hinged is ux uy "
+        "Components held on boundary ids or names: '3: ux uy rz; tip: hinged'; clamped is all six, hinged is ux uy "
         "uz. [-]",
         Anything());
       prm.add_parameter("Held boxes", p.held_boxes,
                         "Components held on all nodes in a box: 'xmin ymin zmin xmax ymax zmax: ux uy; ...'. [m]",
                         Anything());
-      prm.add_parameter("Driven", p.driven,
-                        "Displacements (rotations: rad) on boundary ids as formulas of the time t that begin at 0: '3: "
-                        "uz = 1e-3*sin(2*pi*100*t); 2: ux uy = 5*t'. A component that is held, or driven by an earlier "
-                        "piece, stays so. [m]",
-                        Anything());
+      prm.add_parameter(
+        "Driven", p.driven,
+        "Displacements (rotations: rad) on boundary ids or names as formulas of the time t that begin at 0: '3: "
+        "uz = 1e-3*sin(2*pi*100*t); 2: ux uy = 5*t'. A component that is held, or driven by an earlier "
+        "piece, stays so. [m]",
+        Anything());
       prm.leave_subsection();
     }
 
@@ -120,10 +126,11 @@ namespace birdstrike
                         "Follower pressure, a formula in x, y, z, t (reference position); positive pushes along the "
                         "surface normal, +z on the built-in plate. [Pa]",
                         Anything());
-      prm.add_parameter("Pressure boundaries", p.pressure_boundaries,
-                        "Boundary ids of a solid whose faces the pressure pushes inwards; 5, the built-in face on the "
-                        "side of minus the normal, makes it push as on the shell. [-]",
-                        Anything());
+      prm.add_parameter(
+        "Pressure boundaries", p.pressure_boundaries,
+        "Boundary ids or names of a solid whose faces the pressure pushes inwards; 5, the built-in face on the "
+        "side of minus the normal, makes it push as on the shell. [-]",
+        Anything());
       prm.add_parameter("Point loads", p.point_loads,
                         "Dead forces, and if six formulas are given moments, on the nearest node: 'x y z: fx; fy; fz | "
                         "...', formulas in t. [N]",
@@ -184,7 +191,7 @@ namespace birdstrike
     for (std::size_t k = 0; k < n_sections; ++k)
       {
         const Section &section = sections[k];
-        if (parse_ids(section.material_ids, section_path(k + 1) + "Material ids").empty())
+        if (parse_words(section.material_ids).empty())
           continue;
         BladeParameters &changed = result[k + 1] = *this;
         if (!std::holds_alternative<std::monostate>(section.formulation))

@@ -8,16 +8,20 @@
 
 namespace birdstrike
 {
-  SectionTable::SectionTable(const BladeParameters &parameters, const std::vector<unsigned int> &material_ids)
+  SectionTable::SectionTable(const BladeParameters &parameters, const std::vector<unsigned int> &material_ids,
+                             const NamedIds &names)
+    : names(names)
   {
     for (auto &[k, of_section] : parameters.by_section())
       {
         const std::string entry = BladeParameters::section_path(k) + "Material ids";
-        for (const unsigned int id : parse_ids(k > 0 ? parameters.sections[k - 1].material_ids : "", entry))
+        for (const unsigned int id :
+             names.parse(k > 0 ? parameters.sections[k - 1].material_ids : "", "Blade/" + entry))
           {
             if (std::find(material_ids.begin(), material_ids.end(), id) == material_ids.end())
-              throw InputError("Blade/" + entry + ": no cell of the mesh has the material id " + std::to_string(id) +
-                               ".\nSet Blade/Mesh/Material boxes, or name an id that the file has.");
+              throw InputError(
+                "Blade/" + entry + ": no cell of the mesh has the material id " + std::to_string(id) +
+                ".\nSet Blade/Mesh/Material boxes, or name an id that the file has; its names: " + names.list() + ".");
             if (!of_id.emplace(id, all.size()).second)
               throw InputError("Blade/" + entry + ": the material id " + std::to_string(id) +
                                " has been named before.\nName each id once, in one section.");
@@ -65,7 +69,7 @@ namespace birdstrike
           return formula->value(x, 0.);
         };
       }
-    return [some, law = make_thickness_law(all.front())](const double *x, const unsigned int id) {
+    return [some, law = make_thickness_law(all.front(), names)](const double *x, const unsigned int id) {
       const auto given = some.find(id);
       return given != some.end() ? thickness_at(given->second.law, x, id, given->second.entry) : law(x, id);
     };

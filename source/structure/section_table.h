@@ -2,6 +2,7 @@
 
 #include "structure/elements/elements.h"
 #include <birdstrike/mesh/density_law.h>
+#include <birdstrike/mesh/named_ids.h>
 #include <birdstrike/mesh/thickness_law.h>
 #include <birdstrike/structure/parameters.h>
 
@@ -15,8 +16,10 @@ namespace birdstrike
   /// has ids.
   struct SectionTable
   {
-    /// `material_ids` of the cells. Throws InputError for an id that is named twice or that no cell has.
-    SectionTable(const BladeParameters &parameters, const std::vector<unsigned int> &material_ids);
+    /// `material_ids` of the cells, and names for them. Throws InputError for an id that is named twice or that no cell
+    /// has.
+    SectionTable(const BladeParameters &parameters, const std::vector<unsigned int> &material_ids,
+                 const NamedIds &names);
 
     DensityLaw   density_law() const;
     ThicknessLaw thickness_law() const; ///< of shells
@@ -25,6 +28,7 @@ namespace birdstrike
     std::vector<BladeParameters>          all;        ///< of these, with the entries of each in their places
     std::vector<std::uint32_t>            of_element; ///< which of these
     std::map<unsigned int, std::uint32_t> of_id;      ///< likewise, of ids that sections name
+    NamedIds                              names;      ///< of material ids
   };
 
   /// Sections as elements take them; `make`: one of these from the parameters with its entries.

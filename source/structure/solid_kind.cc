@@ -55,7 +55,7 @@ namespace birdstrike
     PressedFacets pressed;
     if (!is_present(loads.pressure))
       return pressed;
-    const auto ids = parse_ids(loads.pressure_boundaries, "Blade/Loads/Pressure boundaries");
+    const auto ids = mesh.boundary_names.parse(loads.pressure_boundaries, "Blade/Loads/Pressure boundaries");
     for (const auto &face : mesh.boundary)
       if (std::find(ids.begin(), ids.end(), face.id) != ids.end())
         {
@@ -63,8 +63,9 @@ namespace birdstrike
           pressed.elements.push_back(face.cell);
         }
     if (pressed.facets.empty())
-      throw InputError("Blade/Loads/Pressure boundaries: no face of the mesh has one of the ids '" +
-                       loads.pressure_boundaries + "'.\nPressure on a solid needs faces to act on.");
+      throw InputError(
+        "Blade/Loads/Pressure boundaries: no face of the mesh has one of the ids '" + loads.pressure_boundaries +
+        "'.\nPressure on a solid needs faces to act on; names in this mesh: " + mesh.boundary_names.list() + ".");
     return pressed;
   }
 

@@ -10,6 +10,9 @@
 /// allowed.
 namespace birdstrike
 {
+  /// Words between blanks or commas.
+  std::vector<std::string> parse_words(std::string text);
+
   /// "0, 1, 7" -> boundary or material ids.
   std::vector<unsigned int> parse_ids(const std::string &text, const std::string &entry);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/core/number.h>
+#include <birdstrike/mesh/named_ids.h>
 #include <birdstrike/mesh/node_space.h>
 
 #include <array>
@@ -39,6 +40,7 @@ namespace birdstrike
     std::vector<std::uint32_t>                     symmetry_nodes; ///< sorted, of these sides
     std::vector<unsigned int>                      boundary_ids;   ///< sorted, of the whole mesh
     std::vector<unsigned int>                      mirrored_ids;   ///< boundary ids that only the other half has
+    NamedIds                                       boundary_names{"boundary"}, material_names{"material"};
 
     Point3 node(const std::size_t n) const
     {

@@ -44,7 +44,7 @@ namespace birdstrike
     {
       static constexpr const char *same = "as the blade"; ///< name of a metal
 
-      std::string        material_ids; ///< none: the section is not used
+      std::string        material_ids; ///< or names; none: the section is not used
       ElementFormulation formulation;  ///< automatic: the blade's
       unsigned int       n_points = 0; ///< through the thickness; 0: the blade's
       std::string        thickness;    ///< m, of shells, number or expression in x, y, z; empty: the blade's
@@ -63,10 +63,10 @@ namespace birdstrike
 
     struct Supports
     {
-      std::string clamped = "0"; ///< boundary ids
-      std::string hub;           ///< boundary ids: clamped, and the section where root forces are reported
-      std::string free;          ///< boundary ids that must exist and hold nothing
-      std::string tip = "1";     ///< boundary ids of the tip row
+      std::string clamped = "0"; ///< boundary ids or names, as in all that follow
+      std::string hub;           ///< clamped, and the section where root forces are reported
+      std::string free;          ///< must exist and hold nothing
+      std::string tip = "1";     ///< the tip row
       std::string held;          ///< "3: ux uy; 2: uz"
       std::string held_boxes;    ///< "xmin ymin zmin xmax ymax zmax: ux uy"
       std::string driven;        ///< "3: uz = 1e-3*sin(2*pi*100*t)", m and rad, expressions in t

@@ -9,9 +9,11 @@ namespace birdstrike
 {
   namespace
   {
+    /// Boundary ids of an entry, which the mesh must have.
     template <class Mesh>
-    void require_ids(const std::vector<unsigned int> &ids, const Mesh &mesh, const std::string &entry)
+    std::vector<unsigned int> require_ids(const std::string &text, const Mesh &mesh, const std::string &entry)
     {
+      const auto ids = mesh.boundary_names.parse(text, "Blade/Supports/" + entry);
       for (const unsigned int id : ids)
         if (!mesh.has_boundary_id(id) &&
             std::find(mesh.mirrored_ids.begin(), mesh.mirrored_ids.end(), id) == mesh.mirrored_ids.end())
@@ -20,8 +22,9 @@ namespace birdstrike
             for (const unsigned int other : mesh.boundary_ids)
               known += (known.empty() ? "" : ", ") + std::to_string(other);
             throw InputError("Blade/Supports/" + entry + ": the mesh has no boundary id " + std::to_string(id) +
-                             ".\nIds of this mesh: " + known + ".");
+                             ".\nIds of this mesh: " + known + "; names: " + mesh.boundary_names.list() + ".");
           }
+      return ids;
     }
 
     template <unsigned int n_unknowns>
@@ -94,18 +97,19 @@ namespace birdstrike
   template <class Mesh>
   void Supports::find_roles(const BladeParameters::Supports &parameters, const Mesh &mesh)
   {
-    const auto clamped = parse_ids(parameters.clamped, "Blade/Supports/Clamped");
-    const auto hub     = parse_ids(parameters.hub, "Blade/Supports/Hub");
-    require_ids(clamped, mesh, "Clamped");
-    require_ids(hub, mesh, "Hub");
-    require_ids(parse_ids(parameters.free, "Blade/Supports/Free"), mesh, "Free");
+    clamped_ids = require_ids(parameters.clamped, mesh, "Clamped");
+    root_ids    = require_ids(parameters.hub, mesh, "Hub");
+    clamped_ids.insert(clamped_ids.end(), root_ids.begin(), root_ids.end());
+    if (root_ids.empty())
+      root_ids = clamped_ids;
+    require_ids(parameters.free, mesh, "Free");
     // The default names the tip of the built-in plate, which a file need not have.
     if (parameters.tip != BladeParameters::Supports().tip)
-      require_ids(parse_ids(parameters.tip, "Blade/Supports/Tip"), mesh, "Tip");
-    root_ids = hub.empty() ? clamped : hub;
-    for (const unsigned int id : parse_ids(parameters.tip, "Blade/Supports/Tip"))
-      if (mesh.has_boundary_id(id))
-        tip_ids.push_back(id);
+      tip_ids = require_ids(parameters.tip, mesh, "Tip");
+    else
+      for (const unsigned int id : mesh.boundary_names.parse(parameters.tip, "Blade/Supports/Tip"))
+        if (mesh.has_boundary_id(id))
+          tip_ids.push_back(id);
   }
 
   template <unsigned int n_unknowns, class Mesh>
@@ -113,14 +117,12 @@ namespace birdstrike
   {
     constexpr std::array<bool, 6> all{{true, true, true, true, true, true}};
     HeldSet<n_unknowns>           held;
-    held.add(mesh.nodes_on(parse_ids(parameters.clamped, "Blade/Supports/Clamped")), all);
-    held.add(mesh.nodes_on(parse_ids(parameters.hub, "Blade/Supports/Hub")), all);
+    held.add(mesh.nodes_on(clamped_ids), all);
     // the mirror image at y = 0 has -u_y, -theta_x and -theta_z
     held.add(mesh.symmetry_nodes, {{false, true, false, true, false, true}});
     for (const auto &[key, components] : parse_pairs(parameters.held, "Blade/Supports/Held"))
       {
-        const auto ids = parse_ids(key, "Blade/Supports/Held");
-        require_ids(ids, mesh, "Held");
+        const auto ids = require_ids(key, mesh, "Held");
         held.add(mesh.nodes_on(ids), read_components<n_unknowns>(components, "Supports/Held"));
       }
     for (const auto &[key, components] : parse_pairs(parameters.held_boxes, "Blade/Supports/Held boxes"))
@@ -133,9 +135,8 @@ namespace birdstrike
       }
     for (const auto &[key, text] : parse_pairs(parameters.driven, "Blade/Supports/Driven"))
       {
-        const auto ids    = parse_ids(key, "Blade/Supports/Driven");
+        const auto ids    = require_ids(key, mesh, "Driven");
         const auto equals = text.find('=');
-        require_ids(ids, mesh, "Driven");
         if (equals == std::string::npos)
           throw InputError("Blade/Supports/Driven: '" + text +
                            "' has no formula.\nAllowed: '3: uz = 1e-3*sin(600*t)'.");

@@ -10,11 +10,11 @@
 
 namespace birdstrike
 {
-  /// Which unknowns of owned nodes are held at zero velocity: by boundary id (clamped, hub, named components), by
-  /// coordinate boxes, and on a plane of symmetry; and which are driven, their displacement a formula of time. A node
-  /// of a shell has six unknowns, one of a solid three: "clamped" holds all of them. Throws InputError for a boundary
-  /// id that the mesh does not have, a box without nodes, an unknown component, single rotations of a solid, a formula
-  /// that cannot be read, is not 0 at t = 0, or drives across a plane of symmetry.
+  /// Which unknowns of owned nodes are held at zero velocity: by boundary id or name (clamped, hub, named components),
+  /// by coordinate boxes, and on a plane of symmetry; and which are driven, their displacement a formula of time. A
+  /// node of a shell has six unknowns, one of a solid three: "clamped" holds all of them. Throws InputError for a
+  /// boundary id or name that the mesh does not have, a box without nodes, an unknown component, single rotations of a
+  /// solid, a formula that cannot be read, is not 0 at t = 0, or drives across a plane of symmetry.
   struct Supports
   {
     Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh);
@@ -34,8 +34,9 @@ namespace birdstrike
 
     std::vector<std::uint32_t> held_dofs; ///< sorted, n_unknowns node + component, driven ones among them
     std::vector<Driven>        driven;
-    std::vector<unsigned int>  root_ids; ///< hub if given, else clamped
-    std::vector<unsigned int>  tip_ids;  ///< those of the tip list that the mesh has
+    std::vector<unsigned int>  clamped_ids; ///< clamped and hub
+    std::vector<unsigned int>  root_ids;    ///< hub if given, else clamped
+    std::vector<unsigned int>  tip_ids;     ///< those of the tip list that the mesh has
 
   private:
     template <class Mesh>

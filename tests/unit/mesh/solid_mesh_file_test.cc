@@ -56,8 +56,8 @@ namespace birdstrike
 
     TEST(SolidMeshFile, FileGivesThePlateOfTheGenerator)
     {
-      SolidMesh         file(from_file(meshes + "plate-14x4x2.msh"));
-      const SolidMesh   built(plate(14, 4, 2));
+      SolidMesh         file(from_file(meshes + "plate-28x8x1.msh"));
+      const SolidMesh   built(plate(28, 8, 1));
       const VolumeMesh &a = file, &b = built;
       EXPECT_EQ(a.nodes.size(), b.nodes.size());
       EXPECT_EQ(a.n_skin_nodes, b.n_skin_nodes);
@@ -113,8 +113,8 @@ namespace birdstrike
       const auto solid = message([] { const SolidMesh mesh(from_file(meshes + "plate-28x8.msh")); });
       EXPECT_TRUE(says(solid, "holds 224 quadrilaterals, but hexahedra are needed")) << solid;
       EXPECT_TRUE(says(solid, "Set Blade/Kind = shell")) << solid;
-      const auto shell = message([] { const ShellMesh mesh(from_file(meshes + "plate-14x4x2.msh")); });
-      EXPECT_TRUE(says(shell, "holds 112 hexahedra, but quadrilaterals of the mid-surface are needed")) << shell;
+      const auto shell = message([] { const ShellMesh mesh(from_file(meshes + "plate-28x8x1.msh")); });
+      EXPECT_TRUE(says(shell, "holds 224 hexahedra, but quadrilaterals of the mid-surface are needed")) << shell;
       EXPECT_TRUE(says(shell, "Set Blade/Kind = solid")) << shell;
     }
 
@@ -132,8 +132,11 @@ namespace birdstrike
       EXPECT_NO_THROW(ShellMesh{from_file(shells.path)});
       const auto of_shells = message([&] { const SolidMesh mesh(from_file(shells.path)); });
       EXPECT_TRUE(says(of_shells, "holds 1 quadrilaterals")) << of_shells;
-      const TemporaryMesh both("-b.inp", "*HEADING\n" + nodes + shell + brick);
-      EXPECT_TRUE(says(message([&] { const SolidMesh mesh(from_file(both.path)); }), "is not a mesh of hexahedra"));
+      // bricks make a body, and a shell on one of their faces names it
+      const TemporaryMesh both("-b.inp",
+                               "*HEADING\n" + nodes + "*ELEMENT, TYPE=S4, ELSET=SS7\n2, 1, 2, 3, 4\n" + brick);
+      EXPECT_EQ(SolidMesh(from_file(both.path)).boundary_ids, (Ids{0, 7}));
+      EXPECT_TRUE(says(message([&] { const ShellMesh mesh(from_file(both.path)); }), "holds 1 hexahedra"));
     }
 
     TEST(SolidMeshFile, RefusesBadFiles)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "blade_case.h"
+#include "mesh_writers.h"
 
 #include <Eigen/Geometry>
 
@@ -24,6 +25,8 @@ namespace birdstrike::test
     std::function<std::vector<unsigned int>()> corners;
     unsigned int                               seed   = 0; ///< of the order of cells and nodes; 0: as they come
     Matrix3<double>                            turned = Matrix3<double>::Identity();
+    MeshFormat                                 format = MeshFormat::gmsh;
+    std::function<Point3(const Point3 &)>      shape{}; ///< of the plate, before it is turned; none: flat
   };
 
   /// The 24 rotations of a cube as orders of its corners.
@@ -46,7 +49,7 @@ namespace birdstrike::test
     return all;
   }
 
-  /// The plate of elastic_plate() as a Gmsh file that lives as long as this object: quadrilaterals, or hexahedra in
+  /// The plate of elastic_plate() as a file that lives as long as this object: quadrilaterals, or hexahedra in
   /// n_layers. Boundary ids 10 root, 11 tip, 12 and 13 the edges at -y and +y, 15 and 16 the faces at -z and +z.
   class PlateFile
   {
@@ -54,19 +57,18 @@ namespace birdstrike::test
     PlateFile(const std::array<unsigned int, 3> &n, const Listing &listing)
       : n(n), listing(listing), random(listing.seed)
     {
-      std::string   pattern = (std::filesystem::temp_directory_path() / "birdstrike-XXXXXX.msh").string();
-      const int     file    = ::mkstemps(pattern.data(), 4);
-      std::ofstream out(path = pattern);
+      const bool        is_gmsh = listing.format == MeshFormat::gmsh, is_abaqus = listing.format == MeshFormat::abaqus;
+      const std::string ending  = is_gmsh ? ".msh" : is_abaqus ? ".inp" : ".k";
+      std::string       pattern = (std::filesystem::temp_directory_path() / "birdstrike-XXXXXX").string() + ending;
+      const int         file    = ::mkstemps(pattern.data(), static_cast<int>(ending.size()));
+      std::ofstream     out(path = pattern);
       ::close(file);
-      out.precision(17);
-      write_nodes(out);
+      add_nodes();
       for (unsigned int d = 0; d < (n[2] > 0 ? 3u : 2u); ++d)
         add_sides(d);
       add_cells();
-      out << "$Elements\n" << elements.size() << '\n';
-      for (std::size_t k = 0; k < elements.size(); ++k)
-        out << k + 1 << elements[k] << '\n';
-      out << "$EndElements\n";
+      mesh.names = {{10, "root"}, {11, "tip"}, {12, "leading edge"}, {13, "trailing edge"}};
+      (is_gmsh ? write_gmsh : is_abaqus ? write_abaqus : write_ls_dyna)(out, mesh);
     }
     PlateFile(const PlateFile &) = delete;
     ~PlateFile()
@@ -76,12 +78,13 @@ namespace birdstrike::test
 
     BladeParameters parameters() const
     {
-      BladeParameters p  = elastic_plate(n[0], n[1]);
-      p.kind             = n[2] > 0 ? BladeKind::solid : BladeKind::shell;
-      p.mesh.generator   = MeshGenerator::file;
-      p.mesh.file        = path;
-      p.supports.clamped = "10";
-      p.supports.tip     = "11";
+      const bool      is_gmsh = listing.format == MeshFormat::gmsh;
+      BladeParameters p       = elastic_plate(n[0], n[1]);
+      p.kind                  = n[2] > 0 ? BladeKind::solid : BladeKind::shell;
+      p.mesh.generator        = MeshGenerator::file;
+      p.mesh.file             = path;
+      p.supports.clamped      = is_gmsh ? "10" : "root";
+      p.supports.tip          = is_gmsh ? "11" : "tip";
       return p;
     }
 
@@ -91,7 +94,7 @@ namespace birdstrike::test
     std::mt19937                random;
     std::string                 path;
     std::vector<unsigned int>   number; ///< from 1
-    std::vector<std::string>    elements;
+    ListedMesh                  mesh;
 
     unsigned int node(const std::array<unsigned int, 3> &i) const
     {
@@ -104,7 +107,7 @@ namespace birdstrike::test
         std::shuffle(list.begin(), list.end(), random);
     }
 
-    void write_nodes(std::ofstream &out)
+    void add_nodes()
     {
       const BladeParameters p = elastic_plate(n[0], n[1]);
       std::vector<Point3>   places;
@@ -117,22 +120,12 @@ namespace birdstrike::test
       std::iota(order.begin(), order.end(), 0);
       shuffle(order);
       number.resize(order.size());
-      out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << order.size() << '\n';
       for (std::size_t k = 0; k < order.size(); ++k)
         {
           number[order[k]] = static_cast<unsigned int>(k + 1);
-          const Point3 x   = listing.turned * places[order[k]];
-          out << k + 1 << ' ' << x[0] << ' ' << x[1] << ' ' << x[2] << '\n';
+          const Point3 &x  = places[order[k]];
+          mesh.nodes.push_back(listing.turned * (listing.shape ? listing.shape(x) : x));
         }
-      out << "$EndNodes\n";
-    }
-
-    void add(const char *type, const unsigned int id, const std::vector<unsigned int> &nodes)
-    {
-      std::string text = std::string(" ") + type + " 2 " + std::to_string(id) + ' ' + std::to_string(id);
-      for (const unsigned int v : nodes)
-        text += ' ' + std::to_string(v);
-      elements.push_back(text);
     }
 
     /// The boundary at both ends of a direction.
@@ -152,9 +145,9 @@ namespace birdstrike::test
                 return node(place);
               };
               if (n[2] > 0)
-                add("3", ids[d][end], {at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
+                mesh.sides.push_back({ids[d][end], {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}});
               else
-                add("1", ids[d][end], {at(0, 0), at(1, 1)});
+                mesh.sides.push_back({ids[d][end], {at(0, 0), at(1, 1)}});
             }
     }
 
@@ -176,8 +169,8 @@ namespace birdstrike::test
           const auto order = listing.corners();
           for (const unsigned int v :
                is_solid ? std::vector{0u, 1u, 3u, 2u, 4u, 5u, 7u, 6u} : std::vector{0u, 1u, 2u, 3u})
-            listed.push_back(corners[order[v]]); // Gmsh goes round the faces
-          add(is_solid ? "5" : "3", 1, listed);
+            listed.push_back(corners[order[v]]); // files go round the faces
+          mesh.cells.push_back(listed);
         }
     }
   };

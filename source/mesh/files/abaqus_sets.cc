@@ -1,0 +1,109 @@
+#include "mesh/files/abaqus_sets.h"
+
+#include "mesh/files/file_lines.h"
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Nodes of the sides S1..S6 of a brick, from 0.
+    constexpr unsigned int brick_sides[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1},
+                                                {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
+
+    template <class Value>
+    void append(std::vector<Value> &to, const std::vector<Value> from) // a copy: it may be the same
+    {
+      to.insert(to.end(), from.begin(), from.end());
+    }
+
+    /// Cubit's names of element blocks and side sets: EB3, SS7.
+    std::optional<unsigned int> number_after(const std::string &letters, const std::string &name)
+    {
+      if (!name.starts_with(letters) || name.size() < 3 || name.size() > 10 ||
+          name.find_first_not_of("0123456789", 2) != std::string::npos)
+        return {};
+      return static_cast<unsigned int>(std::stoul(name.substr(2)));
+    }
+  } // namespace
+
+  std::size_t AbaqusSets::group_of(const std::string &name)
+  {
+    const auto [found, is_new] = groups.emplace(upper(name), mesh.groups.size());
+    if (is_new)
+      {
+        ImportedMesh::Group &group = mesh.groups.emplace_back();
+        group.name                 = name;
+        group.material_number      = number_after("EB", found->first);
+        group.boundary_number      = number_after("SS", found->first);
+      }
+    return found->second;
+  }
+
+  std::optional<std::size_t> AbaqusSets::find(const std::string &name) const
+  {
+    const auto found = groups.find(upper(name));
+    return found != groups.end() ? std::optional(found->second) : std::nullopt;
+  }
+
+  bool AbaqusSets::add(const ImportedMesh::Element &element, const unsigned int dim)
+  {
+    auto &list = mesh.elements[dim];
+    list.push_back(element);
+    return places.emplace(element.id, Place{dim, static_cast<std::uint32_t>(list.size() - 1)}).second;
+  }
+
+  const ImportedMesh::Element &AbaqusSets::element(const Id id) const
+  {
+    const Place &found = places.at(id);
+    return mesh.elements[found.dim][found.place];
+  }
+
+  void AbaqusSets::add_element(const std::size_t group, const Id id)
+  {
+    if (const auto found = places.find(id); found != places.end())
+      mesh.groups[group].elements[found->second.dim].push_back(id);
+  }
+
+  void AbaqusSets::add_elements(const std::size_t group, const std::size_t of)
+  {
+    for (unsigned int d = 1; d <= 3; ++d)
+      append(mesh.groups[group].elements[d], mesh.groups[of].elements[d]);
+  }
+
+  void AbaqusSets::add_nodes(const std::size_t group, const std::size_t of)
+  {
+    append(mesh.groups[group].nodes, mesh.groups[of].nodes);
+  }
+
+  void AbaqusSets::add_nodes_of_elements(const std::size_t group, const std::size_t of)
+  {
+    for (unsigned int d = 1; d <= 3; ++d)
+      for (const Id id : mesh.groups[of].elements[d])
+        for (unsigned int k = 0; k < 1u << d; ++k)
+          mesh.groups[group].nodes.push_back(element(id).nodes[k]);
+  }
+
+  void AbaqusSets::add_sides(const std::size_t group, const std::string &elements, const std::string &label)
+  {
+    std::vector<Id> ids;
+    if (const auto set = find(elements))
+      for (const unsigned int d : {2, 3})
+        append(ids, mesh.groups[*set].elements[d]);
+    else if (!elements.empty() && elements.find_first_not_of("0123456789") == std::string::npos)
+      if (const Id id = std::stoll(elements); places.count(id) > 0)
+        ids = {id};
+    const unsigned int number = label.empty() ? 0 : static_cast<unsigned int>(label.back() - '0');
+    for (const Id id : ids)
+      for (unsigned int s = 0; s < 2 * places.at(id).dim; ++s)
+        if (label.empty() || s + 1 == number)
+          {
+            const auto &nodes = element(id).nodes;
+            auto       &side  = mesh.groups[group].sides.emplace_back();
+            if (places.at(id).dim == 2)
+              side = {nodes[s], nodes[(s + 1) % 4]};
+            else
+              for (const unsigned int k : brick_sides[s])
+                side.push_back(nodes[k]);
+          }
+  }
+} // namespace birdstrike

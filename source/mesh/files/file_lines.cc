@@ -1,0 +1,85 @@
+#include "mesh/files/file_lines.h"
+
+#include <birdstrike/core/errors.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+namespace birdstrike
+{
+  std::string_view trim(std::string_view text)
+  {
+    const auto first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
+    return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
+  }
+
+  std::string upper(const std::string_view text)
+  {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(), [](const unsigned char c) { return std::toupper(c); });
+    return result;
+  }
+
+  FileLines::FileLines(const std::string &path) : path(path), in(path)
+  {
+    if (!in)
+      throw InputError("Blade/Mesh/File: cannot open '" + path + "'.\nPaths are relative to the working directory.");
+  }
+
+  bool FileLines::next()
+  {
+    if (!std::getline(in, line))
+      return false;
+    ++n_lines;
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    return true;
+  }
+
+  void FileLines::refuse(const std::string &what, const std::string &remedy) const
+  {
+    throw InputError("Blade/Mesh/File: '" + path + "', line " + std::to_string(n_lines) + ": " + what + ".\n" + remedy);
+  }
+
+  std::int64_t FileLines::integer(std::string_view field) const
+  {
+    field = trim(field);
+    if (field.empty())
+      return 0;
+    std::int64_t value      = 0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (error != std::errc() || end != field.data() + field.size())
+      refuse("cannot read '" + std::string(field) + "' as a whole number",
+             "Allowed: numbers in the columns of the format.");
+    return value;
+  }
+
+  double FileLines::number(std::string_view field) const
+  {
+    field = trim(field);
+    if (field.empty())
+      return 0.;
+    std::string text(field.substr(field[0] == '+'));
+    std::replace_if(
+      text.begin(), text.end(), [](const char c) { return c == 'D' || c == 'd'; }, 'e'); // of Fortran
+    double value            = 0.;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+      refuse("cannot read '" + std::string(field) + "' as a number", "Allowed: numbers in the columns of the format.");
+    return value;
+  }
+
+  std::vector<std::string_view> FileLines::split_at_commas() const
+  {
+    std::vector<std::string_view> fields;
+    for (std::string_view rest = line; !rest.empty();)
+      {
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        fields.push_back(trim(rest.substr(0, comma)));
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
+      }
+    while (!fields.empty() && fields.back().empty())
+      fields.pop_back();
+    return fields;
+  }
+} // namespace birdstrike

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace birdstrike
+{
+  std::string_view trim(std::string_view text); ///< without surrounding blanks
+  std::string      upper(std::string_view text);
+
+  /// The lines of a text file, and what stands in them; complaints name file and line as InputErrors of the entry
+  /// Mesh/File.
+  class FileLines
+  {
+  public:
+    explicit FileLines(const std::string &path); ///< throws InputError if it cannot be opened
+
+    bool next(); ///< takes the next line, false at the end
+
+    std::string_view text() const ///< of the line, without blanks and carriage return at its end
+    {
+      return line;
+    }
+    [[noreturn]] void refuse(const std::string &what, const std::string &remedy) const;
+
+    /// A field of the line as a number; blank: 0.
+    std::int64_t integer(std::string_view field) const;
+    double       number(std::string_view field) const;
+
+    std::vector<std::string_view> split_at_commas() const; ///< trimmed, without empty ones at the end
+
+  private:
+    std::string   path, line;
+    std::size_t   n_lines = 0;
+    std::ifstream in;
+  };
+} // namespace birdstrike

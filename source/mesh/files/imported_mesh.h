@@ -1,0 +1,66 @@
+#pragma once
+
+#include <birdstrike/core/number.h>
+#include <birdstrike/mesh/named_ids.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace birdstrike
+{
+  /// What a file says about its mesh besides the cells.
+  struct MeshLabels
+  {
+    NamedIds                  boundaries{"boundary"}, materials{"material"};
+    std::vector<std::int64_t> node_ids; ///< of the file, per vertex; empty: not known
+    /// Of shells, per cell and corner in the order of deal.II's vertices; 0: not given; empty: no file says it.
+    std::vector<std::array<double, 4>> corner_thickness; ///< in units of the file
+  };
+
+  /// A mesh as a finite-element program writes it down: nodes, elements and groups of them, by the ids of the file. The
+  /// readers of a format fill it, `make_triangulation` makes deal.II's mesh of it.
+  struct ImportedMesh
+  {
+    using Id = std::int64_t;
+
+    struct Element
+    {
+      Id                    id;
+      std::array<Id, 8>     nodes{};     ///< as Abaqus, LS-DYNA, VTK and Gmsh list them: round the faces
+      std::array<double, 4> thickness{}; ///< at the corners of a quadrilateral, 0: not given
+    };
+
+    /// A set with a name; it may hold elements of any dimension, nodes, and sides of elements. Elements of the mesh's
+    /// own dimension make it a material, elements one below, nodes and sides a boundary: a side belongs to it if it is
+    /// listed, or if all of its nodes are.
+    struct Group
+    {
+      std::string                    name;
+      std::optional<unsigned int>    material_number, boundary_number; ///< by which the file calls it, too
+      std::array<std::vector<Id>, 4> elements;                         ///< ids, by dimension
+      std::vector<Id>                nodes;
+      std::vector<std::vector<Id>>   sides; ///< by their nodes
+    };
+
+    std::vector<std::pair<Id, Point3>>  nodes;
+    std::array<std::vector<Element>, 4> elements; ///< by dimension: lines 1, quadrilaterals 2, bricks 3
+    std::vector<Group>                  groups;
+  };
+
+  /// Cells of dimension dim with their nodes, in the order of the file; other nodes are left out. Ids: a cell or a side
+  /// of the boundary that lies in no group has 0; each combination of groups that occurs has an id of its own: the
+  /// number of one of its groups if there is one that no smaller combination has, else one above 100 and all numbers.
+  /// Elements one dimension below that are no side of the boundary are left out.
+  ///
+  /// Bricks that are inside out are turned. Folded ones pass, so that `check_cells` can name them. Throws InputError
+  /// for elements of a node, and ids, that are not there or there twice. `path` is for its text.
+  template <int dim>
+  MeshLabels make_triangulation(const ImportedMesh &mesh, const std::string &path,
+                                dealii::Triangulation<dim, 3> &triangulation);
+} // namespace birdstrike
