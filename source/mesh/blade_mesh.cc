@@ -17,17 +17,19 @@ namespace birdstrike
 {
   namespace
   {
-    void generate(const GeometryParameters &p, dealii::Triangulation<2, 3> &triangulation)
+    MeshLabels generate(const GeometryParameters &p, dealii::Triangulation<2, 3> &triangulation)
     {
       make_shell(generate_surface(p.mesh, p.is_halved), triangulation);
+      return {built_in_boundaries()};
     }
 
-    void generate(const GeometryParameters &p, dealii::Triangulation<3> &triangulation)
+    MeshLabels generate(const GeometryParameters &p, dealii::Triangulation<3> &triangulation)
     {
       const ThicknessLaw law       = make_thickness_law(p);
       const auto         thickness = [&law](const Point3 &x) { return thickness_at(law, x.data(), 0); };
       make_solid(generate_surface(p.mesh, p.is_halved), layer_heights(p.mesh.n_layers, p.mesh.layer_grading), thickness,
                  triangulation);
+      return {built_in_boundaries()};
     }
 
     template <class Face>
@@ -106,13 +108,7 @@ namespace birdstrike
   {
     const MeshParameters &mesh         = parameters.mesh;
     const bool            is_generated = mesh.generator != MeshGenerator::file;
-    if (is_generated)
-      {
-        generate(parameters, grid->triangulation);
-        grid->labels.boundaries = built_in_boundaries();
-      }
-    else
-      grid->labels = read_mesh_file(mesh, grid->triangulation);
+    grid->labels = is_generated ? generate(parameters, grid->triangulation) : read_mesh_file(mesh, grid->triangulation);
     set_material_ids(mesh.material_boxes, parameters.is_halved, grid->triangulation);
     grid->is_halved = parameters.is_halved;
     if (grid->is_halved)

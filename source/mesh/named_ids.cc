@@ -42,15 +42,16 @@ namespace birdstrike
 
   std::vector<unsigned int> NamedIds::parse(const std::string &text, const std::string &entry) const
   {
+    const bool                is_boundary = of == Of::boundaries;
     std::vector<unsigned int> all;
     for (const std::string &word : parse_words(text))
       {
         const auto *ids = find(word);
         if (ids == nullptr && !is_number(word))
-          throw InputError(entry + ": the mesh has no " + what + " '" + word + "'.\nNames in this mesh: " + list() +
-                           "; or give an id, a whole number.");
+          throw InputError(entry + ": the mesh has no " + (is_boundary ? "boundary" : "material") + " '" + word +
+                           "'.\nNames in this mesh: " + list() + "; or give an id, a whole number.");
         if (ids != nullptr && ids->empty())
-          throw InputError(entry + ": no " + (what == "boundary" ? "side on the boundary" : "cell") +
+          throw InputError(entry + ": no " + (is_boundary ? "side on the boundary" : "cell") +
                            " of the mesh lies in '" + word + "' with all its nodes.\nNames in this mesh: " + list() +
                            ".");
         const auto more = ids != nullptr ? *ids : parse_ids(word, entry);

@@ -24,6 +24,11 @@ TEXTS = {
     "source/report/closing.cc": "units",
     "source/report/comparison/comparison_print.cc": "units",
     "source/mesh/mesh_file.cc": "endings of files",
+    "source/mesh/files/abaqus.cc": "keywords of files",
+    "source/mesh/files/gmsh_names.cc": "keywords of files",
+    "source/mesh/files/ls_dyna.cc": "keywords of files",
+    "source/mesh/files/ls_dyna_cards.cc": "keywords of files",
+    "source/mesh/files/vtk.cc": "keywords of files",
 }
 
 # Comments, raw strings, literals; directives with their continuations.

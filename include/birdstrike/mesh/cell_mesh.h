@@ -40,7 +40,7 @@ namespace birdstrike
     std::vector<std::uint32_t>                     symmetry_nodes; ///< sorted, of these sides
     std::vector<unsigned int>                      boundary_ids;   ///< sorted, of the whole mesh
     std::vector<unsigned int>                      mirrored_ids;   ///< boundary ids that only the other half has
-    NamedIds                                       boundary_names{"boundary"}, material_names{"material"};
+    NamedIds                                       boundary_names, material_names{NamedIds::Of::materials};
 
     Point3 node(const std::size_t n) const
     {

@@ -13,7 +13,12 @@ namespace birdstrike
   class NamedIds
   {
   public:
-    explicit NamedIds(const std::string &what = "boundary") : what(what) ///< or "material"
+    enum class Of
+    {
+      boundaries,
+      materials
+    };
+    explicit NamedIds(const Of of = Of::boundaries) : of(of)
     {
     }
 
@@ -30,7 +35,7 @@ namespace birdstrike
   private:
     const std::vector<unsigned int> *find(const std::string &name) const;
 
-    std::string                                      what;
+    Of                                               of;
     std::map<std::string, std::vector<unsigned int>> ids_of;
   };
 

@@ -14,7 +14,7 @@ namespace birdstrike
   /// profile along the chord of a built-in part (`Maximum`), else the formula `Value`. `materials`: names of a mesh.
   /// Throws InputError for text that cannot be read.
   ThicknessLaw make_thickness_law(const GeometryParameters &parameters,
-                                  const NamedIds           &materials = NamedIds("material"));
+                                  const NamedIds           &materials = NamedIds(NamedIds::Of::materials));
 
   /// Evaluates a law. Throws InputError, naming its entry and the place, if the thickness is not positive.
   double thickness_at(const ThicknessLaw &law, const double *position, unsigned int material_id,

@@ -17,7 +17,7 @@ namespace birdstrike
   /// What a file says about its mesh besides the cells.
   struct MeshLabels
   {
-    NamedIds                  boundaries{"boundary"}, materials{"material"};
+    NamedIds                  boundaries, materials{NamedIds::Of::materials};
     std::vector<std::int64_t> node_ids; ///< of the file, per vertex; empty: not known
     /// Of shells, per cell and corner in the order of deal.II's vertices; 0: not given; empty: no file says it.
     std::vector<std::array<double, 4>> corner_thickness; ///< in units of the file

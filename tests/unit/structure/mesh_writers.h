@@ -50,7 +50,11 @@ namespace birdstrike::test
   {
     unsigned int k = 0;
     for (const unsigned int id : ids)
-      out << (k % n == 0 ? "" : ", ") << id << (++k % n == 0 ? "\n" : "");
+      {
+        out << (k % n == 0 ? "" : ", ") << id;
+        ++k;
+        out << (k % n == 0 ? "\n" : "");
+      }
     out << (k % n == 0 ? "" : "\n");
   }
 
