@@ -94,12 +94,15 @@ namespace birdstrike
 
     void require_symmetric_thickness(const BladeParameters &blade, Places &places)
     {
+      if (blade.mesh.generator == MeshGenerator::file)
+        refuse_unless(blade.thickness.maximum.empty(), "Blade/Thickness/Maximum",
+                      "nothing, on half a mesh from a file");
       const ThicknessLaw law          = make_thickness_law(blade);
       bool               is_symmetric = true;
       for (const Point3 &p : places.get())
         {
           const double there[3] = {p[0], -p[1], p[2]};
-          is_symmetric          = is_symmetric && is_same(law(p.data(), 0), law(there, 0));
+          is_symmetric          = is_symmetric && is_same(law({p.data()}), law({there}));
         }
       if (blade.thickness.maximum.empty())
         refuse_unless(is_symmetric, "Blade/Thickness/Value", mirrored_values);

@@ -9,7 +9,8 @@
 namespace birdstrike
 {
   template <int dim>
-  auto BladeMesh<dim>::compute_mass(const DensityLaw &density_of, const ThicknessLaw &thickness) const -> Mass
+  auto BladeMesh<dim>::compute_mass(const DensityLaw &density_of, const ThicknessLaw &thickness,
+                                    const NodalThickness &nodal) const -> Mass
   {
     const dealii::QGauss<dim>  quadrature(2);
     const dealii::FE_Q<dim, 3> shape(1);
@@ -30,8 +31,20 @@ namespace birdstrike
         for (const unsigned int q : values.quadrature_point_indices())
           {
             const dealii::Point<3> &p = values.quadrature_point(q);
-            const double            t = dim == 2 ? thickness_at(thickness, &p[0], cell->material_id()) : 1.;
-            const double            m = density * t * values.JxW(q);
+            SurfacePlace            place{&p[0], cell->material_id()};
+            for (const unsigned int v : cell->vertex_indices())
+              {
+                const std::uint32_t n = this->space.local(Grid::node(cell, v));
+                const double        w = values.shape_value(v, q);
+                if (!nodal.given.empty())
+                  place.given += w * nodal.given[n];
+                else if (!grid->labels.corner_thickness.empty())
+                  place.given += w * grid->labels.corner_thickness[cell->active_cell_index()][v];
+                for (unsigned int d = 0; d < 2 && !nodal.station.empty(); ++d)
+                  place.station[d] += w * nodal.station[n][d];
+              }
+            const double t = dim == 2 ? thickness_at(thickness, place) : 1.;
+            const double m = density * t * values.JxW(q);
             size += values.JxW(q);
             element_mass += m;
             for (const unsigned int v : cell->vertex_indices())
@@ -55,6 +68,8 @@ namespace birdstrike
     return mass;
   }
 
-  template BladeMesh<2>::Mass BladeMesh<2>::compute_mass(const DensityLaw &, const ThicknessLaw &) const;
-  template BladeMesh<3>::Mass BladeMesh<3>::compute_mass(const DensityLaw &, const ThicknessLaw &) const;
+  template BladeMesh<2>::Mass BladeMesh<2>::compute_mass(const DensityLaw &, const ThicknessLaw &,
+                                                         const NodalThickness &) const;
+  template BladeMesh<3>::Mass BladeMesh<3>::compute_mass(const DensityLaw &, const ThicknessLaw &,
+                                                         const NodalThickness &) const;
 } // namespace birdstrike

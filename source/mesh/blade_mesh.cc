@@ -7,8 +7,6 @@
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/mesh/orientation.h>
 
-#include <deal.II/dofs/dof_renumbering.h>
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
@@ -26,19 +24,10 @@ namespace birdstrike
     MeshLabels generate(const GeometryParameters &p, dealii::Triangulation<3> &triangulation)
     {
       const ThicknessLaw law       = make_thickness_law(p);
-      const auto         thickness = [&law](const Point3 &x) { return thickness_at(law, x.data(), 0); };
+      const auto         thickness = [&law](const Point3 &x) { return thickness_at(law, {x.data()}); };
       make_solid(generate_surface(p.mesh, p.is_halved), layer_heights(p.mesh.n_layers, p.mesh.layer_grading), thickness,
                  triangulation);
       return {built_in_boundaries()};
-    }
-
-    template <class Face>
-    bool lies_on_plane(const Face &face)
-    {
-      for (const unsigned int v : face->vertex_indices())
-        if (face->vertex(v)[1] != 0.)
-          return false;
-      return true;
     }
 
     /// Facets across edges. Each edge has two facets, or one where the plane of symmetry cuts the skin open (in a part
@@ -129,57 +118,6 @@ namespace birdstrike
   }
 
   template <int dim>
-  std::size_t BladeMesh<dim>::Grid::distribute_dofs()
-  {
-    element = std::make_unique<dealii::FESystem<dim, 3>>(dealii::FE_Q<dim, 3>(1), n_unknowns);
-    dofs.reinit(triangulation);
-    dofs.distribute_dofs(*element);
-    std::vector<bool> is_inside(dofs.n_dofs(), dim == 3);
-    if constexpr (dim == 3)
-      {
-        for (const auto &cell : dofs.active_cell_iterators())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->at_boundary(f) && !(is_halved && lies_on_plane(cell->face(f))))
-              for (const unsigned int v : cell->face(f)->vertex_indices())
-                for (unsigned int c = 0; c < n_unknowns; ++c)
-                  is_inside[cell->face(f)->vertex_dof_index(v, c)] = false;
-        dealii::DoFRenumbering::sort_selected_dofs_back(dofs, is_inside);
-      }
-    node_of_vertex.resize(triangulation.n_vertices());
-    for (const auto &cell : dofs.active_cell_iterators())
-      for (const unsigned int v : cell->vertex_indices())
-        {
-          for (unsigned int c = 0; c < n_unknowns; ++c)
-            AssertThrow(cell->vertex_dof_index(v, c) == node(cell, v) * n_unknowns + c,
-                        dealii::ExcMessage("The unknowns of a vertex must be contiguous."));
-          node_of_vertex[cell->vertex_index(v)] = node(cell, v);
-        }
-    return static_cast<std::size_t>(std::count(is_inside.begin(), is_inside.end(), false)) / n_unknowns;
-  }
-
-  template <int dim>
-  NodeSpace BladeMesh<dim>::Grid::make_space(const std::uint32_t first, const std::uint32_t last) const
-  {
-    dealii::IndexSet owned(dofs.n_dofs() / n_unknowns);
-    owned.add_range(first, last);
-    dealii::IndexSet here = owned;
-    for (unsigned int layer = 0; layer < 2 && owned.n_elements() < owned.size(); ++layer)
-      {
-        const dealii::IndexSet before = here;
-        for (const auto &cell : dofs.active_cell_iterators())
-          {
-            const auto vertices = cell->vertex_indices();
-            if (std::any_of(vertices.begin(), vertices.end(),
-                            [&](const unsigned int v) { return before.is_element(node(cell, v)); }))
-              for (const unsigned int v : vertices)
-                here.add_index(node(cell, v));
-          }
-      }
-    here.subtract_set(owned);
-    return NodeSpace(owned, here);
-  }
-
-  template <int dim>
   void BladeMesh<dim>::extract(const std::uint32_t first, const std::uint32_t last)
   {
     // corners counter-clockwise as deal.II's vertices, and the faces between them; as listed and turned
@@ -187,6 +125,7 @@ namespace birdstrike
                                   faces[2][4]    = {{2, 1, 3, 0}, {0, 3, 1, 2}};
     this->space                                  = grid->make_space(first, last);
     this->nodes.resize(this->space.size());
+    this->file_node_ids.resize(grid->labels.node_ids.empty() ? 0 : this->nodes.size());
     std::vector<std::int32_t>                number(grid->triangulation.n_active_cells(), FacetsView::free_edge);
     std::vector<typename Grid::CellIterator> here;
     for (const auto &cell : grid->dofs.active_cell_iterators())
@@ -207,6 +146,8 @@ namespace birdstrike
             const unsigned int  v    = dim == 2 ? vertices[is_turned][k % 4] : k;
             const std::uint32_t node = this->space.local(Grid::node(cell, v));
             this->cells[n][k]        = node;
+            if (!grid->labels.node_ids.empty())
+              this->file_node_ids[node] = grid->labels.node_ids[cell->vertex_index(v)];
             for (unsigned int d = 0; d < 3; ++d)
               this->nodes[node][d] = cell->vertex(v)[d];
           }

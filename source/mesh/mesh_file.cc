@@ -138,6 +138,9 @@ namespace birdstrike
     MeshLabels labels = imported ? take(*imported, file, triangulation) : read_by_dealii(file, triangulation);
     if (parameters.file_scale != 1.)
       dealii::GridTools::scale(parameters.file_scale, triangulation);
+    for (auto &corners : labels.corner_thickness)
+      for (double &thickness : corners)
+        thickness *= parameters.file_scale;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (!cell->reference_cell().is_hyper_cube())
         throw InputError("Blade/Mesh/File: '" + file + "' contains cells that are not " + cells_of<dim> + " (cell " +

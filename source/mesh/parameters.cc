@@ -112,11 +112,19 @@ namespace birdstrike
       "Thickness of the cells with a material id or name, which replaces the value: '1: 0.004; root_block: 0.006'; "
       "built-in parts have the id 0. [m]",
       Anything());
-    prm.add_parameter("Maximum", p.maximum,
-                      "Largest thickness of the section of a built-in part, a formula in the normalised span s (0 "
-                      "root, 1 tip); replaces the value by a profile along the chord, a parabola to either side of the "
-                      "largest thickness; empty: the value. [m]",
-                      Anything());
+    prm.add_parameter(
+      "Table", p.table,
+      "File with the thickness of a shell at its nodes, which replaces the value: rows 'x y z thickness' in "
+      "m, or 'node thickness' with the node's id in the mesh file. [-]",
+      Anything());
+    prm.add_parameter(
+      "Maximum", p.maximum,
+      "Largest thickness of the section, a formula in the normalised span s (0 root, 1 tip); replaces the value by a "
+      "profile along the chord, a parabola to either side of the largest thickness. On a shell from a file s is the "
+      "share "
+      "of the distance from the root in those from root and tip, and leading the edge that reports call so; empty: the "
+      "value. [m]",
+      Anything());
     prm.add_parameter("Leading edge", p.leading_edge,
                       "Thickness at the leading edge over Maximum, a formula in s between 0 and 1. [-]", Anything());
     prm.add_parameter("Trailing edge", p.trailing_edge,
@@ -138,11 +146,10 @@ namespace birdstrike
 
   void GeometryParameters::check_geometry() const
   {
+    require(thickness.table.empty() || thickness.maximum.empty(),
+            "Thickness: Table and Maximum are both given.\nKeep one of them.");
     if (thickness.maximum.empty())
       return;
-    require(mesh.generator != MeshGenerator::file,
-            "Thickness/Maximum: a profile along the chord needs a built-in part, but the "
-            "generator is 'file'.\nGive Thickness/Value in x, y, z, or By material.");
     require(thickness.value == ThicknessParameters().value,
             "Thickness: Value and Maximum are both given.\nKeep one: Value for a formula in x, y, z, Maximum for a "
             "profile along the chord.");

@@ -18,7 +18,8 @@ namespace birdstrike
     {
     public:
       explicit Profile(const GeometryParameters &p)
-        : shape(shape_of(p.mesh))
+        : is_built_in(p.mesh.generator != MeshGenerator::file)
+        , shape(shape_of(p.mesh))
         , maximum(p.thickness.maximum, "Thickness/Maximum", 1e-9, 1e3)
         , leading(p.thickness.leading_edge, "Thickness/Leading edge", 1e-3, 1.)
         , trailing(p.thickness.trailing_edge, "Thickness/Trailing edge", 1e-3, 1.)
@@ -26,9 +27,9 @@ namespace birdstrike
       {
       }
 
-      double operator()(const double *position) const
+      double operator()(const SurfacePlace &place) const
       {
-        const auto [s, c]     = shape.coordinates(position);
+        const auto [s, c]     = is_built_in ? shape.coordinates(place.position) : place.station;
         const bool   is_front = c < station;
         const double edge     = is_front ? leading(s) : trailing(s);
         const double ratio    = (c - station) / ((is_front ? 0. : 1.) - station);
@@ -36,14 +37,15 @@ namespace birdstrike
       }
 
     private:
-      /// The flat plate is a blade whose laws are at their defaults.
+      /// The flat plate is a blade whose laws are at their defaults; of a file there is none.
       static BladeShape shape_of(MeshParameters mesh)
       {
-        if (mesh.generator == MeshGenerator::flat_plate)
+        if (mesh.generator != MeshGenerator::blade)
           mesh.profile = {};
         return BladeShape(mesh);
       }
 
+      bool       is_built_in;
       BladeShape shape;
       SpanLaw    maximum, leading, trailing;
       double     station;
@@ -52,11 +54,12 @@ namespace birdstrike
     ThicknessLaw make_base_law(const GeometryParameters &parameters)
     {
       if (!parameters.thickness.maximum.empty())
-        return [profile = std::make_shared<Profile>(parameters)](const double *position, unsigned int) {
-          return (*profile)(position);
-        };
+        return
+          [profile = std::make_shared<Profile>(parameters)](const SurfacePlace &place) { return (*profile)(place); };
       const auto expression = std::make_shared<Expression>(parameters.thickness.value, 1, "Thickness/Value");
-      return [expression](const double *position, unsigned int) { return expression->value(position, 0.); };
+      return [expression](const SurfacePlace &place) {
+        return place.given > 0. ? place.given : expression->value(place.position, 0.);
+      };
     }
   } // namespace
 
@@ -66,16 +69,16 @@ namespace birdstrike
     for (const auto &[key, value] : parse_pairs(parameters.thickness.by_material, "Blade/Thickness/By material"))
       for (const unsigned int id : materials.parse(key, "Blade/Thickness/By material"))
         by_material[id] = parse_numbers(value, 1, "Blade/Thickness/By material")[0];
-    return [by_material, law = make_base_law(parameters)](const double *position, const unsigned int material_id) {
-      const auto found = by_material.find(material_id);
-      return found != by_material.end() ? found->second : law(position, material_id);
+    return [by_material, law = make_base_law(parameters)](const SurfacePlace &place) {
+      const auto found = by_material.find(place.material_id);
+      return found != by_material.end() ? found->second : law(place);
     };
   }
 
-  double thickness_at(const ThicknessLaw &law, const double *position, const unsigned int material_id,
-                      const std::string &entry)
+  double thickness_at(const ThicknessLaw &law, const SurfacePlace &place, const std::string &entry)
   {
-    const double t = law(position, material_id);
+    const double *position = place.position;
+    const double  t        = law(place);
     if (!(t > 0.))
       throw InputError("Blade/" + entry + ": the thickness at (" + std::to_string(position[0]) + ", " +
                        std::to_string(position[1]) + ", " + std::to_string(position[2]) + ") is " + std::to_string(t) +

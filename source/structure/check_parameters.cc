@@ -44,6 +44,10 @@ namespace birdstrike
         return;
       }
     check_geometry();
+    require(kind != BladeKind::solid || thickness.table.empty(),
+            "Thickness/Table: bricks are as thick as the mesh.\nLeave it empty, or set Kind = shell.");
+    require(kind != BladeKind::solid || mesh.generator != MeshGenerator::file || thickness.maximum.empty(),
+            "Thickness/Maximum: bricks of a file are as thick as the mesh.\nLeave it empty, or set Kind = shell.");
     for (const auto &[number, of_section] : by_section())
       of_section.check_elements(number);
   }

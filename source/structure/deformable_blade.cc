@@ -20,7 +20,7 @@ namespace birdstrike
     , mesh(parameters)
     , supports(parameters.supports, mesh)
     , sections(parameters, mesh.material_ids, mesh.material_names)
-    , lumped(Kind::compute_mass(mesh, sections))
+    , lumped(Kind::compute_mass(mesh, sections, supports))
     , elements(Kind::make_elements(mesh, lumped, sections, pool))
     , pressed(Kind::find_pressed(mesh, parameters.loads))
     , motion(mesh, Kind::masses(lumped), supports, Loads(parameters.loads, mesh, pressed.facets), pool)

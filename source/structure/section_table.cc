@@ -65,13 +65,13 @@ namespace birdstrike
           continue;
         Given &given = some[id];
         given.entry  = BladeParameters::section_path(number[place]) + "Thickness";
-        given.law    = [formula = std::make_shared<Expression>(text, 1, given.entry)](const double *x, unsigned int) {
-          return formula->value(x, 0.);
+        given.law    = [formula = std::make_shared<Expression>(text, 1, given.entry)](const SurfacePlace &place) {
+          return formula->value(place.position, 0.);
         };
       }
-    return [some, law = make_thickness_law(all.front(), names)](const double *x, const unsigned int id) {
-      const auto given = some.find(id);
-      return given != some.end() ? thickness_at(given->second.law, x, id, given->second.entry) : law(x, id);
+    return [some, law = make_thickness_law(all.front(), names)](const SurfacePlace &place) {
+      const auto given = some.find(place.material_id);
+      return given != some.end() ? thickness_at(given->second.law, place, given->second.entry) : law(place);
     };
   }
 } // namespace birdstrike

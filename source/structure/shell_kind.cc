@@ -3,6 +3,7 @@
 #include "structure/stress_fields.h"
 
 #include <birdstrike/core/text_lists.h>
+#include <birdstrike/mesh/nodal_thickness.h>
 
 #include <numeric>
 
@@ -32,9 +33,10 @@ namespace birdstrike
     }
   } // namespace
 
-  ShellMesh::Mass ShellKind::compute_mass(const Mesh &mesh, const SectionTable &sections)
+  ShellMesh::Mass ShellKind::compute_mass(const Mesh &mesh, const SectionTable &sections, const Supports &supports)
   {
-    return mesh.compute_mass(sections.density_law(), sections.thickness_law());
+    return mesh.compute_mass(sections.density_law(), sections.thickness_law(),
+                             find_nodal_thickness(sections.all.front(), mesh, supports.root_ids, supports.tip_ids));
   }
 
   ShellElements ShellKind::make_elements(const Mesh &mesh, const Mesh::Mass &mass, const SectionTable &table,

@@ -33,7 +33,7 @@ namespace birdstrike
     }
   } // namespace
 
-  SolidMesh::Mass SolidKind::compute_mass(const Mesh &mesh, const SectionTable &sections)
+  SolidMesh::Mass SolidKind::compute_mass(const Mesh &mesh, const SectionTable &sections, const Supports &)
   {
     return mesh.compute_mass(sections.density_law());
   }

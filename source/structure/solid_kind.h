@@ -2,6 +2,7 @@
 
 #include "structure/elements/solid/elements.h"
 #include "structure/nodes/nodal_mechanics.h"
+#include "structure/nodes/supports.h"
 #include "structure/pressed_facets.h"
 #include "structure/probes/solid_sections.h"
 #include "structure/section_table.h"
@@ -29,7 +30,7 @@ namespace birdstrike
     static constexpr BladeKind    kind           = BladeKind::solid;
     static constexpr double       bytes_per_cell = 1200.; ///< of deal.II's mesh, about
 
-    static Mesh::Mass    compute_mass(const Mesh &mesh, const SectionTable &sections);
+    static Mesh::Mass    compute_mass(const Mesh &mesh, const SectionTable &sections, const Supports &supports);
     static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const SectionTable &sections,
                                        ThreadPool &pool);
     static Nodes::Masses masses(const Mesh::Mass &mass);

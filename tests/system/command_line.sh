@@ -74,6 +74,7 @@ check "a rotation of a solid" 2 "rotations" -- run "$top/prm/quickstart.prm" --s
 check "an entry of the other kind is named" 0 "Blade/Element/Thinning is set" "Blade: solid" -- explain "$top/prm/quickstart.prm" --set "Blade/Kind=solid" --set "Blade/Element/Thinning=false"
 check "missing mesh" 2 "no-such.msh" -- run "$top/prm/quickstart.prm" --set "Blade/Mesh/Generator=file" --set "Blade/Mesh/File=no-such.msh"
 check "bricks for a shell" 2 "holds 224 hexahedra" "Blade/Kind = solid" -- run "$top/prm/quickstart.prm" --set "Blade/Mesh/Generator=file" --set "Blade/Mesh/File=$top/meshes/plate-28x8x1.msh"
+check "unknown boundary name" 2 "no boundary 'rot'" "root, tip" -- run "$top/prm/quickstart.prm" --set "Blade/Supports/Clamped=rot"
 check "unknown boundary id" 2 "77" -- run "$top/prm/quickstart.prm" --set "Blade/Supports/Clamped=77"
 [ -z "$(find . -name summary.json)" ] || { echo "FAILED a refusal left a summary"; n_failed=$((n_failed + 1)); }
 

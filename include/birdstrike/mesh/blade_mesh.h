@@ -53,8 +53,10 @@ namespace birdstrike
     /// thickness:
     ///   m_i = int rho t phi_i dA or int rho phi_i dV,    I_i = sum_e m_{i,e} max(t_e^2/12, A_e/8),
     /// the rotary inertia of a shell scaled so that bending never sets the step (Hughes, Cohen, Haroun 1978).
-    /// A body has no use for a thickness.
-    Mass compute_mass(const DensityLaw &density, const ThicknessLaw &thickness = {}) const;
+    /// A body has no use for a thickness. What is given at nodes goes before what the file says of the corners of an
+    /// element; between them it is bilinear.
+    Mass compute_mass(const DensityLaw &density, const ThicknessLaw &thickness = {},
+                      const NodalThickness &nodal = {}) const;
 
     /// The facets that contact meets.
     const SurfaceMesh &surface() const

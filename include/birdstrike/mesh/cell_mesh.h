@@ -30,7 +30,8 @@ namespace birdstrike
     };
 
     NodeSpace                                      space;
-    std::vector<std::array<double, 3>>             nodes; ///< m
+    std::vector<std::array<double, 3>>             nodes;         ///< m
+    std::vector<std::int64_t>                      file_node_ids; ///< per node; empty: no file gives them, or .msh
     std::vector<Cell>                              cells;
     std::size_t                                    n_owned_cells = 0;
     std::vector<std::array<std::int32_t, n_sides>> neighbors;      ///< cell across a side, or as FacetsView says

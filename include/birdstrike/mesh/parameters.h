@@ -66,8 +66,9 @@ namespace birdstrike
   {
     std::string value = "0.00427"; ///< m, number or expression in x, y, z
     std::string by_material;       ///< "1: 0.004; 2: 0.003"
+    std::string table;             ///< a file, of shells; see nodal_thickness.h
 
-    /// Profile along the chord of a built-in part, formulas of s; empty: `value` holds.
+    /// Profile along the chord, formulas of s; empty: `value` holds.
     std::string maximum;                  ///< m
     std::string leading_edge    = "0.25"; ///< over the maximum
     std::string trailing_edge   = "0.25"; ///< over the maximum

@@ -21,10 +21,10 @@ namespace birdstrike
     return result;
   }
 
-  FileLines::FileLines(const std::string &path) : path(path), in(path)
+  FileLines::FileLines(const std::string &path, const std::string &entry) : path(path), entry(entry), in(path)
   {
     if (!in)
-      throw InputError("Blade/Mesh/File: cannot open '" + path + "'.\nPaths are relative to the working directory.");
+      throw InputError(entry + ": cannot open '" + path + "'.\nPaths are relative to the working directory.");
   }
 
   bool FileLines::next()
@@ -38,7 +38,7 @@ namespace birdstrike
 
   void FileLines::refuse(const std::string &what, const std::string &remedy) const
   {
-    throw InputError("Blade/Mesh/File: '" + path + "', line " + std::to_string(n_lines) + ": " + what + ".\n" + remedy);
+    throw InputError(entry + ": '" + path + "', line " + std::to_string(n_lines) + ": " + what + ".\n" + remedy);
   }
 
   std::int64_t FileLines::integer(std::string_view field) const

@@ -11,12 +11,12 @@ namespace birdstrike
   std::string_view trim(std::string_view text); ///< without surrounding blanks
   std::string      upper(std::string_view text);
 
-  /// The lines of a text file, and what stands in them; complaints name file and line as InputErrors of the entry
-  /// Mesh/File.
+  /// The lines of a text file, and what stands in them; complaints name entry, file and line.
   class FileLines
   {
   public:
-    explicit FileLines(const std::string &path); ///< throws InputError if it cannot be opened
+    /// Throws InputError if it cannot be opened. `entry`: that names the file.
+    explicit FileLines(const std::string &path, const std::string &entry = "Blade/Mesh/File");
 
     bool next(); ///< takes the next line, false at the end
 
@@ -33,7 +33,7 @@ namespace birdstrike
     std::vector<std::string_view> split_at_commas() const; ///< trimmed, without empty ones at the end
 
   private:
-    std::string   path, line;
+    std::string   path, entry, line;
     std::size_t   n_lines = 0;
     std::ifstream in;
   };

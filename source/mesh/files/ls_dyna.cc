@@ -136,12 +136,22 @@ namespace birdstrike
             add_element(id(0), id(1), 2, 4);
           }
         else if (n_cards == 1 && has_second && words[2] == "THICKNESS")
-          for (unsigned int k = 0; k < 4; ++k)
-            mesh.elements[2].back().thickness[k] = real(k);
+          read_thickness(mesh.elements[2].back());
         else if (n_cards == 1u + has_second && real(0) != 0.)
           lines.refuse("element " + std::to_string(mesh.elements[2].back().id) + " has its nodes off the mid-surface",
                        "Allowed: an offset of 0. Move the nodes onto the mid-surface.");
         n_cards = (n_cards + 1) % (1u + has_second + has_offset);
+      }
+
+      /// At the four corners; all zero: that of the section, which is the parameter file's.
+      void read_thickness(ImportedMesh::Element &shell)
+      {
+        unsigned int n_given = 0;
+        for (unsigned int k = 0; k < 4; ++k)
+          n_given += (shell.thickness[k] = real(k)) > 0.;
+        if (n_given != 4 && shell.thickness != std::array<double, 4>{})
+          lines.refuse("element " + std::to_string(shell.id) + " has a thickness at some corners only",
+                       "Give four positive numbers, or four zeros for the blade's own thickness.");
       }
 
       /// All on one card, or element and part on one and the nodes on the next.

@@ -185,7 +185,7 @@ namespace birdstrike
             const Point3 low = mesh.node(mesh.cells[below][k]), middle = mesh.node(mesh.cells[below][k + 4]);
             const Point3 high = mesh.node(mesh.cells[below + 1][k + 4]);
             const auto   sc   = shape.coordinates(middle.data());
-            const double t    = law(middle.data(), 0);
+            const double t    = law({middle.data()});
             EXPECT_LT((high - low - t * shape.normal(sc[0], sc[1])).norm(), 1e-12);
             EXPECT_LT((0.5 * (high + low) - middle).norm(), 1e-16);
             const std::uint32_t n = shell.nearest_node(middle).value();
@@ -237,7 +237,7 @@ namespace birdstrike
       const BladeShape shape(p.mesh);
       EXPECT_NEAR(shape.chord(0.5), 1.5 * p.mesh.chord, 1e-16);
       EXPECT_NEAR(shape.stagger(1.), M_PI / 3., 1e-15);
-      EXPECT_NEAR(make_thickness_law(p)(shape.position(0.5, 0.).data(), 0), 0.002, 1e-16);
+      EXPECT_NEAR(make_thickness_law(p)({shape.position(0.5, 0.).data()}), 0.002, 1e-16);
     }
 
     TEST(BladeGenerator, RefusesLawsThatMakeNoBlade)
@@ -274,6 +274,7 @@ namespace birdstrike
         [](P &p) {
           p.mesh.generator = MeshGenerator::file;
           p.mesh.file      = "blade.msh";
+          p.kind           = BladeKind::solid;
         },
         "Thickness/Maximum");
       // Bricks that turn inside out: a section 4 mm long in chord and 12 mm thick, bent to an arc.

@@ -30,7 +30,7 @@ namespace birdstrike
     TEST(ShellMesh, LumpsTheExactMassOfAPlate)
     {
       const BladeParameters::Mesh p;
-      const auto                  mass  = mass_of(p, [](const double *, unsigned int) { return 0.00427; });
+      const auto                  mass  = mass_of(p, [](const SurfacePlace &) { return 0.00427; });
       const double                exact = 4430. * p.length * p.chord * 0.00427;
       EXPECT_NEAR(mass.total / exact, 1., 1e-14);
       EXPECT_NEAR(std::accumulate(mass.node.begin(), mass.node.end(), 0.) / exact, 1., 1e-14);
@@ -43,7 +43,7 @@ namespace birdstrike
       BladeParameters::Mesh p;
       p.span_grading   = 5.;
       p.chord_grading  = 0.5;
-      const auto   law = [](const double *x, unsigned int) { return 0.006 - 0.01 * x[0]; };
+      const auto   law = [](const SurfacePlace &at) { return 0.006 - 0.01 * at.position[0]; };
       const double l   = p.length;
       EXPECT_NEAR(mass_of(p, law).total / (4430. * p.chord * (0.006 * l - 0.005 * l * l)), 1., 1e-14);
     }
@@ -54,8 +54,8 @@ namespace birdstrike
       BladeParameters::Mesh p;
       p.n_span = p.n_chord = 1;
       const double area    = p.length * p.chord;
-      const auto   thin    = mass_of(p, [](const double *, unsigned int) { return 0.001; });
-      const auto   thick   = mass_of(p, [](const double *, unsigned int) { return 1.; });
+      const auto   thin    = mass_of(p, [](const SurfacePlace &) { return 0.001; });
+      const auto   thick   = mass_of(p, [](const SurfacePlace &) { return 1.; });
       EXPECT_NEAR(thin.rotary[0] / thin.node[0], area / 8., 1e-15);
       EXPECT_NEAR(thick.rotary[0] / thick.node[0], 1. / 12., 1e-15);
     }

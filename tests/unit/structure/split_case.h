@@ -60,7 +60,7 @@ namespace birdstrike
   template <int dim>
   auto mass_of(const BladeMesh<dim> &mesh)
   {
-    return mesh.compute_mass(4430., [](const double *x, unsigned int) { return 0.004 + 0.001 * x[0]; });
+    return mesh.compute_mass(4430., [](const SurfacePlace &at) { return 0.004 + 0.001 * at.position[0]; });
   }
 
   template <int dim>
