@@ -253,7 +253,7 @@ namespace birdstrike
       refuses([](auto &p) { p.supports.hub = "9"; });
       refuses([](auto &p) { p.supports.free = "4"; });
       refuses([](auto &p) { p.supports.tip = "5"; });
-      refuses([](auto &p) { p.supports.clamped = "root"; });
+      refuses([](auto &p) { p.supports.clamped = "rot"; });
       refuses([](auto &p) { p.supports.held = "1: ux uq"; });
       refuses([](auto &p) { p.supports.held = "1 ux"; });
       refuses([](auto &p) { p.supports.held_boxes = "1 1 1 2 2 2: ux"; });
