@@ -25,7 +25,7 @@ namespace birdstrike
         while (next())
           if (is_keyword())
             begin();
-          else if (read_card != nullptr)
+          else if (read_card != nullptr && !is_blank_element())
             (this->*read_card)();
         for (const auto &[set, part] : parts_of_sets)
           for (unsigned int d = 1; d <= 3; ++d)
@@ -71,6 +71,11 @@ namespace birdstrike
           read_card = &LsDynaFile::read_part;
         else if (words[0] == "SET" && words.size() > 1)
           begin_set();
+      }
+
+      bool is_blank_element() const
+      {
+        return n_cards == 0 && words[0] == "ELEMENT" && trim(lines.text()).empty();
       }
 
       void read_node()

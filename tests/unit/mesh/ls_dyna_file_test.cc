@@ -138,6 +138,6 @@ namespace birdstrike
           {brick("*ELEMENT_SHELL\n1,1,1,2,3,4\n"), "holds 1 quadrilaterals"},
           {shell("*PART\nnothing\n1\n"), "is not a mesh of quadrilaterals"}})
       EXPECT_NE(said.find(words), std::string::npos) << words << "\n" << said;
-    EXPECT_EQ(shell("*ELEMENT_SHELL_BETA_OFFSET\n1,1,1,2,3,4\n0,0,0,0,45\n0.0\n"), "");
+    EXPECT_EQ(shell("*ELEMENT_SHELL_BETA_OFFSET\n1,1,1,2,3,4\n0,0,0,0,45\n0.0\n\n"), "") << "a blank line";
   }
 } // namespace birdstrike
