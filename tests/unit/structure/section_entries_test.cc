@@ -178,8 +178,6 @@ namespace birdstrike
       const std::vector<Row> refused = {
         {"Section 1/Material ids: no cell", [](auto &p) { p.sections[0].material_ids = "3"; }},
         {"Section 2/Material ids: the material id 7 has been named", [](auto &p) { p.sections[0].material_ids = "7"; }},
-        {"Section 2/Material ids: the material id 7 has been named",
-         [](auto &p) { p.sections[1].material_ids = "7, 7"; }},
         {"Section 2/Material ids: the mesh has no material 'tip'", [](auto &p) { p.sections[1].material_ids = "tip"; }},
         {"box '5 5 5 6 6 6'", [](auto &p) { p.mesh.material_boxes += "; 5 5 5 6 6 6: 7"; }},
         {"box '0 0 0 1 1 1' has the ids '7, 8'", [](auto &p) { p.mesh.material_boxes = "0 0 0 1 1 1: 7, 8"; }},
