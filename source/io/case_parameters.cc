@@ -48,6 +48,31 @@ namespace birdstrike
           limit, limit / scale, BirdParameters().courant_number));
     }
 
+    /// Entries that say 'table' get the values that are used: the file that a run leaves says what it was made of.
+    void write_values_of_metals(const BladeParameters &blade, ParameterFile &file)
+    {
+      std::vector<std::string> values;
+      for (const auto &[number, of_section] : blade.by_section())
+        {
+          const std::string where = "Blade/" + blade.section_path(number) + "Material/";
+          if (number > 0 && blade.sections[number - 1].material.name == BladeParameters::Section::same)
+            {
+              file.annotate(where + "Name",
+                            "Here " + of_section.material.name + ", with what Blade/Material says of it.");
+              continue;
+            }
+          file.annotate(where + "Name", "What its laws use is written out below, and stays if the name is changed.");
+          for (const auto &used : of_section.material.used_values(where))
+            {
+              if (used.is_of_table)
+                file.annotate(where + used.entry, "Of the table: " + of_section.material.name + ".");
+              if (used.is_taken)
+                values.push_back(where + used.entry + "=" + used.value);
+            }
+        }
+      file.set(values);
+    }
+
     std::string name_of(const KnownEntry &entry)
     {
       return (entry.section.empty() ? "" : to_string(entry.section) + "/") + entry.name;
@@ -86,7 +111,9 @@ namespace birdstrike
       require_symmetry(*this);
     require_stable_bird_step(*this);
     if (name.empty())
-      file.set("Case/Name=" + std::filesystem::path(path).stem().string()); // so that the printed file knows it too
+      file.set({"Case/Name=" + std::filesystem::path(path).stem().string()}); // so that the printed file knows it too
+    if (blade.is_deformable())
+      write_values_of_metals(blade, file);
   }
 
   std::string CaseParameters::run_directory() const

@@ -32,7 +32,9 @@ namespace birdstrike
       out += line + "\n";
     }
 
-    void add_prm_section(std::string &out, const ParameterTree &tree, const SectionPath &section)
+    using Notes = std::map<std::string, std::string>;
+
+    void add_prm_section(std::string &out, const ParameterTree &tree, const Notes &notes, const SectionPath &section)
     {
       const std::string indent(2 * section.size(), ' ');
       for (const KnownEntry &entry : tree.entries())
@@ -42,6 +44,8 @@ namespace birdstrike
             add_comment(out, indent,
                         "Range: " + entry.range +
                           ". Default: " + (entry.default_value.empty() ? "empty" : entry.default_value) + ".");
+            if (const auto note = notes.find(to_string(section) + "/" + entry.name); note != notes.end())
+              add_comment(out, indent, note->second);
             out += indent + "set " + entry.name + " =" + (entry.value.empty() ? "" : " ") + entry.value + "\n\n";
           }
       for (const std::string &name : tree.subsection_names(section))
@@ -49,7 +53,7 @@ namespace birdstrike
           SectionPath inner = section;
           inner.push_back(name);
           out += indent + "subsection " + name + "\n";
-          add_prm_section(out, tree, inner);
+          add_prm_section(out, tree, notes, inner);
           if (out.size() > 2 && out.compare(out.size() - 2, 2, "\n\n") == 0)
             out.pop_back();
           out += indent + "end\n\n";
@@ -103,9 +107,18 @@ namespace birdstrike
         }
   }
 
-  void ParameterFile::set(const std::string &override_text)
+  void ParameterFile::set(const std::vector<std::string> &overrides)
   {
-    prm->parse_input_from_string(scan_override(override_text, tree()));
+    const ParameterTree known = tree();
+    std::string         text;
+    for (const std::string &override_text : overrides)
+      text += scan_override(override_text, known);
+    prm->parse_input_from_string(text);
+  }
+
+  void ParameterFile::annotate(const std::string &entry, const std::string &sentence)
+  {
+    notes[entry] = sentence;
   }
 
   const std::string &ParameterFile::original() const
@@ -116,7 +129,7 @@ namespace birdstrike
   std::string ParameterFile::as_prm() const
   {
     std::string text;
-    add_prm_section(text, tree(), {});
+    add_prm_section(text, tree(), notes, {});
     while (text.size() > 1 && text.compare(text.size() - 2, 2, "\n\n") == 0)
       text.pop_back();
     return text;

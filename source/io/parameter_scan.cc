@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "io/parameter_messages.h"
+#include "io/typed_numbers.h"
 
 namespace birdstrike
 {
@@ -64,9 +65,11 @@ namespace birdstrike
       const KnownEntry *entry = known.find(section, name);
       if (entry == nullptr)
         throw InputError(describe_unknown_entry(where, section, name, known));
-      const std::string value = normalise_value(normalise(statement.substr(equals + 1)), *entry);
+      const std::string typed = normalise(statement.substr(equals + 1));
+      const std::string value =
+        read_typed_numbers(normalise_value(typed, *entry), *entry, where.text() + ", " + describe_section(section));
       if (!entry->allows(value))
-        throw InputError(describe_bad_value(where, *entry, value));
+        throw InputError(describe_bad_value(where, *entry, typed == value ? value : typed + " = " + value));
       return {section, name, value, where.line};
     }
 

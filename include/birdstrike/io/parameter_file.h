@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,8 +52,11 @@ namespace birdstrike
     /// Reads the file, then the overrides "Section/Entry=value", and checks every group.
     void read(const std::string &path, const std::vector<std::string> &overrides = {});
 
-    /// Sets one entry, "Section/Entry=value", without checking the groups again.
-    void set(const std::string &override_text);
+    /// Sets entries, "Section/Entry=value", without checking the groups again.
+    void set(const std::vector<std::string> &overrides);
+
+    /// A sentence for the printed file, beside the entry "Section/Entry".
+    void annotate(const std::string &entry, const std::string &sentence);
 
     /// The text of the file that was read, verbatim.
     const std::string &original() const;
@@ -70,5 +74,6 @@ namespace birdstrike
     std::vector<ParameterGroup>               groups;
     std::unique_ptr<dealii::ParameterHandler> prm;
     std::string                               original_text;
+    std::map<std::string, std::string>        notes; ///< by entry
   };
 } // namespace birdstrike

@@ -4,6 +4,7 @@
 #include <birdstrike/material/metal.h>
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -48,6 +49,17 @@ namespace birdstrike
     void declare(dealii::ParameterHandler &prm);
     /// The metal that follows; throws InputError, which names the entries with `where` they stand.
     Metal metal(const std::string &where = "Blade/Material/") const;
+
+    /// A value that the metal's laws use.
+    struct UsedValue
+    {
+      std::string entry;       ///< "Yield stress"
+      std::string value;       ///< as the entry may say it, to the last bit
+      bool        is_taken;    ///< the entry says 'table'
+      bool        is_of_table; ///< what the table has for the named metal, taken or repeated
+    };
+    /// Of all entries that may say 'table'; those that play no part are left out. Throws as `metal` does.
+    std::vector<UsedValue> used_values(const std::string &where = "Blade/Material/") const;
 
   private:
     void set_heating(Hardening &hardening, const std::string &where) const;

@@ -92,3 +92,33 @@ TEST(CaseParameters, EveryShippedFileIsRead)
       }
   EXPECT_GE(n_files, 1u) << "no parameter files in " BIRDSTRIKE_SOURCE_DIR "/prm";
 }
+
+TEST(CaseParameters, ThePrintedFileHasTheValuesOfTheTableAndGivesTheSameMetal)
+{
+  const ScratchFolder            scratch;
+  const std::vector<std::string> sections{
+    "Blade/Material/Name=Al 2024 Johnson-Cook", "Blade/Material/Hardening modulus=7e8",
+    "Blade/Material/Failure=Johnson-Cook",      "Blade/Section 1/Material ids=1",
+    "Blade/Section 2/Material ids=2",           "Blade/Section 2/Material/Name=Al 6061-T6"};
+  CaseParameters first, again;
+  first.read(scratch.write("case.prm", ""), sections);
+  const std::string             printed = first.file.as_prm();
+  const auto                    tree    = first.file.tree();
+  const birdstrike::SectionPath here{"Blade", "Material"};
+  EXPECT_EQ(tree.find(here, "Poisson's ratio")->value, "0.33");
+  EXPECT_EQ(tree.find(here, "Damage D3")->value, "-1.5");
+  EXPECT_EQ(tree.find(here, "Hardening")->value, "johnson-cook");
+  EXPECT_EQ(tree.find(here, "Hardening modulus")->value, "7e8");
+  EXPECT_EQ(tree.find(here, "Heat capacity")->value, "table") << "nothing heats: it plays no part";
+  EXPECT_EQ(tree.find({"Blade", "Section 2", "Material"}, "Yield stress")->value, "2.76e+08");
+  EXPECT_NE(printed.find("# Of the table: Al 2024 Johnson-Cook.\n    set Density = 2780\n"), std::string::npos);
+  EXPECT_NE(printed.find("# Here Al 2024 Johnson-Cook, with what Blade/Material says of it."), std::string::npos);
+
+  again.read(scratch.write("parameters.prm", printed));
+  EXPECT_EQ(again.blade.material, first.blade.material);
+  EXPECT_EQ(again.blade.sections, first.blade.sections);
+  EXPECT_EQ(birdstrike::first_difference(first, again, {}), "");
+  CaseParameters typed; // 'table' typed is the value written
+  typed.read(scratch.write("case.prm", ""), sections);
+  EXPECT_EQ(birdstrike::first_difference(typed, again, {}), "");
+}

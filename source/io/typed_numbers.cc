@@ -1,0 +1,203 @@
+#include "io/typed_numbers.h"
+#include "io/parameter_messages.h"
+#include "io/units.h"
+#include <birdstrike/core/arithmetic.h>
+#include <birdstrike/core/errors.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    using dealii::Utilities::trim;
+
+    enum class Kind
+    {
+      number,
+      integer,
+      list,
+      text,
+      other
+    };
+
+    Kind kind_of(const KnownEntry &entry)
+    {
+      for (const auto &[begin, kind] : {std::pair("[Double", Kind::number), std::pair("[Integer", Kind::integer),
+                                        std::pair("[List of <[Double", Kind::list), std::pair("[Anything", Kind::text)})
+        if (entry.pattern.rfind(begin, 0) == 0)
+          return kind;
+      return Kind::other;
+    }
+
+    bool is_plain(const std::string &text)
+    {
+      return dealii::Patterns::Double().match(text);
+    }
+
+    std::string text_of(const double value)
+    {
+      std::array<char, 32> text;
+      return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+    }
+
+    /// A number or formula and the text of the unit after it.
+    struct Quantity
+    {
+      std::string formula, unit;
+    };
+
+    /// Where a unit may begin: at a letter, '%' or "1/" that follows what ends a number or formula.
+    bool may_begin_unit(const std::string &text, const std::size_t at)
+    {
+      const auto byte = [&](const std::size_t k) { return static_cast<unsigned char>(text[k]); };
+      if (at == 0 || (!std::isdigit(byte(at - 1)) && std::string(" .)").find(text[at - 1]) == std::string::npos))
+        return false;
+      return std::isalpha(byte(at)) || text[at] == '%' || (text[at - 1] == ' ' && text.compare(at, 2, "1/") == 0);
+    }
+
+    /// The split with the longest first part that can be evaluated; `is_known`: and the second be read as a unit.
+    Quantity split(const std::string &text, const bool is_known)
+    {
+      for (std::size_t at = text.size(); at-- > 0;)
+        if (may_begin_unit(text, at))
+          {
+            const std::string formula = trim(text.substr(0, at)), unit = text.substr(at);
+            if ((!is_known || parse_unit(unit)) && (is_plain(formula) || evaluate_arithmetic(formula)))
+              return {formula, unit};
+          }
+      return {};
+    }
+
+    class Reader
+    {
+    public:
+      Reader(const KnownEntry &entry, const std::string &where)
+        : entry(entry), where(where), own(parse_unit(entry.unit))
+      {
+      }
+
+      /// Of one number; any other text as it is.
+      std::string number(const std::string &text) const
+      {
+        if (is_plain(text))
+          return text;
+        if (const Quantity given = split(text, true); !given.unit.empty())
+          return convert(text, given);
+        if (const auto value = evaluate_arithmetic(text))
+          return text_of(*value);
+        if (const Quantity given = split(text, false); !given.unit.empty())
+          refuse(text, "the unit '" + given.unit + "' is not known");
+        return text;
+      }
+
+      std::string list(const std::string &text) const
+      {
+        std::vector<std::string> items = dealii::Utilities::split_string_list(text, ',');
+        std::vector<bool>        has_unit;
+        for (const std::string &item : items)
+          has_unit.push_back(!split(item, true).unit.empty());
+        const auto        n_units = std::count(has_unit.begin(), has_unit.end(), true);
+        const bool        is_last = n_units == 1 && has_unit.back();
+        const std::string last    = is_last ? split(items.back(), true).unit : "";
+        std::string       result;
+        for (std::size_t k = 0; k < items.size(); ++k)
+          {
+            if (is_last && k + 1 < items.size())
+              items[k] += " " + last;
+            else if (n_units > 0 && !has_unit[k] && evaluate_arithmetic(items[k]).value_or(0.) != 0.)
+              refuse(text, "'" + items[k] + "' has no unit, others have one");
+            result += (k > 0 ? ", " : "") + number(items[k]);
+          }
+        return result;
+      }
+
+      std::string pieces(const std::string &text) const
+      {
+        std::string result;
+        for (std::size_t begin = 0; begin <= text.size();)
+          {
+            const std::size_t end      = std::min(text.find(';', begin), text.size());
+            const std::string piece    = text.substr(begin, end - begin);
+            const std::size_t mark     = piece.find_last_of(":=");
+            const std::string key      = mark == std::string::npos ? "" : piece.substr(0, mark + 1) + " ";
+            const std::string given    = trim(key.empty() ? piece : piece.substr(mark + 1));
+            const Quantity    quantity = split(given, true);
+            std::string       read     = given;
+            if (entry.default_value == "table")
+              read = number(given);
+            else if (!quantity.unit.empty() && (key.empty() || is_mine(quantity.unit)))
+              read = convert(given, quantity);
+            result +=
+              (begin > 0 ? ";" : "") + (read == given ? piece : (begin > 0 && key.empty() ? " " : "") + key + read);
+            begin = end + 1;
+          }
+        return result;
+      }
+
+    private:
+      const KnownEntry   &entry;
+      const std::string  &where;
+      std::optional<Unit> own;
+
+      [[noreturn]] void refuse(const std::string &text, const std::string &found) const
+      {
+        throw InputError(
+          message({where + ": '" + entry.name + "' = " + quote(text) + ": " + found + ".",
+                   own ? "  Unit of this entry: " + entry.unit + "; units that it takes: " + list_units_like(*own) + "."
+                       : "  This entry is a plain number.",
+                   "  A number without a unit is in " + (own ? entry.unit : std::string("no unit")) + "."}));
+      }
+
+      bool is_mine(const std::string &unit) const
+      {
+        return parse_unit(unit)->dimension == own.value_or(Unit()).dimension;
+      }
+
+      std::string convert(const std::string &text, const Quantity &given) const
+      {
+        if (!is_mine(given.unit))
+          refuse(text, "'" + given.unit + "' is a unit of something else");
+        const Unit unit = *parse_unit(given.unit), mine = own.value_or(Unit());
+        const int  exponent = unit.exponent - mine.exponent;
+        // A decimal number in decimal units is the decimal number that it means, to the last bit.
+        if (unit.factor == mine.factor && unit.offset == 0. && is_plain(given.formula) &&
+            given.formula.find_first_of("eE") == std::string::npos)
+          return text_of(dealii::Utilities::string_to_double(given.formula + "e" + std::to_string(exponent)));
+        const double value = is_plain(given.formula) ? dealii::Utilities::string_to_double(given.formula)
+                                                     : *evaluate_arithmetic(given.formula);
+        return text_of(unit.to_si(value) / mine.to_si(1.));
+      }
+    };
+  } // namespace
+
+  std::string read_typed_numbers(const std::string &text, const KnownEntry &entry, const std::string &where)
+  {
+    const Kind   kind = kind_of(entry);
+    const Reader reader(entry, where);
+    switch (kind)
+      {
+      case Kind::number:
+      case Kind::integer:
+        if (const std::size_t comma = text.find(',');
+            comma != std::string::npos && is_plain(std::string(text).replace(comma, 1, ".")))
+          throw InputError(
+            message({where + ": '" + entry.name + "' = " + quote(text) + ": a decimal comma.",
+                     "  Decimals are written with a point: " + std::string(text).replace(comma, 1, ".") + "."}));
+        return reader.number(text);
+      case Kind::list:
+        return reader.list(text);
+      case Kind::text:
+        return parse_unit(entry.unit) || entry.default_value == "table" ? reader.pieces(text) : text;
+      case Kind::other:
+        return text;
+      }
+    return text;
+  }
+} // namespace birdstrike
