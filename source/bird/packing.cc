@@ -109,9 +109,7 @@ namespace birdstrike
 
     Point3 compute_start(const BirdParameters &parameters, const double bounding_radius)
     {
-      const auto  &u = parameters.velocity, &a = parameters.aim_point;
-      const Point3 v(u[0], u[1], u[2]);
-      const Point3 target(a[0], a[1] + parameters.chordwise_offset, a[2]);
+      const Point3 v(parameters.velocity.data()), target(parameters.target().data());
       if (parameters.shape == BirdShape::slab || v.norm() == 0.)
         return target;
       const double distance = parameters.stand_off > 0. ? parameters.stand_off : 2. * bounding_radius;

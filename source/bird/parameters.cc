@@ -52,7 +52,21 @@ namespace birdstrike
 
     void declare_motion(ParameterHandler &prm, BirdParameters &bird)
     {
-      prm.add_parameter("Velocity", bird.velocity, "Velocity of the bird. [m/s]", three_numbers);
+      prm.add_parameter("Velocity", bird.velocity,
+                        "Velocity of the bird; or give Speed with Angle to surface or Flight direction. [m/s]",
+                        three_numbers);
+      prm.add_parameter("Speed", bird.speed, "Speed of the bird; empty: that of Velocity. [m/s]",
+                        Patterns::List(positive, 0, 1));
+      prm.add_parameter(
+        "Angle to surface", bird.angle_to_surface,
+        "Angle between the velocity and the blade's surface at the aim point, in the plane of its normal "
+        "and its chord: 90 flies along the normal (+z on the built-in plate), less from the leading "
+        "towards the trailing edge, more than 90 back; negative angles come from the other side. For a "
+        "blade at rest; empty: as Velocity or Flight direction say. [degree]",
+        Patterns::List(Patterns::Double(-180., 180.), 0, 1));
+      prm.add_parameter("Flight direction", bird.flight_direction,
+                        "Direction of the velocity, of any length; empty: as Velocity or Angle to surface say. [-]",
+                        Patterns::List(Patterns::Double(), 0, 3));
       prm.add_parameter("Yaw", bird.yaw,
                         "Turn of the bird's axis away from its velocity, about the direction nearest to the span. "
                         "[degree]",
@@ -70,8 +84,19 @@ namespace birdstrike
       prm.add_parameter("Aim point", bird.aim_point,
                         "Point that the bird's centre would fly through if nothing stood in its way. [m]",
                         three_numbers);
-      prm.add_parameter("Chordwise offset", bird.chordwise_offset, "Shift of the aim point along the chord (y). [m]",
-                        Patterns::Double());
+      prm.add_parameter(
+        "Aim span fraction", bird.aim_span_fraction,
+        "Share of the span, 0 at the root and 1 at the tip, at which the bird aims on the blade's surface, "
+        "with Aim chord fraction; empty: Aim point. [-]",
+        Patterns::List(Patterns::Double(0., 1.), 0, 1));
+      prm.add_parameter("Aim chord fraction", bird.aim_chord_fraction,
+                        "Share of the chord of that section, 0 at the leading and 1 at the trailing edge. [-]",
+                        Patterns::List(Patterns::Double(0., 1.), 0, 1));
+      prm.add_parameter(
+        "Chordwise offset", bird.chordwise_offset,
+        "Shift of the aim point along the chord of the section where the bird aims, towards the trailing "
+        "edge; along y where the blade has no chord. [m]",
+        Patterns::Double());
       prm.add_parameter("Stand-off", bird.stand_off,
                         "Distance from the bird's centre to the aim point at the start; 0 chooses twice the radius of "
                         "the sphere around the bird, or more where the blade is in its way before. [m]",
@@ -161,6 +186,12 @@ namespace birdstrike
   {
     if (!enabled)
       return;
+    if (!flight_direction.empty() && (flight_direction.size() != 3 ||
+                                      std::hypot(flight_direction[0], flight_direction[1], flight_direction[2]) == 0.))
+      refuse("Flight direction", "it is no direction.", "Give three numbers that are not all zero.");
+    if (aim_span_fraction.empty() != aim_chord_fraction.empty())
+      refuse(aim_span_fraction.empty() ? "Aim span fraction" : "Aim chord fraction", "it is not given, its partner is.",
+             "Give both shares, or none and Aim point.");
     const auto n_periodic = std::count(is_periodic.begin(), is_periodic.end(), true);
     if (shape == BirdShape::slab)
       {
@@ -216,6 +247,15 @@ namespace birdstrike
       refuse("Periodic directions", "they do not go with a symmetry plane.", "Set 'none', or compute the whole bird.");
     if (shape == BirdShape::slab)
       refuse("Shape", "a slab is not halved.", "Choose another shape, or compute the whole slab.");
+  }
+
+  std::array<double, 3> BirdParameters::target() const
+  {
+    const std::array<double, 3> chord = aimed_surface ? aimed_surface->chord : std::array<double, 3>{{0., 1., 0.}};
+    std::array<double, 3>       point = aim_point;
+    for (std::size_t d = 0; d < 3; ++d)
+      point[d] += chordwise_offset * chord[d];
+    return point;
   }
 
   double BirdParameters::largest_courant_number() const

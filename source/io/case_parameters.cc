@@ -1,3 +1,4 @@
+#include "io/aim.h"
 #include "io/parameter_tree.h"
 #include "io/scene_size.h"
 #include "io/symmetry_check.h"
@@ -104,9 +105,10 @@ namespace birdstrike
   {
     file.read(path, overrides);
     blade.is_halved = bird.is_halved = has_symmetry_plane;
+    require_memory(*this, static_cast<double>(available_memory()));
+    resolve_aim(*this);
     if (bird.enabled)
       blade.bird_velocity = bird.velocity;
-    require_memory(*this, static_cast<double>(available_memory()));
     if (has_symmetry_plane)
       require_symmetry(*this);
     require_stable_bird_step(*this);

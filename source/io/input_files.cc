@@ -28,14 +28,17 @@ namespace birdstrike
   {
     const ParameterTree    tree = parameters.file.tree();
     std::vector<InputFile> files;
+    const auto             add = [&files](const std::string &name, const bool is_included) {
+      std::error_code error;
+      if (name.empty() || !std::filesystem::is_regular_file(name, error))
+        return;
+      if (std::ifstream in(name, std::ios::binary); in)
+        files.push_back({name, fmt::format("{:016x}", fingerprint(in)), is_included});
+    };
     for (const KnownEntry &entry : tree.entries())
-      {
-        std::error_code error;
-        if (entry.value.empty() || !std::filesystem::is_regular_file(entry.value, error))
-          continue;
-        if (std::ifstream in(entry.value, std::ios::binary); in)
-          files.push_back({entry.value, fmt::format("{:016x}", fingerprint(in))});
-      }
+      add(entry.value, false);
+    for (const std::string &name : parameters.file.included_files())
+      add(name, true);
     return files;
   }
 } // namespace birdstrike

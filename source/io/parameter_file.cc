@@ -91,11 +91,14 @@ namespace birdstrike
   void ParameterFile::read(const std::string &path, const std::vector<std::string> &overrides)
   {
     const ParameterTree known = tree();
-    std::string         text  = scan_parameter_file(path, known);
+    ScannedParameters   scanned;
+    scan_parameter_file(path, known, scanned);
     for (const std::string &override_text : overrides)
-      text += scan_override(override_text, known);
+      scan_override(override_text, known, scanned);
     original_text = read_text(path);
-    prm->parse_input_from_string(text);
+    given         = scanned.given;
+    included      = scanned.included;
+    prm->parse_input_from_string(scanned.text);
     for (const ParameterGroup &group : groups)
       try
         {
@@ -110,10 +113,20 @@ namespace birdstrike
   void ParameterFile::set(const std::vector<std::string> &overrides)
   {
     const ParameterTree known = tree();
-    std::string         text;
+    ScannedParameters   scanned;
     for (const std::string &override_text : overrides)
-      text += scan_override(override_text, known);
-    prm->parse_input_from_string(text);
+      scan_override(override_text, known, scanned);
+    prm->parse_input_from_string(scanned.text);
+  }
+
+  bool ParameterFile::is_given(const std::string &entry) const
+  {
+    return given.count(entry) > 0;
+  }
+
+  const std::vector<std::string> &ParameterFile::included_files() const
+  {
+    return included;
   }
 
   void ParameterFile::annotate(const std::string &entry, const std::string &sentence)

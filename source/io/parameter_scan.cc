@@ -48,9 +48,10 @@ namespace birdstrike
       std::string  name, value;
       unsigned int line;
 
-      std::string text() const
+      void add_to(ScannedParameters &result) const
       {
-        return "set " + name + " = " + value + "\n";
+        result.text += "set " + name + " = " + value + "\n";
+        result.given.insert((section.empty() ? "" : to_string(section) + "/") + name);
       }
     };
 
@@ -77,18 +78,17 @@ namespace birdstrike
     class FileScanner
     {
     public:
-      FileScanner(const fs::path &path, const SectionPath &start, const ParameterTree &known, const unsigned int depth)
-        : path(path), known(known), depth(depth), start(start), section(start)
+      FileScanner(const fs::path &path, const SectionPath &start, const ParameterTree &known, const unsigned int depth,
+                  ScannedParameters &result)
+        : path(path), known(known), depth(depth), start(start), section(start), result(result)
       {
       }
 
-      std::string scan()
+      void scan()
       {
-        std::ifstream in(path);
-        if (!in || fs::is_directory(path))
-          throw InputError(describe_missing_file(path, includer));
-        std::string  line;
-        unsigned int number = 0;
+        std::istringstream in(read_text());
+        std::string        line;
+        unsigned int       number = 0;
         while (std::getline(in, line))
           {
             where             = {path.string(), ++number};
@@ -106,7 +106,6 @@ namespace birdstrike
           throw InputError(message({path.string() + ": subsection '" + section.back() + "', opened in line " +
                                       std::to_string(opened_at.back()) + ", has no 'end'.",
                                     "  Action: close every 'subsection NAME' with a line 'end'."}));
-        return text;
       }
 
       SourceLine includer; ///< the line that named this file; line 0 for the outermost
@@ -120,7 +119,23 @@ namespace birdstrike
       std::vector<unsigned int> opened_at;
       std::vector<Assignment>   assignments; ///< of this file alone
       SourceLine                where;
-      std::string               text;
+      ScannedParameters        &result;
+
+      /// Without the mark by which some editors begin a text in UTF-8.
+      std::string read_text() const
+      {
+        std::ifstream file(path, std::ios::binary);
+        if (!file || fs::is_directory(path))
+          throw InputError(describe_missing_file(path, includer));
+        std::ostringstream text;
+        text << file.rdbuf();
+        const std::string whole = text.str();
+        if (whole.find('\0') != std::string::npos)
+          throw InputError(message({"'" + path.string() + "' is no parameter file: it holds bytes that are no text.",
+                                    includer.line > 0 ? "  Included by " + includer.text() + "." : "",
+                                    "  Allowed: text in UTF-8 (an editor may have saved it as UTF-16)."}));
+        return whole.rfind("\xEF\xBB\xBF", 0) == 0 ? whole.substr(3) : whole;
+      }
 
       static bool is_continued(const std::string &line)
       {
@@ -159,7 +174,7 @@ namespace birdstrike
             describe_unknown_section(where, section, opened_at.empty() ? 0 : opened_at.back(), name, known));
         section = inner;
         opened_at.push_back(where.line);
-        text += "subsection " + name + "\n";
+        result.text += "subsection " + name + "\n";
       }
 
       void leave()
@@ -169,7 +184,7 @@ namespace birdstrike
                                     "  Action: remove the line, or open the section that it closes."}));
         opened_at.pop_back();
         section.pop_back();
-        text += "end\n";
+        result.text += "end\n";
       }
 
       void add(const Assignment &assignment)
@@ -182,7 +197,7 @@ namespace birdstrike
                  quote(assignment.value) + ".",
                "  Action: remove one of the two lines."}));
         assignments.push_back(assignment);
-        text += assignment.text();
+        assignment.add_to(result);
       }
 
       void include(const std::string &name)
@@ -191,9 +206,10 @@ namespace birdstrike
         if (depth == 16)
           throw InputError(
             message({where.text() + ": files include each other without end.", "  Read: include " + name}));
-        FileScanner inner(path.parent_path() / name, section, known, depth + 1);
+        FileScanner inner(path.parent_path() / name, section, known, depth + 1, result);
         inner.includer = where;
-        text += inner.scan();
+        inner.scan();
+        result.included.push_back((path.parent_path() / name).string());
       }
     };
   } // namespace
@@ -203,12 +219,12 @@ namespace birdstrike
     return line > 0 ? file + ", line " + std::to_string(line) : file;
   }
 
-  std::string scan_parameter_file(const std::string &path, const ParameterTree &known)
+  void scan_parameter_file(const std::string &path, const ParameterTree &known, ScannedParameters &result)
   {
-    return FileScanner(path, {}, known, 0).scan();
+    FileScanner(path, {}, known, 0, result).scan();
   }
 
-  std::string scan_override(const std::string &text, const ParameterTree &known)
+  void scan_override(const std::string &text, const ParameterTree &known, ScannedParameters &result)
   {
     const SourceLine  where{"--set " + quote(text), 0};
     const std::size_t equals = text.find('=');
@@ -233,6 +249,8 @@ namespace birdstrike
         opening += "subsection " + name + "\n";
         closing += "end\n";
       }
-    return opening + read_assignment(section, text.substr(slash + 1), where, known).text() + closing;
+    result.text += opening;
+    read_assignment(section, text.substr(slash + 1), where, known).add_to(result);
+    result.text += closing;
   }
 } // namespace birdstrike

@@ -2,6 +2,7 @@
 
 #include "io/parameter_tree.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,23 @@ namespace birdstrike
     std::string text() const;
   };
 
-  /// The text of a parameter file as deal.II's ParameterHandler parses it: with the included files in their places,
-  /// which are looked for beside the file that includes them, and switches (on, off, yes, no) as true and false.
+  /// What is made of files and overrides.
+  struct ScannedParameters
+  {
+    std::string              text;     ///< as deal.II's ParameterHandler parses it
+    std::set<std::string>    given;    ///< entries that are set, "Section/Entry"
+    std::vector<std::string> included; ///< files, in the order of reading
+  };
+
+  /// Adds the text of a parameter file as deal.II's ParameterHandler parses it: with the included files in their
+  /// places, which are looked for beside the file that includes them, and switches (on, off, yes, no) as true and
+  /// false.
   ///
   /// deal.II 9.4 answers a misspelt entry with a dump of its internals: so the first fault is located here. Raises
   /// InputError, at most six lines, with file, line and nearest name. An entry set twice in one file is refused; a file
   /// may set again what it included.
-  std::string scan_parameter_file(const std::string &path, const ParameterTree &known);
+  void scan_parameter_file(const std::string &path, const ParameterTree &known, ScannedParameters &result);
 
   /// The same of one override "Section/Sub section/Entry=value"; blanks around '/' and '=' do not count.
-  std::string scan_override(const std::string &text, const ParameterTree &known);
+  void scan_override(const std::string &text, const ParameterTree &known, ScannedParameters &result);
 } // namespace birdstrike

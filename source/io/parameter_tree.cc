@@ -62,6 +62,8 @@ namespace birdstrike
         return "one of " + std::regex_replace(match[1].str(), std::regex(R"(\s*\|\s*)"), ", ");
       if (std::regex_match(pattern, match, list))
         {
+          if (match[2] == "0" && match[3] == "1")
+            return describe_pattern(match[1]) + ", or empty";
           const std::string count = match[2] == match[3] ? match[2].str() : match[2].str() + " to " + match[3].str();
           return count + " items separated by '" + (match[4].length() > 0 ? match[4].str() : ",") + "', each " +
                  describe_pattern(match[1]);

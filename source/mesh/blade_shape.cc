@@ -1,4 +1,4 @@
-#include "mesh/blade_shape.h"
+#include <birdstrike/mesh/blade_shape.h>
 
 #include <Eigen/Geometry>
 

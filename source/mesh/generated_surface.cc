@@ -1,7 +1,7 @@
 #include "mesh/generated_surface.h"
 
-#include "mesh/blade_shape.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/mesh/blade_shape.h>
 
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
-#include "mesh/blade_shape.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/expression.h>
 #include <birdstrike/core/text_lists.h>
+#include <birdstrike/mesh/blade_shape.h>
 #include <birdstrike/mesh/thickness_law.h>
 
 #include <map>

@@ -99,7 +99,8 @@ namespace birdstrike
   void Summary::set_inputs(const std::vector<InputFile> &files)
   {
     for (const InputFile &file : files)
-      json["inputs"].push_back({{"name", file.name}, {"fingerprint", file.fingerprint}});
+      json["inputs"].push_back(
+        {{"name", file.name}, {"fingerprint", file.fingerprint}, {"role", file.is_included ? "include" : "entry"}});
   }
 
   double Summary::number(const std::string &key) const

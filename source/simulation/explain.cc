@@ -12,14 +12,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace birdstrike
 {
   namespace
   {
-    std::string vector_text(const std::array<double, 3> &a, const char *unit)
+    std::string vector_text(std::array<double, 3> a, const char *unit)
     {
+      const double round_off = 1e-14 * std::hypot(a[0], a[1], a[2]);
+      for (double &x : a)
+        x = std::abs(x) > round_off ? x : 0.;
       return fmt::format("({:.4g}, {:.4g}, {:.4g}) {}", a[0], a[1], a[2], unit);
     }
 
@@ -39,6 +43,37 @@ namespace birdstrike
                             format_share(0.5 * scaling.added_rotary_inertia)));
     }
 
+    void add_span(TextTable &table, const Blade &blade)
+    {
+      const std::optional<SpanLine> line = blade.span_line();
+      if (!line)
+        return;
+      const Point3 span = Point3(line->tip.data()) - Point3(line->root.data()), along = span.normalized();
+      table.add("from root to tip",
+                format_quantity(span.norm(), "m") + " along " + vector_text({{along[0], along[1], along[2]}}, ""));
+    }
+
+    /// "19 nodes: ux uy uz rx ry rz held; x 0, y -0.04445 to 0.04445, z 0 m".
+    std::string describe(const SupportCensus &support, const std::size_t n_unknowns)
+    {
+      static constexpr std::array<const char *, 6> components{{"ux", "uy", "uz", "rx", "ry", "rz"}};
+      std::string                                  text = format_count(support.n_nodes) + " nodes:";
+      for (const auto &[are_there, what] :
+           {std::pair(support.is_held, " held;"), std::pair(support.is_driven, " driven;")})
+        if (std::find(are_there.begin(), are_there.end(), true) != are_there.end())
+          {
+            for (std::size_t c = 0; c < n_unknowns; ++c)
+              text += are_there[c] ? std::string(" ") + components[c] : "";
+            text += what;
+          }
+      for (std::size_t d = 0; d < 3; ++d)
+        {
+          text += (d > 0 ? ", " : " ") + std::string(1, "xyz"[d]) + fmt::format(" {:.4g}", support.low[d]);
+          text += support.low[d] < support.high[d] ? fmt::format(" to {:.4g}", support.high[d]) : "";
+        }
+      return text + " m";
+    }
+
     void add_blade(TextTable &table, const Blade &blade, const BladeParameters &parameters)
     {
       const BladeCensus census = blade.census();
@@ -52,7 +87,11 @@ namespace birdstrike
       table.add("smallest element edge",
                 format_quantity(census.smallest_edge, "m") + " at " + vector_text(census.smallest_at, "m"));
       table.add("largest over smallest element", fmt::format("{:.3g}", census.largest_edge_ratio));
+      table.add("centre of mass", vector_text(census.centre_of_mass, "m"));
+      add_span(table, blade);
       table.add("held unknowns", format_count(census.n_held_dofs));
+      for (const SupportCensus &support : census.supports)
+        table.add("support", describe(support, blade.kind() == BladeKind::solid ? 3 : 6));
       const auto of = parameters.by_section();
       for (const SectionCensus &section : census.sections)
         table.add(section.number == 0 ? "the blade's own section" : "section " + std::to_string(section.number),
@@ -72,10 +111,64 @@ namespace birdstrike
                         particle_formulations().name(parameters.formulation));
       table.add("particles", format_count(bird.n_particles()));
       table.add("mass", fmt::format("{:.9g} kg", bird.packing().mass()));
+      const Shape shape(parameters);
+      table.add("length, diameter",
+                format_quantity(shape.length(), "m") + ", " + format_quantity(shape.diameter(), "m"));
       table.add("packing", bird.summary());
       table.add("kinetic energy", bird.energies().kinetic, "J");
       table.add("momentum", vector_text(bird.momenta().momentum, "N s"));
       table.add("memory, about", format_bytes(prices::bytes_per_particle * static_cast<double>(bird.state().size())));
+    }
+
+    /// Unit normal of the surface where the bird aims: of the blade's mid-surface, or of the facet nearest to that
+    /// point.
+    Point3 find_normal(const BirdParameters &bird, const FacetsView &facets)
+    {
+      if (bird.aimed_surface)
+        return Point3(bird.aimed_surface->normal.data());
+      const Point3 aim(bird.target().data());
+      Point3       normal  = Point3::Zero();
+      double       nearest = INFINITY;
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        {
+          std::array<Point3, 4> x;
+          for (unsigned int k = 0; k < 4; ++k)
+            x[k] = Point3(facets.position + 3 * facets.nodes[f][k]);
+          if (const double d = (0.25 * (x[0] + x[1] + x[2] + x[3]) - aim).squaredNorm(); d < nearest)
+            {
+              nearest = d;
+              normal  = (x[2] - x[0]).cross(x[3] - x[1]).normalized();
+            }
+        }
+      return normal;
+    }
+
+    /// Pressures of a normal shock p_H = rho U_s v_n and of steady flow, rho v^2/2 (Wilbeck 1978), of what the bird
+    /// does relative to the surface.
+    void add_aim(TextTable &table, const CaseParameters &parameters, const Scene &scene)
+    {
+      const BirdParameters &bird = parameters.bird;
+      const Point3          velocity(scene.first_touch.closing_velocity.data());
+      const double          speed = velocity.norm(),
+                   sine           = std::abs(velocity.dot(find_normal(bird, scene.blade->facets()))) / speed;
+      std::string where           = vector_text(bird.target(), "m");
+      if (const auto &surface = bird.aimed_surface; surface && bird.chordwise_offset == 0.)
+        where += ": " + format_share(surface->span_share) + " of the span, " + format_share(surface->chord_share) +
+                 " of the chord";
+      table.add_heading("Strike");
+      table.add("aim", where);
+      table.add("velocity", vector_text(bird.velocity, "m/s"));
+      table.add("speed relative to the blade", fmt::format("{:.5g} m/s", speed));
+      table.add("angle to its surface", fmt::format("{:.4g} degrees, normal speed {:.5g} m/s",
+                                                    std::asin(std::min(1., sine)) * 180. / M_PI, speed * sine));
+      if (sine > 0.)
+        {
+          const EquationOfState eos(parameters.equation_of_state, bird.density);
+          table.add("Hugoniot pressure of that", eos.hugoniot(speed * sine).pressure, "Pa");
+        }
+      table.add("stagnation pressure", 0.5 * bird.density * speed * speed, "Pa");
+      if (const double length = Shape(bird).length(); bird.shape != BirdShape::slab)
+        table.add("duration, length over speed", length / speed, "s");
     }
 
     void add_mass_in_the_way(TextTable &table, const double share, const BirdParameters &bird)
@@ -93,7 +186,7 @@ namespace birdstrike
       const double    n_macro  = std::ceil(parameters.time.end_time / schedule.step);
       table.add_heading("Time");
       table.add("end time", parameters.time.end_time, "s");
-      table.add("flight skipped before first touch", scene.flight_time, "s");
+      table.add("flight skipped before first touch", scene.first_touch.flight_time, "s");
       table.add("first macro step", format_quantity(schedule.step, "s"));
       table.add("limited by",
                 schedule.limiter.reason + (schedule.limiter.where.kind ? ", " + schedule.limiter.where.text() : ""));
@@ -112,10 +205,17 @@ namespace birdstrike
     {
       const OutputParameters &output   = parameters.output;
       const double            end_time = parameters.time.end_time;
-      const double            n_rows   = output.history_interval > 0. ? end_time / output.history_interval + 2. : 0.;
+      const double            n_steps  = end_time / scene.last_plan().step; // an interval of 0 is every step
+      const double n_rows = output.history_interval > 0. ? end_time / output.history_interval + 2. : n_steps + 1.;
       table.add_heading("Files");
       table.add("folder", parameters.run_directory());
       table.add("history rows", format_count(static_cast<std::uint64_t>(n_rows)));
+      if (scene.contact && output.channel_class > 0.) // report/force_channel.h; a row is four numbers
+        {
+          const double n_filtered = 200. * output.channel_class * end_time + 800.;
+          table.add("rows of filtered.csv, at most",
+                    format_count(static_cast<std::uint64_t>(n_filtered)) + ", " + format_bytes(75. * n_filtered));
+        }
       table.add("field files, before compression, at most", format_bytes(compute_field_bytes(parameters, scene)));
     }
   } // namespace
@@ -145,6 +245,8 @@ namespace birdstrike
     if (scene.bird)
       {
         add_bird(table, *scene.bird, parameters.bird);
+        if (scene.contact)
+          add_aim(table, parameters, scene);
         if (scene.blade)
           add_mass_in_the_way(table, compute_share_in_the_way(scene.bird->points(), scene.blade->facets()),
                               parameters.bird);

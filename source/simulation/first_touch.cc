@@ -15,7 +15,7 @@ namespace birdstrike
     /// Velocity (m/s) of the surface where the bird aims: of the node nearest to that point.
     Point3 find_velocity_at_aim(const BirdParameters &bird, const FacetsView &facets)
     {
-      const Point3  aim(bird.aim_point[0], bird.aim_point[1] + bird.chordwise_offset, bird.aim_point[2]);
+      const Point3  aim(bird.target().data());
       std::uint32_t nearest  = 0;
       double        smallest = INFINITY;
       for (std::size_t f = 0; f < facets.n_facets; ++f)
@@ -80,7 +80,7 @@ namespace birdstrike
     const FacetsView facets   = blade.facets();
     const Point3     frame    = find_velocity_at_aim(parameters, facets);
     const Point3     velocity = Point3(parameters.velocity.data()) - frame;
-    FirstTouch       touch{0., velocity.norm()};
+    FirstTouch       touch{0., velocity.norm(), {{velocity[0], velocity[1], velocity[2]}}};
     if (touch.closing_speed == 0.)
       throw InputError("The bird does not close in on the blade: Bird/Velocity is that of the blade where it aims.\n"
                        "Set Bird/Velocity, in m/s, to what carries it to the blade.");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 namespace birdstrike
 {
   class Bird;
@@ -11,6 +13,8 @@ namespace birdstrike
   {
     double flight_time   = 0.; ///< s, skipped before first touch
     double closing_speed = 0.; ///< m/s, of the bird relative to the blade where it aims
+
+    std::array<double, 3> closing_velocity{}; ///< likewise
   };
 
   /// Moves the bird in closed form to where its first particle touches the blade as it lies at the start, along its

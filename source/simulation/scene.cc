@@ -65,11 +65,10 @@ namespace birdstrike
       self_contact = std::make_unique<SelfContact>();
     if (blade && bird && parameters.contact.is_enabled)
       {
-        contact                = std::make_unique<Contact>(parameters.contact);
-        const FirstTouch touch = place_at_first_touch(*bird, *blade, parameters.bird);
-        flight_time            = touch.flight_time;
-        bird->set_closing_speed(touch.closing_speed);
-        largest_bird_step = bird->shocked_step(touch.closing_speed);
+        contact     = std::make_unique<Contact>(parameters.contact);
+        first_touch = place_at_first_touch(*bird, *blade, parameters.bird);
+        bird->set_closing_speed(first_touch.closing_speed);
+        largest_bird_step = bird->shocked_step(first_touch.closing_speed);
         limit_multirate();
       }
     if (bird)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "simulation/first_touch.h"
 #include <birdstrike/contact/report.h>
 #include <birdstrike/core/thread_pool.h>
 #include <birdstrike/report/balance.h>
@@ -32,9 +33,9 @@ namespace birdstrike
     std::unique_ptr<Blade>       blade;
     std::unique_ptr<Bird>        bird;
     std::unique_ptr<Contact>     contact;
-    std::unique_ptr<SelfContact> self_contact;     ///< of a deformable blade
-    double                       flight_time = 0.; ///< s, skipped before first touch
-    ContactReport                gone_contact;     ///< the last report of a contact that has been dropped
+    std::unique_ptr<SelfContact> self_contact; ///< of a deformable blade
+    FirstTouch                   first_touch;  ///< of bird and blade, if both are there
+    ContactReport                gone_contact; ///< the last report of a contact that has been dropped
 
     /// @throws InputError for a case without parts, a bird that misses the blade or starts inside it.
     explicit Scene(const CaseParameters &parameters);

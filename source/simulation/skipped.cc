@@ -61,9 +61,9 @@ namespace birdstrike
         skipped.push_back({what, count, unit, ratio(seconds, timings.wall() + seconds)});
     };
     const double bird_time = time_bird_gone >= 0. ? time_bird_gone : now;
-    add("flight before first touch", scene.flight_time, "s",
-        scene.flight_time * (n * costs.particle_step * ratio(static_cast<double>(counts.bird), bird_time) +
-                             n_cells * costs.element_step * ratio(static_cast<double>(counts.blade), now)));
+    add("flight before first touch", scene.first_touch.flight_time, "s",
+        scene.first_touch.flight_time * (n * costs.particle_step * ratio(static_cast<double>(counts.bird), bird_time) +
+                                         n_cells * costs.element_step * ratio(static_cast<double>(counts.blade), now)));
 
     const ContactReport &report  = scene.contact ? scene.contact->report() : scene.gone_contact;
     const double         apart   = static_cast<double>(report.skipped);

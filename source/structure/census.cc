@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace birdstrike
 {
@@ -53,5 +54,39 @@ namespace birdstrike
     BladeCensus census = count(mesh);
     census.area        = area_of(mesh.skin);
     return census;
+  }
+
+  std::vector<SupportCensus> compute_support_census(const std::vector<std::array<double, 3>> &nodes,
+                                                    const unsigned int                        n_unknowns,
+                                                    const std::vector<std::uint32_t>         &held_dofs,
+                                                    const std::vector<std::uint32_t>         &driven_dofs)
+  {
+    using Components = std::array<bool, 6>;
+    std::map<std::uint32_t, std::pair<Components, Components>> of_node;
+    for (const std::uint32_t dof : held_dofs)
+      of_node[dof / n_unknowns].first[dof % n_unknowns] = true;
+    for (const std::uint32_t dof : driven_dofs)
+      {
+        auto &[held, driven]     = of_node[dof / n_unknowns];
+        held[dof % n_unknowns]   = false;
+        driven[dof % n_unknowns] = true;
+      }
+    std::map<std::pair<Components, Components>, SupportCensus> supports;
+    for (const auto &[node, components] : of_node)
+      {
+        SupportCensus &support = supports[components];
+        const auto    &x       = nodes[node];
+        if (support.n_nodes++ == 0)
+          support = {components.first, components.second, 1, x, x};
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            support.low[d]  = std::min(support.low[d], x[d]);
+            support.high[d] = std::max(support.high[d], x[d]);
+          }
+      }
+    std::vector<SupportCensus> result;
+    for (const auto &[components, support] : supports)
+      result.push_back(support);
+    return result;
   }
 } // namespace birdstrike

@@ -1,8 +1,10 @@
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text_lists.h>
 #include <birdstrike/structure/parameters.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace birdstrike
 {
@@ -43,6 +45,10 @@ namespace birdstrike
                                           "empty, or set Kind to shell or solid.");
         return;
       }
+    std::set<std::string> names;
+    for (const auto &[probe, place] : parse_pairs(probes, "Blade/Probes"))
+      require(names.insert(probe).second,
+              "Probes: two are called '" + probe + "'.\nGive each a name of its own: it names their curves.");
     check_geometry();
     require(kind != BladeKind::solid || thickness.table.empty(),
             "Thickness/Table: bricks are as thick as the mesh.\nLeave it empty, or set Kind = shell.");

@@ -14,13 +14,22 @@ namespace birdstrike
   template <class Kind>
   BladeCensus DeformableBlade<Kind>::census() const
   {
-    BladeCensus census            = compute_census(mesh);
-    census.bytes                  = motion.bytes() + elements.bytes() + Kind::bytes_per_cell * census.n_elements;
-    census.n_elements             = n_elements();
-    census.n_nodes                = n_nodes();
-    census.mass                   = mass();
-    census.area                   = plane.whole(census.area);
-    census.n_held_dofs            = supports.held_dofs.size();
+    BladeCensus census = compute_census(mesh);
+    census.bytes       = motion.bytes() + elements.bytes() + Kind::bytes_per_cell * census.n_elements;
+    census.n_elements  = n_elements();
+    census.n_nodes     = n_nodes();
+    census.mass        = mass();
+    census.area        = plane.whole(census.area);
+    census.n_held_dofs = supports.held_dofs.size();
+    Point3 moment      = Point3::Zero();
+    for (std::size_t n = 0; n < mesh.space.n_owned(); ++n)
+      moment += lumped.node[n] * mesh.node(n);
+    for (unsigned int d = 0; d < 3; ++d)
+      census.centre_of_mass[d] = d == 1 && plane.exists() ? 0. : moment[d] / lumped.total;
+    std::vector<std::uint32_t> driven;
+    for (const auto &support : supports.driven)
+      driven.insert(driven.end(), support.dofs.begin(), support.dofs.end());
+    census.supports               = compute_support_census(mesh.nodes, Kind::n_unknowns, supports.held_dofs, driven);
     census.n_elements_with_points = plane.whole(elements.n_promoted());
     census.mass_scaling           = scaling;
     census.mass_scaling.n_scaled  = plane.whole(scaling.n_scaled);

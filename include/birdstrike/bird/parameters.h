@@ -3,6 +3,8 @@
 #include <birdstrike/core/named_choices.h>
 
 #include <array>
+#include <optional>
+#include <vector>
 
 namespace dealii
 {
@@ -56,6 +58,14 @@ namespace birdstrike
   const NamedChoices<BirdLattice>         &bird_lattices();
   const NamedChoices<ParticleFormulation> &particle_formulations();
 
+  /// The blade's surface where the bird aims, as the blade lies at the start.
+  struct AimedSurface
+  {
+    std::array<double, 3> normal{}; ///< unit, of the undeformed mid-surface
+    std::array<double, 3> chord{};  ///< unit, of the section there, from the leading to the trailing edge
+    double                span_share = 0., chord_share = 0.;
+  };
+
   /// User entries of section "Bird"; every default lives here and nowhere else.
   struct BirdParameters
   {
@@ -91,6 +101,18 @@ namespace birdstrike
     double        skin              = 0.1;  ///< of the kernel's support
     bool          retire            = true;
     double        retirement_margin = 0.05; ///< m
+
+    // What may be given instead of velocity and aim point, which the case then makes of them; empty: not given.
+    std::vector<double> speed;                                 ///< m/s
+    std::vector<double> angle_to_surface;                      ///< degrees
+    std::vector<double> flight_direction;                      ///< three numbers
+    std::vector<double> aim_span_fraction, aim_chord_fraction; ///< shares
+
+    /// Set by the case where there is such a surface and it is asked for; without it the chord is y.
+    std::optional<AimedSurface> aimed_surface;
+
+    /// Where the centre would fly through: the aim point shifted along the chord, m.
+    std::array<double, 3> target() const;
 
     /// Only the half y > 0 is computed, mirrored at y = 0; set by the case, not by an entry of this section.
     bool is_halved = false;

@@ -7,16 +7,17 @@ namespace birdstrike
 {
   struct CaseParameters;
 
-  /// A file that a case reads besides its parameters, a mesh.
+  /// A file that a case reads besides its own: a mesh, or parameters that it includes.
   struct InputFile
   {
     std::string name;
-    std::string fingerprint; ///< of its contents: 16 hexadecimal digits (FNV-1a, Fowler, Noll & Vo 1991)
+    std::string fingerprint;         ///< of its contents: 16 hexadecimal digits (FNV-1a, Fowler, Noll & Vo 1991)
+    bool        is_included = false; ///< parameters, whose entries stand in parameters.prm
 
     bool operator==(const InputFile &) const = default;
   };
 
-  /// The files that entries name, in the order of declaration. One that cannot be read is left out: whoever needs it
-  /// will say so.
+  /// The files that entries name, in the order of declaration, then those that are included. One that cannot be read is
+  /// left out: whoever needs it will say so.
   std::vector<InputFile> list_input_files(const CaseParameters &parameters);
 } // namespace birdstrike

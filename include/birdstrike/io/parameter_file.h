@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,12 @@ namespace birdstrike
     /// Sets entries, "Section/Entry=value", without checking the groups again.
     void set(const std::vector<std::string> &overrides);
 
+    /// Whether the file, one that it includes or an override has set the entry "Section/Entry".
+    bool is_given(const std::string &entry) const;
+
+    /// Files that the one that was read includes, in the order of reading.
+    const std::vector<std::string> &included_files() const;
+
     /// A sentence for the printed file, beside the entry "Section/Entry".
     void annotate(const std::string &entry, const std::string &sentence);
 
@@ -75,5 +82,7 @@ namespace birdstrike
     std::unique_ptr<dealii::ParameterHandler> prm;
     std::string                               original_text;
     std::map<std::string, std::string>        notes; ///< by entry
+    std::set<std::string>                     given; ///< entries
+    std::vector<std::string>                  included;
   };
 } // namespace birdstrike

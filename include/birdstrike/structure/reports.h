@@ -27,6 +27,14 @@ namespace birdstrike
     double      plastic_work; ///< J, so far
   };
 
+  /// Nodes with the same components held or driven.
+  struct SupportCensus
+  {
+    std::array<bool, 6>   is_held{}, is_driven{}; ///< ux uy uz rx ry rz; what is driven is not counted as held
+    std::size_t           n_nodes = 0;            ///< of what is computed
+    std::array<double, 3> low{}, high{};          ///< m, the box around them
+  };
+
   /// What will be computed, known before the first step (all but the elements with points, which grow in number).
   struct BladeCensus
   {
@@ -42,6 +50,8 @@ namespace birdstrike
     double                bytes                  = 0.; ///< estimated memory of state, elements and surface
     MassScalingReport     mass_scaling;
 
+    std::array<double, 3>      centre_of_mass{}; ///< m, of a rigid surface none
+    std::vector<SupportCensus> supports;
     std::vector<SectionCensus> sections; ///< none where all elements have one
   };
 

@@ -19,11 +19,14 @@ namespace birdstrike
     /// The first file that is not what the run has read, or is missing on one side; empty if there is none.
     std::string changed_file(const RunRecord &run, const CaseParameters &wanted)
     {
-      const std::vector<InputFile> now = list_input_files(wanted);
+      std::vector<InputFile> now = list_input_files(wanted);
+      std::erase_if(now, [](const InputFile &file) { return file.is_included; }); // what they say has been compared
       for (std::size_t k = 0;; ++k)
         {
           const std::string key  = "inputs/" + std::to_string(k);
-          const InputFile   then = {run.summary().text(key + "/name"), run.summary().text(key + "/fingerprint")};
+          InputFile         then = {run.summary().text(key + "/name"), run.summary().text(key + "/fingerprint")};
+          if (run.summary().text(key + "/role") == "include") // these are the last ones
+            then = {};
           if (k == now.size())
             return then.name;
           if (now[k] != then)

@@ -1,6 +1,6 @@
-#include "mesh/blade_shape.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/mesh/blade_mesh.h>
+#include <birdstrike/mesh/blade_shape.h>
 #include <birdstrike/structure/parameters.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -1,0 +1,187 @@
+#include "io/aim.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/structure/surface_map.h>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr double degree     = std::numbers::pi / 180.;
+    constexpr double tolerance  = 1e-3; ///< of speeds, directions and the chord
+    constexpr double same_angle = 0.05 * degree;
+
+    std::array<double, 3> to_array(const Point3 &a)
+    {
+      return {{a[0], a[1], a[2]}};
+    }
+
+    std::string text_of(const Point3 &a)
+    {
+      std::string text;
+      for (int d = 0; d < 3; ++d)
+        {
+          std::array<char, 32> number;
+          text += (d > 0 ? ", " : "") +
+                  std::string(number.data(), std::to_chars(number.data(), number.data() + number.size(), a[d]).ptr);
+        }
+      return text;
+    }
+
+    std::string shown(const Point3 &a)
+    {
+      return fmt::format("({:.6g}, {:.6g}, {:.6g})", a[0], a[1], a[2]);
+    }
+
+    [[noreturn]] void refuse_difference(const std::string &entry, const std::string &found, const std::string &other,
+                                        const std::string &there)
+    {
+      throw InputError(
+        fmt::format("{} = {} contradicts {}, by which it is {}.\nLeave one of the two out, or correct it.", entry,
+                    found, other, there));
+    }
+
+    /// The surface where the bird aims, or nothing.
+    class Aim
+    {
+    public:
+      explicit Aim(const CaseParameters &parameters) : bird(parameters.bird), blade(parameters.blade)
+      {
+        const bool has_shares = !bird.aim_span_fraction.empty(), has_angle = !bird.angle_to_surface.empty(),
+                   is_asked = has_shares || has_angle || bird.chordwise_offset != 0.;
+        if (is_asked || blade.mesh.generator != MeshGenerator::file)
+          map = make_surface_map(blade);
+        if (!map && (has_shares || has_angle))
+          throw InputError(
+            std::string("Bird/") + (has_shares ? "Aim span fraction" : "Angle to surface") +
+            ": this blade has no span and chord to measure by.\nThey are there for built-in parts, and for whole "
+            "meshes "
+            "of a file whose root and tip Blade/Supports/Clamped (or Hub) and Tip name.\nGive Bird/Aim point and "
+            "Bird/Velocity instead.");
+      }
+
+      Point3 find_point(const bool is_given) const
+      {
+        const Point3 given(bird.aim_point.data());
+        if (bird.aim_span_fraction.empty())
+          return given;
+        const double span = bird.aim_span_fraction[0], chord = bird.aim_chord_fraction[0];
+        const Point3 point = map->position(span, chord);
+        if (!is_given)
+          return point;
+        if ((point - given).norm() > tolerance * (map->position(span, 1.) - map->position(span, 0.)).norm())
+          refuse_difference("Bird/Aim point", shown(given) + " m", "Bird/Aim span fraction and Aim chord fraction",
+                            shown(point) + " m");
+        return given;
+      }
+
+      std::optional<AimedSurface> find_surface(const Point3 &point) const
+      {
+        if (!map)
+          return {};
+        const auto [span, chord] = map->shares(point);
+        return AimedSurface{to_array(map->normal(span, chord)), to_array(map->chord_direction(span)), span, chord};
+      }
+
+    private:
+      const BirdParameters             &bird;
+      const BladeParameters            &blade;
+      std::unique_ptr<const SurfaceMap> map;
+    };
+
+    Point3 direction_by_angle(const AimedSurface &surface, const double degrees)
+    {
+      const Point3 n(surface.normal.data()), chord(surface.chord.data());
+      if (std::abs(degrees) == 90.)
+        return degrees > 0. ? n : Point3(-n);
+      const Point3 tangent = (chord - chord.dot(n) * n).normalized();
+      return std::sin(degrees * degree) * n + std::cos(degrees * degree) * tangent;
+    }
+
+    void check_angle(const BladeParameters &blade, const double degrees)
+    {
+      if (!blade.loads.initial_spin.empty() || !blade.loads.initial_velocity.empty())
+        throw InputError("Bird/Angle to surface: the blade moves at the start (Blade/Loads/Initial spin or Initial "
+                         "velocity), so that the angle of the bird's velocity is not that at which they meet.\nGive "
+                         "Bird/Speed with Flight direction, or Bird/Velocity; explain says at which angle they meet.");
+      if (degrees == 0. || std::abs(degrees) == 180.)
+        throw InputError(
+          "Bird/Angle to surface: along the surface the bird never meets it.\nGive an angle other than 0 "
+          "and 180 degrees; 90 is along the normal.");
+    }
+
+    /// The direction that is given besides Velocity; nothing if none is.
+    std::optional<Point3> find_direction(const BirdParameters &bird, const BladeParameters &blade)
+    {
+      std::optional<Point3> by_angle;
+      if (!bird.angle_to_surface.empty())
+        {
+          check_angle(blade, bird.angle_to_surface[0]);
+          by_angle = direction_by_angle(*bird.aimed_surface, bird.angle_to_surface[0]);
+        }
+      if (bird.flight_direction.empty())
+        return by_angle;
+      const Point3 given = Point3(bird.flight_direction.data()).normalized();
+      // any direction at that angle will do, in whatever plane
+      if (by_angle)
+        if (const Point3 n(bird.aimed_surface->normal.data());
+            std::abs(std::asin(std::clamp(given.dot(n), -1., 1.)) - std::asin(by_angle->dot(n))) > same_angle)
+          refuse_difference("Bird/Angle to surface", fmt::format("{:g} degrees", bird.angle_to_surface[0]),
+                            "Bird/Flight direction", fmt::format("{:.4g} degrees", std::asin(given.dot(n)) / degree));
+      return given;
+    }
+
+    Point3 find_velocity(const BirdParameters &bird, const BladeParameters &blade, const bool is_given)
+    {
+      const Point3                given(bird.velocity.data());
+      const std::optional<Point3> direction = find_direction(bird, blade);
+      if (!is_given)
+        {
+          if (bird.speed.empty() && !direction)
+            return given; // the default
+          if (bird.speed.empty() || !direction)
+            throw InputError(
+              std::string("Bird/") + (direction ? "Speed" : "Angle to surface") +
+              " is missing.\nA velocity is Bird/Velocity, or Bird/Speed together with Angle to surface or "
+              "Flight direction.");
+          return bird.speed[0] * *direction;
+        }
+      if (!bird.speed.empty() && std::abs(given.norm() - bird.speed[0]) > tolerance * bird.speed[0])
+        refuse_difference("Bird/Speed", fmt::format("{:g} m/s", bird.speed[0]), "Bird/Velocity",
+                          fmt::format("{:.6g} m/s", given.norm()));
+      if (direction && (given.normalized() - *direction).norm() > tolerance)
+        {
+          if (bird.flight_direction.empty())
+            refuse_difference("Bird/Angle to surface", fmt::format("{:g} degrees", bird.angle_to_surface[0]),
+                              "Bird/Velocity",
+                              "along " + shown(given.normalized()) + " instead of " + shown(*direction));
+          refuse_difference("Bird/Flight direction", shown(Point3(bird.flight_direction.data())), "Bird/Velocity",
+                            shown(given.normalized()));
+        }
+      return given;
+    }
+  } // namespace
+
+  void resolve_aim(CaseParameters &parameters)
+  {
+    BirdParameters &bird = parameters.bird;
+    if (!bird.enabled)
+      return;
+    const Aim    aim(parameters);
+    const Point3 point    = aim.find_point(parameters.file.is_given("Bird/Aim point"));
+    bird.aimed_surface    = aim.find_surface(point);
+    const Point3 velocity = find_velocity(bird, parameters.blade, parameters.file.is_given("Bird/Velocity"));
+    std::vector<std::string> found;
+    if (to_array(point) != bird.aim_point)
+      found.push_back("Bird/Aim point=" + text_of(point));
+    if (to_array(velocity) != bird.velocity)
+      found.push_back("Bird/Velocity=" + text_of(velocity));
+    parameters.file.set(found);
+  }
+} // namespace birdstrike

@@ -1,0 +1,176 @@
+#include "structure/nodes/supports.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/mesh/blade_mesh.h>
+#include <birdstrike/mesh/blade_shape.h>
+#include <birdstrike/mesh/roles.h>
+#include <birdstrike/structure/surface_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace birdstrike
+{
+  namespace
+  {
+    class BuiltInMap final : public SurfaceMap
+    {
+    public:
+      explicit BuiltInMap(const MeshParameters &parameters) : shape(parameters)
+      {
+      }
+      Point3 position(const double span, const double chord) const override
+      {
+        return shape.position(span, chord);
+      }
+      Point3 chord_direction(const double span) const override
+      {
+        return {0., std::cos(shape.stagger(span)), std::sin(shape.stagger(span))};
+      }
+      std::array<double, 2> shares(const Point3 &point) const override
+      {
+        return shape.coordinates(point.data());
+      }
+      Point3 normal(const double span, const double chord) const override
+      {
+        return shape.normal(span, chord);
+      }
+
+    private:
+      BladeShape shape;
+    };
+
+    /// Where a plane cuts the line between two points, whose heights over it are given.
+    void add_crossing(const Point3 &a, const double at_a, const Point3 &b, const double at_b,
+                      std::vector<Point3> &points)
+    {
+      if ((at_a < 0.) != (at_b < 0.))
+        points.push_back(a + at_a / (at_a - at_b) * (b - a));
+    }
+
+    class MapOfCuts final : public SurfaceMap
+    {
+    public:
+      MapOfCuts(const SurfaceMesh &surface, const Point3 &root, const Point3 &tip) : root(root), span_line(tip - root)
+      {
+        for (const auto &cell : surface.cells)
+          facets.push_back(
+            {surface.node(cell[0]), surface.node(cell[1]), surface.node(cell[2]), surface.node(cell[3])});
+      }
+
+      Point3 position(const double span, const double chord) const override
+      {
+        const Section       section = cut(span);
+        const Point3        along   = section.trailing - section.leading;
+        const double        height  = along.dot(section.leading) + within(chord) * along.squaredNorm();
+        std::vector<Point3> points;
+        for (std::size_t k = 0; k + 1 < section.line.size(); k += 2)
+          add_crossing(section.line[k], section.line[k].dot(along) - height, section.line[k + 1],
+                       section.line[k + 1].dot(along) - height, points);
+        if (points.empty())
+          return section.leading + chord * along;
+        Point3 sum = Point3::Zero();
+        for (const Point3 &p : points)
+          sum += p;
+        return sum / static_cast<double>(points.size());
+      }
+
+      Point3 chord_direction(const double span) const override
+      {
+        const Section section = cut(span);
+        return (section.trailing - section.leading).normalized();
+      }
+
+      std::array<double, 2> shares(const Point3 &point) const override
+      {
+        const double  span    = std::clamp((point - root).dot(span_line) / span_line.squaredNorm(), 0., 1.);
+        const Section section = cut(span);
+        const Point3  along   = section.trailing - section.leading;
+        return {{span, std::clamp((point - section.leading).dot(along) / along.squaredNorm(), 0., 1.)}};
+      }
+
+      Point3 normal(const double span, const double chord) const override
+      {
+        static constexpr double step        = 0.02; // coarser than round-off, finer than elements of a usable mesh
+        const auto              from        = [](const double share) { return std::clamp(share, step, 1. - step); };
+        const Point3            along_span  = position(from(span) + step, chord) - position(from(span) - step, chord);
+        const Point3            along_chord = position(span, from(chord) + step) - position(span, from(chord) - step);
+        return along_span.cross(along_chord).normalized();
+      }
+
+    private:
+      struct Section
+      {
+        std::vector<Point3> line; ///< two ends of each piece
+        Point3              leading, trailing;
+      };
+
+      Point3                             root, span_line;
+      std::vector<std::array<Point3, 4>> facets;
+
+      /// The ends themselves may lie a hair beside their plane.
+      static double within(const double share)
+      {
+        return std::clamp(share, 1e-6, 1. - 1e-6);
+      }
+
+      static Point3 farthest(const std::vector<Point3> &points, const Point3 &from)
+      {
+        return *std::max_element(points.begin(), points.end(), [&](const Point3 &a, const Point3 &b) {
+          return (a - from).squaredNorm() < (b - from).squaredNorm();
+        });
+      }
+
+      Section cut(const double span) const
+      {
+        const Point3 through = root + within(span) * span_line;
+        const auto   height  = [&](const Point3 &p) { return (p - through).dot(span_line); };
+        Section      section;
+        for (const auto &corner : facets)
+          for (const std::array<int, 3> &triangle : {std::array<int, 3>{{0, 1, 2}}, {{0, 2, 3}}})
+            {
+              std::vector<Point3> ends;
+              for (int k = 0; k < 3; ++k)
+                {
+                  const Point3 &a = corner[triangle[k]], &b = corner[triangle[(k + 1) % 3]];
+                  add_crossing(a, height(a), b, height(b), ends);
+                }
+              if (ends.size() == 2)
+                section.line.insert(section.line.end(), ends.begin(), ends.end());
+            }
+        if (section.line.empty())
+          throw InputError(
+            "Bird/Aim span fraction: the mesh of the blade has no section there, square to the line from "
+            "the middle of its root to the middle of its tip.\nGive Bird/Aim point.");
+        section.leading  = farthest(section.line, section.line.front());
+        section.trailing = farthest(section.line, section.leading);
+        if (sign_by_axes(section.trailing - section.leading, {{1, 2, 0}}) < 0.)
+          std::swap(section.leading, section.trailing);
+        return section;
+      }
+    };
+
+    template <int dim>
+    std::unique_ptr<const SurfaceMap> make_map_of_cuts(const BladeParameters &parameters)
+    {
+      const BladeMesh<dim> mesh(parameters);
+      const Supports       supports(parameters.supports, mesh);
+      const BladeRoles     roles(mesh, supports.root_ids, supports.tip_ids, Point3::Zero());
+      if (!roles.root.is_present() || !roles.tip.is_present())
+        return nullptr;
+      return std::make_unique<MapOfCuts>(mesh.surface(), roles.root.middle, roles.tip.middle);
+    }
+  } // namespace
+
+  std::unique_ptr<const SurfaceMap> make_surface_map(const BladeParameters &parameters)
+  {
+    if (parameters.kind == BladeKind::none ||
+        (parameters.kind == BladeKind::rigid && parameters.rigid.surface == RigidSurface::rectangle))
+      return nullptr;
+    if (parameters.mesh.generator != MeshGenerator::file)
+      return std::make_unique<BuiltInMap>(parameters.mesh);
+    if (parameters.is_halved)
+      return nullptr;
+    return parameters.kind == BladeKind::solid ? make_map_of_cuts<3>(parameters) : make_map_of_cuts<2>(parameters);
+  }
+} // namespace birdstrike
