@@ -26,7 +26,8 @@ namespace birdstrike
 
   /// Of a built-in part its formulas (mesh/blade_shape.h), whatever it is held by. Of a file the cuts of its surface or
   /// skin square to the line from the middle of the root to the middle of the tip, the boundaries that Supports names:
-  /// edges are the two points of a cut that are farthest apart, the chord runs between them as orientation.h says, and
+  /// edges are the two ends of a cut along the longer axis of its second moment, the chord runs between them as
+  /// orientation.h says, and
   /// where a cut has two faces, as in a solid, the point halfway between them counts.
   ///
   /// Nothing for a blade that has no mesh, and for a file that has no root, no tip, or is half of a symmetric blade.

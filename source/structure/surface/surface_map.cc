@@ -5,6 +5,8 @@
 #include <birdstrike/mesh/roles.h>
 #include <birdstrike/structure/surface_map.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -114,11 +116,46 @@ namespace birdstrike
         return std::clamp(share, 1e-6, 1. - 1e-6);
       }
 
-      static Point3 farthest(const std::vector<Point3> &points, const Point3 &from)
+      /// The direction in which the pieces of a cut are longest: the principal one of their second moment.
+      static Point3 long_axis(const std::vector<Point3> &line)
       {
-        return *std::max_element(points.begin(), points.end(), [&](const Point3 &a, const Point3 &b) {
-          return (a - from).squaredNorm() < (b - from).squaredNorm();
+        const auto each_piece = [&line](const auto &f) {
+          for (std::size_t k = 0; k < line.size(); k += 2)
+            f(Point3(0.5 * (line[k] + line[k + 1])), (line[k + 1] - line[k]).norm());
+        };
+        Point3 sum    = Point3::Zero();
+        double length = 0.;
+        each_piece([&](const Point3 &middle, const double size) {
+          sum += size * middle;
+          length += size;
         });
+        Matrix3<double> moment = Matrix3<double>::Zero();
+        each_piece([&](const Point3 &middle, const double size) {
+          const Point3 arm = middle - sum / length;
+          moment += size * arm * arm.transpose();
+        });
+        const Point3 axis = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(moment).eigenvectors().col(2);
+        return sign_by_axes(axis, {{1, 2, 0}}) * axis;
+      }
+
+      /// The middle of what of a cut lies farthest along a direction: a point, or the end of a body.
+      static Point3 find_edge(const std::vector<Point3> &line, const Point3 &along)
+      {
+        double most = -INFINITY, least = INFINITY;
+        for (const Point3 &p : line)
+          {
+            most  = std::max(most, along.dot(p));
+            least = std::min(least, along.dot(p));
+          }
+        const double tolerance = 1e-3 * (most - least);
+        Point3       low = Point3::Constant(INFINITY), high = -low;
+        for (const Point3 &p : line)
+          if (along.dot(p) > most - tolerance)
+            {
+              low  = low.cwiseMin(p);
+              high = high.cwiseMax(p);
+            }
+        return 0.5 * (low + high);
       }
 
       Section cut(const double span) const
@@ -142,10 +179,9 @@ namespace birdstrike
           throw InputError(
             "Bird/Aim span fraction: the mesh of the blade has no section there, square to the line from "
             "the middle of its root to the middle of its tip.\nGive Bird/Aim point.");
-        section.leading  = farthest(section.line, section.line.front());
-        section.trailing = farthest(section.line, section.leading);
-        if (sign_by_axes(section.trailing - section.leading, {{1, 2, 0}}) < 0.)
-          std::swap(section.leading, section.trailing);
+        const Point3 axis = long_axis(section.line);
+        section.leading   = find_edge(section.line, -axis);
+        section.trailing  = find_edge(section.line, axis);
         return section;
       }
     };
