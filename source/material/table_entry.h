@@ -5,6 +5,8 @@
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
+#include <fmt/format.h>
+
 #include <string>
 
 namespace birdstrike
@@ -16,8 +18,8 @@ namespace birdstrike
     if (text == "table")
       return;
     if (!dealii::Patterns::Double(lowest, highest).match(text))
-      throw InputError(entry + ": '" + text + "' was read.\nAllowed: 'table' or a number from " +
-                       std::to_string(lowest) + " to " + std::to_string(highest) + ".");
+      throw InputError(fmt::format("{}: '{}' was read.\nAllowed: 'table' or a number from {:g} to {:g}.", entry, text,
+                                   lowest, highest));
     value = dealii::Utilities::string_to_double(text);
   }
 } // namespace birdstrike

@@ -1,6 +1,7 @@
 #include "io/parameter_tree.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/input_files.h>
 
 #include <gtest/gtest.h>
 
@@ -121,4 +122,21 @@ TEST(CaseParameters, ThePrintedFileHasTheValuesOfTheTableAndGivesTheSameMetal)
   CaseParameters typed; // 'table' typed is the value written
   typed.read(scratch.write("case.prm", ""), sections);
   EXPECT_EQ(birdstrike::first_difference(typed, again, {}), "");
+}
+
+TEST(CaseParameters, IncludedFilesAreAmongTheInputsWithTheirContents)
+{
+  const ScratchFolder scratch;
+  const std::string   base = scratch.write("base.prm", "subsection Bird\n set Mass = 90 g\nend\n");
+  const std::string   file = scratch.write("case.prm", "include base.prm\n");
+  CaseParameters      first, second;
+  first.read(file);
+  EXPECT_EQ(first.bird.mass, 0.09);
+  const auto before = birdstrike::list_input_files(first);
+  ASSERT_EQ(before.size(), 1u);
+  EXPECT_EQ(before[0].name, base);
+  EXPECT_TRUE(before[0].is_included);
+  scratch.write("base.prm", "subsection Bird\n set Mass = 91 g\nend\n");
+  second.read(file);
+  EXPECT_NE(birdstrike::list_input_files(second)[0].fingerprint, before[0].fingerprint);
 }
