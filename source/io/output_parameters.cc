@@ -55,6 +55,7 @@ namespace birdstrike
     declare_choice(prm, "Channel class", channel_class, channel_classes(),
                    "Channel frequency class (SAE J211-1) by which the contact force is filtered, as a load cell's is: "
                    "filtered.csv, results.h5 and its peak in summary.json. [-]");
+    histories.declare(prm);
     prm.leave_subsection();
   }
 

@@ -41,6 +41,8 @@ namespace birdstrike
       drop_bird();
     if (blade)
       blade->archive(archive);
+    for (const auto &table : histories.tables)
+      table->archive(archive);
     if (bird)
       bird->archive(archive);
     if (contact)

@@ -131,6 +131,8 @@ namespace birdstrike
   void BirdStrike::observe()
   {
     const Timings::Scope scope(timings, sections.output);
+    for (const auto &table : scene.histories.tables)
+      table->follow();
     if (scene.blade)
       observed.update_peaks(*scene.blade, scene.contact != nullptr, now);
     const bool is_sample = n_steps % observation_stride == 0, is_due = recorder && recorder->is_due(now);
@@ -238,7 +240,8 @@ namespace birdstrike
                 scene.blade.get(),
                 scene.bird.get(),
                 scene.contact.get(),
-                scene.self_contact != nullptr};
+                scene.self_contact != nullptr,
+                &scene.histories};
     run.time          = now;
     run.n_steps       = n_steps;
     run.bird_step     = scene.last_plan().bird_step();

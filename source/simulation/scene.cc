@@ -61,6 +61,8 @@ namespace birdstrike
     if (!blade && !bird)
       throw InputError(
         "The case has neither a blade nor a bird.\nSet Blade/Kind to shell, solid or rigid, or Bird/Enabled to true.");
+    if (blade)
+      histories = blade->make_histories(parameters.output.histories);
     if (blade && blade->is_deformable() && parameters.contact.self_contact)
       self_contact = std::make_unique<SelfContact>();
     if (blade && bird && parameters.contact.is_enabled)

@@ -4,6 +4,7 @@
 #include <birdstrike/contact/report.h>
 #include <birdstrike/core/thread_pool.h>
 #include <birdstrike/report/balance.h>
+#include <birdstrike/structure/histories.h>
 #include <birdstrike/time_control/schedule.h>
 #include <birdstrike/time_control/smallest_step.h>
 
@@ -35,6 +36,7 @@ namespace birdstrike
     std::unique_ptr<Contact>     contact;
     std::unique_ptr<SelfContact> self_contact; ///< of a deformable blade
     FirstTouch                   first_touch;  ///< of bird and blade, if both are there
+    BladeHistories               histories;    ///< that the case asks for
     ContactReport                gone_contact; ///< the last report of a contact that has been dropped
 
     /// @throws InputError for a case without parts, a bird that misses the blade or starts inside it.

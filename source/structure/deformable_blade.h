@@ -102,6 +102,7 @@ namespace birdstrike
     {
       return motion.probes();
     }
+    BladeHistories          make_histories(const HistoryRequests &requests) const override;
     RootSectionReport       root_section() const override;
     TipDeflection           tip_deflection() const override;
     PeakPlasticStrain       peak_plastic_strain() const override;

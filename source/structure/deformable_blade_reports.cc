@@ -1,5 +1,6 @@
 #include "structure/census.h"
 #include "structure/deformable_blade.h"
+#include "structure/histories/watched_blade.h"
 
 namespace birdstrike
 {
@@ -110,6 +111,12 @@ namespace birdstrike
                                             : 0.);
       }
     return field;
+  }
+
+  template <class Kind>
+  BladeHistories DeformableBlade<Kind>::make_histories(const HistoryRequests &requests) const
+  {
+    return make_blade_histories<Kind>({mesh, elements, motion, roles, plane}, requests);
   }
 
   template <class Kind>

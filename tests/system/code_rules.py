@@ -21,6 +21,8 @@ TEXTS = {
     "source/material/metal_parameters.cc": "reads entries that are numbers or 'table'",
     "source/material/used_values.cc": "reads entries that are numbers or 'table'",
     "source/material/table_entry.h": "reads entries that are numbers or 'table'",
+    "source/structure/histories/axes.cc": "reads entries that are numbers or names",
+    "source/structure/histories/gauge_table.cc": "reads entries that are numbers or names",
     "source/report/comparison/run_reuse.cc": "reads a folder's mark",
     "source/report/text.cc": "units",
     "source/report/closing.cc": "units",

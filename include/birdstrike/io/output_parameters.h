@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/core/named_choices.h>
+#include <birdstrike/structure/histories.h>
 
 #include <string>
 
@@ -26,6 +27,8 @@ namespace birdstrike
     bool        is_deformed      = false;  ///< blade's points in its fields
     bool        removed_fly_on   = false;  ///< in the bird's fields
     double      channel_class    = 1000.;  ///< Hz, of the filtered contact force; 0: none
+
+    HistoryRequests histories; ///< of the blade
 
     void declare(dealii::ParameterHandler &prm);
     void check() const;

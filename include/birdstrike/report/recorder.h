@@ -7,10 +7,14 @@
 #include <birdstrike/report/run_view.h>
 #include <birdstrike/time_control/ticks.h>
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace birdstrike
 {
+  class HistoryTable;
+
   /// Turns a run into curves and fields: history.csv, filtered.csv and results.h5, blade.pvd and bird.pvd. It looks at
   /// parts and never acts on them. Columns of parts that the scene lacks do not exist.
   class Recorder
@@ -18,6 +22,7 @@ namespace birdstrike
   public:
     /// Opens the files in `folder`. What the view refers to must outlive the recorder, parts apart.
     Recorder(const RunView &run, const std::filesystem::path &folder);
+    ~Recorder();
 
     /// Whether a row of the history or a field file is due.
     bool is_due(double time) const;
@@ -43,16 +48,19 @@ namespace birdstrike
     void set_mid_chord_lines(const Observed &observed);
     void write_filtered(const FilteredForce &force);
     void write_fields(const RunView &run);
+    void add_table(const HistoryTable &source);
 
-    const RunView             *present = nullptr; ///< while a row is made
-    std::filesystem::path      folder;
-    History                    history;
-    std::optional<FieldSeries> blade_fields, bird_fields;
-    FieldSnapshot              no_bird;               ///< its fields without a particle
-    bool                       has_left_bird = false; ///< and this has been written
-    FieldWriter                writer;                // after what it writes to: it ends first
-    Ticks                      history_ticks, field_ticks;
-    double                     last_row = -1., last_field = -1.;
-    double                     flush_interval, last_flush = 0.; // s, on the clock
+    const RunView        *present = nullptr; ///< while a row is made
+    std::filesystem::path folder;
+    struct Table;
+    std::vector<std::unique_ptr<Table>> tables; ///< of what the case asks for; the history writes them to results.h5
+    History                             history;
+    std::optional<FieldSeries>          blade_fields, bird_fields;
+    FieldSnapshot                       no_bird;               ///< its fields without a particle
+    bool                                has_left_bird = false; ///< and this has been written
+    FieldWriter                         writer;                // after what it writes to: it ends first
+    Ticks                               history_ticks, field_ticks;
+    double                              last_row = -1., last_field = -1.;
+    double                              flush_interval, last_flush = 0.; // s, on the clock
   };
 } // namespace birdstrike

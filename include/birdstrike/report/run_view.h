@@ -16,6 +16,7 @@ namespace birdstrike
   class Bird;
   class Blade;
   class Contact;
+  struct BladeHistories;
 
   /// Work that a run did not do: what, how much of it, and the share of the run time that it would have been (NaN: no
   /// estimate).
@@ -47,6 +48,7 @@ namespace birdstrike
     const Bird           *bird;
     const Contact        *contact;
     bool                  has_self_contact;
+    const BladeHistories *histories = nullptr; ///< none: nothing is asked for
 
     double        time      = 0.; ///< s, since first touch
     unsigned long n_steps   = 0;

@@ -8,6 +8,7 @@
 #include <birdstrike/core/prices.h>
 #include <birdstrike/core/step_limit.h>
 #include <birdstrike/structure/choices.h>
+#include <birdstrike/structure/histories.h>
 #include <birdstrike/structure/reports.h>
 
 #include <optional>
@@ -98,6 +99,9 @@ namespace birdstrike
     {
       return {};
     }
+
+    /// What is asked for besides; the blade outlives it. Throws InputError, naming the entry, for what it cannot give.
+    virtual BladeHistories make_histories(const HistoryRequests &requests) const;
 
     /// Nothing for a blade without a clamped root or without a tip row.
     virtual std::optional<SpanLine> span_line() const

@@ -4,6 +4,7 @@
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/columns.h>
 #include <birdstrike/structure/blade.h>
+#include <birdstrike/structure/histories.h>
 
 #include <fmt/format.h>
 
@@ -190,6 +191,9 @@ namespace birdstrike
       describe("history.csv; results.h5: datasets of the group 'history', whose attributes repeat this", of_history);
     if (run == nullptr || (run->contact && run->parameters.output.channel_class > 0.))
       text += describe("filtered.csv", filtered_columns());
+    if (run != nullptr && run->histories)
+      for (const auto &table : run->histories->tables)
+        text += describe(table->name + ".csv; results.h5: group '" + table->name + "'", table->columns);
     return text + describe("results.h5: 'values' of these groups", profiles()) +
            describe("results.h5: their axes", axes());
   }

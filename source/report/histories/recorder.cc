@@ -3,6 +3,7 @@
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/recorder.h>
 #include <birdstrike/structure/blade.h>
+#include <birdstrike/structure/histories.h>
 
 #include <algorithm>
 #include <utility>
@@ -43,6 +44,9 @@ namespace birdstrike
       history.add_column(column.what, [this, value = std::move(column.value)] { return value(*present); });
     if (run.blade)
       add_root_profile(run);
+    if (run.histories)
+      for (const auto &source : run.histories->tables)
+        add_table(*source);
     if (run.blade && run.parameters.output.blade_fields)
       blade_fields.emplace(folder, "blade");
     if (run.bird && run.parameters.output.bird_fields)
@@ -54,6 +58,37 @@ namespace birdstrike
         for (Field &field : no_bird.fields)
           field.values.clear();
       }
+  }
+
+  Recorder::~Recorder() = default;
+
+  /// A file of its own: time, and what the source has.
+  struct Recorder::Table
+  {
+    const HistoryTable &source;
+    History             history;
+    double              time = 0.;
+    std::vector<double> row;
+
+    Table(const HistoryTable &source, const std::filesystem::path &folder)
+      : source(source), history(folder, false, source.name + ".csv"), row(source.columns.size())
+    {
+      history.add_column(axis("time"), [this] { return time; });
+      for (std::size_t k = 0; k < row.size(); ++k)
+        history.add_column(source.columns[k], [this, k] { return row[k]; });
+    }
+    void append_row(const double now)
+    {
+      time = now;
+      source.fill(row);
+      history.append_row();
+    }
+  };
+
+  void Recorder::add_table(const HistoryTable &source)
+  {
+    tables.push_back(std::make_unique<Table>(source, folder));
+    history.add_group(tables.back()->history);
   }
 
   void Recorder::add_root_profile(const RunView &run)
@@ -72,7 +107,9 @@ namespace birdstrike
   {
     present = &run;
     history.append_row();
-    present  = nullptr;
+    present = nullptr;
+    for (const auto &table : tables)
+      table->append_row(run.time);
     last_row = run.time;
   }
 
@@ -127,7 +164,7 @@ namespace birdstrike
     set_mid_chord_lines(run.observed);
     if (!run.observed.filtered_force.values.empty())
       write_filtered(run.observed.filtered_force);
-    history.flush();
+    flush();
     writer.flush();
   }
 
@@ -165,11 +202,15 @@ namespace birdstrike
     if (wall - last_flush < flush_interval)
       return;
     history.flush_table();
+    for (const auto &table : tables)
+      table->history.flush_table();
     last_flush = wall;
   }
 
   void Recorder::flush()
   {
+    for (const auto &table : tables)
+      table->history.flush();
     history.flush();
   }
 } // namespace birdstrike

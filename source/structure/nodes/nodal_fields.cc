@@ -3,6 +3,36 @@
 
 namespace birdstrike
 {
+  // without damping; 0 where held or driven
+  template <unsigned int n_unknowns>
+  double NodalMechanics<n_unknowns>::acceleration(const std::size_t dof) const
+  {
+    const double *const f = scaled ? scaled->forces() : vectors->force.begin();
+    const double *const c = scaled ? scaled->contact() : vectors->contact.begin();
+    return (f[dof] + c[dof] + vectors->external.begin()[dof]) * vectors->inverse_mass.begin()[dof];
+  }
+
+  template <unsigned int n_unknowns>
+  std::array<std::array<double, 3>, 3> NodalMechanics<n_unknowns>::motion_of(const std::size_t node) const
+  {
+    constexpr double                     h = 1e-6; // s: a second difference is exact to 1e-6 of formulas below 200 Hz
+    std::array<std::array<double, 3>, 3> motion;
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        const std::size_t dof     = n_unknowns * node + d;
+        const double      v       = vectors->velocity.begin()[dof];
+        const bool        is_free = vectors->inverse_mass.begin()[dof] > 0.;
+        motion[0][d]              = vectors->displacement.begin()[dof];
+        motion[1][d]              = v;
+        motion[2][d]              = is_free ? acceleration(dof) - loads.damping() * v : 0.;
+      }
+    for (const Supports::Driven &support : driven)
+      for (unsigned int d = 0; d < 3; ++d)
+        if (std::binary_search(support.dofs.begin(), support.dofs.end(), n_unknowns * node + d))
+          motion[2][d] = (support.at(time + h) - 2. * support.at(time) + support.at(time - h)) / (h * h);
+    return motion;
+  }
+
   template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::add_fields(std::vector<Field> &fields) const
   {
@@ -15,13 +45,10 @@ namespace birdstrike
     };
     add("displacement", "m", vectors->displacement.begin());
     add("velocity", "m/s", vectors->velocity.begin());
-    // without damping; 0 where held or driven
-    std::vector<double> acceleration(n_unknowns * n_nodes);
-    const double *const f = scaled ? scaled->forces() : vectors->force.begin();
-    const double *const c = scaled ? scaled->contact() : vectors->contact.begin();
-    for (std::size_t k = 0; k < acceleration.size(); ++k)
-      acceleration[k] = (f[k] + c[k] + vectors->external.begin()[k]) * vectors->inverse_mass.begin()[k];
-    add("acceleration", "m/s^2", acceleration.data());
+    std::vector<double> accelerations(n_unknowns * n_nodes);
+    for (std::size_t k = 0; k < accelerations.size(); ++k)
+      accelerations[k] = acceleration(k);
+    add("acceleration", "m/s^2", accelerations.data());
     add("contact_force", "N", vectors->contact.begin());
     std::vector<double> impulse(n_unknowns * n_nodes); // with what is in transit, as momenta() counts it
     for (std::size_t k = 0; k < impulse.size(); ++k)
@@ -29,6 +56,8 @@ namespace birdstrike
     add("contact_impulse", "N s", impulse.data());
   }
 
-  template void NodalMechanics<3>::add_fields(std::vector<Field> &) const;
-  template void NodalMechanics<6>::add_fields(std::vector<Field> &) const;
+  template std::array<std::array<double, 3>, 3> NodalMechanics<3>::motion_of(std::size_t) const;
+  template std::array<std::array<double, 3>, 3> NodalMechanics<6>::motion_of(std::size_t) const;
+  template void                                 NodalMechanics<3>::add_fields(std::vector<Field> &) const;
+  template void                                 NodalMechanics<6>::add_fields(std::vector<Field> &) const;
 } // namespace birdstrike

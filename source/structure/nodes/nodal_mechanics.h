@@ -90,10 +90,13 @@ namespace birdstrike
     MomentumReport           momenta() const;
     std::array<double, 3>    contact_force() const;
     std::vector<ProbeValues> probes() const;
-    NodeArrays               arrays();
-    FacetsView               facets() const; ///< nodes only: the facets are the owner's
-    void                     add_fields(std::vector<Field> &fields) const;
-    std::size_t              bytes() const;
+    /// Displacement (m), velocity (m/s) and acceleration (m/s^2) of a node; the last of all forces, damping included,
+    /// of driven components that of their formula.
+    std::array<std::array<double, 3>, 3> motion_of(std::size_t node) const;
+    NodeArrays                           arrays();
+    FacetsView                           facets() const; ///< nodes only: the facets are the owner's
+    void                                 add_fields(std::vector<Field> &fields) const;
+    std::size_t                          bytes() const;
 
     const double *positions() const;      ///< m
     const double *displacements() const;  ///< m and rad
@@ -102,6 +105,7 @@ namespace birdstrike
 
   private:
     using Sums = std::array<double, 12>;
+    double acceleration(std::size_t dof) const;
     struct Vectors; ///< nodal_vectors.h: deal.II's headers stay with the sources that read entries
 
     void update_loads();

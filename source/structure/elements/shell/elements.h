@@ -54,6 +54,13 @@ namespace birdstrike
     /// Normal stress (Pa) of the bottom and of the top layer along a direction without its part out of the element's
     /// plane; zero of a failed element.
     std::array<double, 2> outer_stresses_along(std::size_t element, const Point3 &direction) const;
+    /// The integration points through the thickness, and which of them is nearest to a share of half of it.
+    const ThicknessPoints &thickness_points(std::size_t element) const;
+    unsigned int           nearest_point(std::size_t element, double layer) const;
+    /// sxx, syy, szz, sxy, syz, szx (Pa) in global axes at such a point, with the mean transverse shear stress of the
+    /// section, and its plastic strain; mean and largest of the points in the plane.
+    std::array<double, 6> point_stress(std::size_t element, unsigned int point) const;
+    double                point_plastic_strain(std::size_t element, unsigned int point) const;
     /// The largest of the points in the plane.
     double layer_plastic_strain(std::size_t element, ShellLayer layer) const;
   };

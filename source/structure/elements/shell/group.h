@@ -29,12 +29,16 @@ namespace birdstrike
     void update_bounds_at_rest();
     void archive(Archive &archive); ///< stresses
 
-    bool                  has_points(std::size_t batch) const; ///< any of its sections
-    double                largest_plastic_strain(std::size_t element) const;
-    StoredEnergy::State   stored(std::size_t section) const;            ///< by number: [n_batches][n_in_plane]
-    double                largest_thickness(std::size_t element) const; ///< m, of its sections
-    ShellGeometry<double> geometry(std::size_t element) const;
-    std::size_t           bytes() const;
+    bool                   has_points(std::size_t batch) const; ///< any of its sections
+    double                 largest_plastic_strain(std::size_t element) const;
+    StoredEnergy::State    stored(std::size_t section) const;            ///< by number: [n_batches][n_in_plane]
+    double                 largest_thickness(std::size_t element) const; ///< m, of its sections
+    ShellGeometry<double>  geometry(std::size_t element) const;
+    std::size_t            bytes() const;
+    const ThicknessPoints &rule() const
+    {
+      return law.rule;
+    }
 
     /// Section k of a batch, and its points through the thickness.
     const SectionStress<Lanes>             &section_of(std::size_t batch, std::size_t k) const;

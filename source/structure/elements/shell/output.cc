@@ -1,6 +1,7 @@
 #include "structure/elements/shell/elements.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace birdstrike
 {
@@ -140,13 +141,59 @@ namespace birdstrike
     return result;
   }
 
-  double ShellElements::layer_plastic_strain(const std::size_t element, const ShellLayer layer) const
+  const ThicknessPoints &ShellElements::thickness_points(const std::size_t element) const
+  {
+    return find(element).first.rule();
+  }
+
+  unsigned int ShellElements::nearest_point(const std::size_t element, const double layer) const
+  {
+    const ThicknessPoints &rule    = thickness_points(element);
+    unsigned int           nearest = 0;
+    for (unsigned int k = 1; k < rule.n; ++k)
+      if (std::abs(rule.position[k] - layer) < std::abs(rule.position[nearest] - layer))
+        nearest = k;
+    return nearest;
+  }
+
+  std::array<double, 6> ShellElements::point_stress(const std::size_t element, const unsigned int point) const
+  {
+    if (is_failed(element))
+      return {};
+    const auto [group, e]   = find(element);
+    const std::size_t     b = e / n_lanes, k = e % n_lanes;
+    const double          share = 1. / double(group.n_in_plane);
+    std::array<double, 5> s{}; // xx, yy, xy, xz, yz in the element's axes
+    for (std::size_t i = 0; i < group.n_in_plane; ++i)
+      {
+        const auto &points  = group.points_of(b, i);
+        const auto &section = group.section_of(b, i);
+        for (int c = 0; c < 3; ++c)
+          s[c] += share * (points.empty()
+                             ? lane(section.mean[c], k) + group.rule().position[point] * lane(section.outer[c], k)
+                             : lane(points[point].stress[c], k));
+        for (int c = 0; c < 2; ++c)
+          s[3 + c] += share * lane(section.shear[c], k);
+      }
+    const Matrix3<double> axes = state(element).axes;
+    Matrix3<double>       local;
+    local << s[0], s[2], s[3], s[2], s[1], s[4], s[3], s[4], 0.;
+    const Matrix3<double> S = axes * local * axes.transpose();
+    return {S(0, 0), S(1, 1), S(2, 2), S(0, 1), S(1, 2), S(2, 0)};
+  }
+
+  double ShellElements::point_plastic_strain(const std::size_t element, const unsigned int point) const
   {
     const auto [group, e] = find(element);
     double largest        = 0.;
     for (std::size_t i = 0; i < group.n_in_plane; ++i)
       if (const auto &points = group.points_of(e / n_lanes, i); !points.empty())
-        largest = std::max(largest, lane(points[point_of(layer, points.size())].plastic_strain, e % n_lanes));
+        largest = std::max(largest, lane(points[point].plastic_strain, e % n_lanes));
     return largest;
+  }
+
+  double ShellElements::layer_plastic_strain(const std::size_t element, const ShellLayer layer) const
+  {
+    return point_plastic_strain(element, point_of(layer, thickness_points(element).n));
   }
 } // namespace birdstrike

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "structure/histories/shell_directors.h"
+#include "structure/histories/watched_blade.h"
+
+namespace birdstrike
+{
+  /// What is known at a point of an element; stress and strain xx, yy, zz, xy, yz, zx in global axes, zero once the
+  /// element has failed.
+  struct PointValues
+  {
+    std::array<double, 6> stress{}, strain{}; ///< Pa (Cauchy); logarithmic (strain.h)
+    double                plastic_strain = 0.;
+    double                thickness      = 0.; ///< m, of shells
+    bool                  is_failed      = false;
+  };
+
+  /// Watched points of shells: the integration point through the thickness that is nearest to a layer, means over those
+  /// in the plane. The strain is that at the middle of the element, of the layer through the point.
+  class ShellPoints
+  {
+  public:
+    explicit ShellPoints(const WatchedBlade<ShellKind> &blade);
+
+    void        add(std::uint32_t element, double layer);
+    std::string describe(std::size_t k) const; ///< "element 17 at (..) m, point 5 of 5 through the thickness (0.906)"
+    PointValues values(std::size_t k) const;
+    void        follow()
+    {
+      directors.follow();
+    }
+    void archive(Archive &archive)
+    {
+      directors.archive(archive);
+    }
+
+  private:
+    const ShellMesh          &mesh;
+    const ShellElements      &elements;
+    ShellDirectors            directors;
+    std::vector<unsigned int> point;
+  };
+
+  /// Watched points of bricks: the mean of the element (layer 0), or the middle of the face on the side of minus (-1)
+  /// or plus (1) the blade's normal: the mean of the stresses at its corners, and the largest plastic strain of the
+  /// element's points. Without a clamped root the faces are those of the element's third axis.
+  class SolidPoints
+  {
+  public:
+    explicit SolidPoints(const WatchedBlade<SolidKind> &blade);
+
+    void        add(std::uint32_t element, double layer);
+    std::string describe(std::size_t k) const;
+    PointValues values(std::size_t k) const;
+    void        follow()
+    {
+    }
+    void archive(Archive &)
+    {
+    }
+
+  private:
+    struct Watched
+    {
+      std::uint32_t element;
+      int           layer;     ///< -1, 0, 1
+      unsigned int  axis;      ///< of the reference cube, through the thickness
+      bool          is_turned; ///< against the blade's normal
+    };
+    WatchedBlade<SolidKind> blade;
+    std::vector<Watched>    watched;
+  };
+} // namespace birdstrike

@@ -1,0 +1,130 @@
+#include "structure/histories/watched_blade.h"
+#include <birdstrike/core/closest_point.h>
+#include <birdstrike/core/errors.h>
+
+#include <Eigen/LU>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace birdstrike
+{
+  namespace
+  {
+    template <int dim>
+    double longest_edge(const CellMesh<dim> &mesh, const std::size_t cell)
+    {
+      double longest = 0.;
+      for (unsigned int side = 0; side < 2 * dim; ++side)
+        {
+          const auto nodes = mesh.side_nodes(cell, side);
+          for (std::size_t k = 0; k < nodes.size(); ++k)
+            longest = std::max(longest, (mesh.node(nodes[k]) - mesh.node(nodes[(k + 1) % nodes.size()])).norm());
+        }
+      return longest;
+    }
+
+    void require_number(const std::uint32_t number, const std::size_t n, const std::string &noun,
+                        const std::string &name, const std::string &entry)
+    {
+      if (number >= n)
+        throw InputError(fmt::format("{}: '{}' is {} {}, and the mesh has {}, 0 to {}.\nField '{}' of blade.pvd shows "
+                                     "the numbers.",
+                                     entry, name, noun, number, n, n - 1, noun));
+    }
+
+    void warn_of_distance(const Place &place, const std::string &found, const double distance, const double size,
+                          const std::string &entry, Warnings &warnings)
+    {
+      if (distance > size)
+        warnings.push_back({"history/far_from_mesh",
+                            fmt::format("{}: '{}' at {} is {:.3g} mm from the nearest, {}: farther than the elements "
+                                        "there are long ({:.3g} mm).",
+                                        entry, place.name, text_of(place.point), 1e3 * distance, found, 1e3 * size)});
+    }
+
+    double distance_to(const CellMesh<2> &mesh, const std::size_t cell, const Point3 &point)
+    {
+      std::array<Point3, 4> corners;
+      for (unsigned int k = 0; k < 4; ++k)
+        corners[k] = mesh.node(mesh.cells[cell][k]);
+      return std::sqrt(compute_closest_point(point, corners).distance_squared);
+    }
+
+    /// By the map linearised at its middle: exact in parallelepipeds.
+    double distance_to(const CellMesh<3> &mesh, const std::size_t cell, const Point3 &point)
+    {
+      Matrix3<double> half; // half the mean edges
+      half.setZero();
+      for (unsigned int c = 0; c < 8; ++c)
+        for (unsigned int d = 0; d < 3; ++d)
+          half.col(d) += (c >> d & 1u ? 0.125 : -0.125) * mesh.node(mesh.cells[cell][c]);
+      Point3 xi = half.inverse() * (point - mesh.centroid(cell));
+      for (unsigned int d = 0; d < 3; ++d)
+        xi[d] -= std::clamp(xi[d], -1., 1.);
+      return (half * xi).norm();
+    }
+  } // namespace
+
+  template <int dim>
+  std::string describe_node(const CellMesh<dim> &mesh, const std::size_t node)
+  {
+    return fmt::format("node {} at {}", node, text_of(mesh.node(node)));
+  }
+
+  template <int dim>
+  std::string describe_element(const CellMesh<dim> &mesh, const std::size_t element)
+  {
+    return fmt::format("element {} at {}", element, text_of(mesh.centroid(element)));
+  }
+
+  template <int dim>
+  std::uint32_t find_node(const BladeMesh<dim> &mesh, const Place &place, const std::string &entry, Warnings &warnings)
+  {
+    if (place.number)
+      {
+        require_number(*place.number, mesh.nodes.size(), "node", place.name, entry);
+        return *place.number;
+      }
+    const std::uint32_t node = mesh.nearest_node(place.point).value_or(0);
+    double              size = 0.;
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+      if (std::find(mesh.cells[cell].begin(), mesh.cells[cell].end(), node) != mesh.cells[cell].end())
+        size = std::max(size, longest_edge(mesh, cell));
+    warn_of_distance(place, describe_node(mesh, node), (mesh.node(node) - place.point).norm(), size, entry, warnings);
+    return node;
+  }
+
+  template <int dim>
+  std::uint32_t find_element(const CellMesh<dim> &mesh, const Place &place, const std::string &entry,
+                             Warnings &warnings)
+  {
+    if (place.number)
+      {
+        require_number(*place.number, mesh.cells.size(), "element", place.name, entry);
+        return *place.number;
+      }
+    std::size_t nearest  = 0;
+    double      distance = std::numeric_limits<double>::infinity();
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+      if (const double here = distance_to(mesh, cell, place.point); here < distance)
+        {
+          nearest  = cell;
+          distance = here;
+        }
+    warn_of_distance(place, describe_element(mesh, nearest), distance, longest_edge(mesh, nearest), entry, warnings);
+    return static_cast<std::uint32_t>(nearest);
+  }
+
+  template std::string   describe_node(const CellMesh<2> &, std::size_t);
+  template std::string   describe_node(const CellMesh<3> &, std::size_t);
+  template std::string   describe_element(const CellMesh<2> &, std::size_t);
+  template std::string   describe_element(const CellMesh<3> &, std::size_t);
+  template std::uint32_t find_node(const BladeMesh<2> &, const Place &, const std::string &, Warnings &);
+  template std::uint32_t find_node(const BladeMesh<3> &, const Place &, const std::string &, Warnings &);
+  template std::uint32_t find_element(const CellMesh<2> &, const Place &, const std::string &, Warnings &);
+  template std::uint32_t find_element(const CellMesh<3> &, const Place &, const std::string &, Warnings &);
+} // namespace birdstrike

@@ -1,0 +1,170 @@
+#include "structure/histories/section_forces.h"
+#include "structure/histories/axes.h"
+#include <birdstrike/core/errors.h>
+
+#include <Eigen/SVD>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace birdstrike
+{
+  namespace
+  {
+    double size_of(const BladeMesh<2> &mesh, const std::array<std::uint32_t, 2> &side)
+    {
+      return (mesh.node(side[1]) - mesh.node(side[0])).norm();
+    }
+    double size_of(const BladeMesh<3> &mesh, const std::array<std::uint32_t, 4> &side)
+    {
+      return 0.5 * (mesh.node(side[2]) - mesh.node(side[0])).cross(mesh.node(side[3]) - mesh.node(side[1])).norm();
+    }
+
+    Matrix3<double> rows_of(const Point3 &span, const Point3 &chord, const Point3 &normal)
+    {
+      Matrix3<double> rows;
+      rows << span.transpose(), chord.transpose(), normal.transpose();
+      return rows;
+    }
+
+    /// As the axes of the blade there, but with the span along the way from root to tip.
+    Matrix3<double> find_section_axes(const SurfaceMesh &surface, const BladeRoles &roles, const Point3 &at,
+                                      const Point3 &along)
+    {
+      const Matrix3<double> of_blade = find_blade_axes(surface, roles, at, "Output/Histories/Stations");
+      const Point3          raw      = of_blade.row(2);
+      const Point3          normal   = (raw - raw.dot(along) * along).normalized();
+      Point3                chord    = normal.cross(along);
+      chord *= chord.dot(of_blade.row(1)) < 0. ? -1. : 1.;
+      return rows_of(along, chord, normal);
+    }
+  } // namespace
+
+  template <int dim>
+  SectionCut<dim>::SectionCut(const BladeMesh<dim> &mesh, const BladeRoles &roles, const double station,
+                              const SymmetryPlane plane)
+    : plane(plane)
+  {
+    const Point3      way = roles.tip.middle - roles.root.middle, along = way.normalized();
+    std::vector<bool> is_beyond(mesh.cells.size(), true);
+    if (station > 0.)
+      for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+        is_beyond[cell] = (mesh.centroid(cell) - roles.root.middle).dot(along) > station * way.norm();
+    find_cut(mesh, is_beyond);
+    if (station > 0. && (cut.empty() || beyond.empty()))
+      throw InputError(fmt::format("Output/Histories/Stations: no row of elements ends at {:g} of the span: all lie on "
+                                   "one side.\nGive a share farther from root and tip, or finer elements.",
+                                   station));
+    if (station == 0.)
+      {
+        std::erase_if(beyond, [&](const std::uint32_t n) {
+          return std::binary_search(roles.root.nodes.begin(), roles.root.nodes.end(), n);
+        });
+        centroid = roles.root.middle;
+        axes     = rows_of(roles.root.span, roles.root.chord, roles.root.normal);
+        return;
+      }
+    centroid = Point3::Zero();
+    for (const Weighted &one : cut)
+      centroid += one.weight * mesh.node(one.node);
+    if (plane.exists())
+      centroid[1] = 0.;
+    distance = (centroid - roles.root.middle).dot(along);
+    axes     = find_section_axes(mesh.surface(), roles, centroid, along);
+  }
+
+  template <int dim>
+  void SectionCut<dim>::find_cut(const BladeMesh<dim> &mesh, const std::vector<bool> &is_beyond)
+  {
+    constexpr unsigned int n_sides = 2 * dim;
+    std::vector<int>       sides_of(mesh.nodes.size(), 0); // 1: before, 2: beyond, 3: both
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+      for (const std::uint32_t n : mesh.cells[cell])
+        sides_of[n] |= is_beyond[cell] ? 2 : 1;
+    std::map<std::uint32_t, double> weight;
+    double                          total = 0.;
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+      for (unsigned int side = 0; side < n_sides; ++side)
+        if (const std::int32_t other = mesh.neighbors[cell][side]; is_beyond[cell] && other >= 0 && !is_beyond[other])
+          {
+            const auto   nodes = mesh.side_nodes(cell, side);
+            const double size  = size_of(mesh, nodes);
+            total += size;
+            for (const std::uint32_t n : nodes)
+              weight[n] += size / static_cast<double>(nodes.size());
+          }
+    for (const auto &[node, share] : weight)
+      cut.push_back({node, share / total});
+    for (std::uint32_t n = 0; n < sides_of.size(); ++n)
+      if (sides_of[n] == 2)
+        beyond.push_back(n);
+    std::set<std::uint32_t> near;
+    for (const auto &cell : mesh.cells)
+      if (std::any_of(cell.begin(), cell.end(), [&](const std::uint32_t n) { return sides_of[n] == 3; }))
+        near.insert(cell.begin(), cell.end());
+    attached.assign(near.begin(), near.end());
+    for (const std::uint32_t n : attached)
+      reference.push_back(mesh.node(n));
+  }
+
+  template <int dim>
+  Matrix3<double> SectionCut<dim>::fit_rotation(const double *position) const
+  {
+    if (cut.empty())
+      return Matrix3<double>::Identity();
+    Point3 before = Point3::Zero(), now = Point3::Zero();
+    for (std::size_t k = 0; k < attached.size(); ++k)
+      {
+        before += reference[k] / static_cast<double>(attached.size());
+        now += Point3(position + 3 * attached[k]) / static_cast<double>(attached.size());
+      }
+    Matrix3<double> covariance = Matrix3<double>::Zero();
+    for (std::size_t k = 0; k < attached.size(); ++k)
+      {
+        Point3 a = reference[k] - before, b = Point3(position + 3 * attached[k]) - now;
+        covariance += b * a.transpose();
+        if (plane.exists()) // and its image
+          {
+            a[1] = -a[1];
+            b[1] = -b[1];
+            covariance += b * a.transpose();
+          }
+      }
+    const Eigen::JacobiSVD<Matrix3<double>> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Matrix3<double>                         sign = Matrix3<double>::Identity();
+    sign(2, 2)                                   = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+    return svd.matrixU() * sign * svd.matrixV().transpose();
+  }
+
+  template <int dim>
+  SectionForces SectionCut<dim>::compute(const double *force, const double *position) const
+  {
+    constexpr unsigned int n_unknowns = BladeMesh<dim>::n_unknowns;
+    Point3                 c          = cut.empty() ? centroid : Point3::Zero();
+    for (const Weighted &one : cut)
+      c += one.weight * Point3(position + 3 * one.node);
+    if (plane.exists())
+      c[1] = 0.;
+    SectionForces result{Point3::Zero(), Point3::Zero(), axes * fit_rotation(position).transpose()};
+    for (const std::uint32_t n : beyond)
+      {
+        const Point3 f(force + n_unknowns * n);
+        result.force -= f;
+        result.moment -= (Point3(position + 3 * n) - c).cross(f);
+        if constexpr (n_unknowns == 6)
+          result.moment -= Point3(force + n_unknowns * n + 3);
+      }
+    if (plane.exists()) // vectors cancel across it, axial ones along it
+      {
+        result.force  = Point3(2. * result.force[0], 0., 2. * result.force[2]);
+        result.moment = Point3(0., 2. * result.moment[1], 0.);
+      }
+    return result;
+  }
+
+  template class SectionCut<2>;
+  template class SectionCut<3>;
+} // namespace birdstrike

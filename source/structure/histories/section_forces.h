@@ -1,0 +1,71 @@
+#pragma once
+
+#include <birdstrike/core/symmetry_plane.h>
+#include <birdstrike/mesh/blade_mesh.h>
+#include <birdstrike/mesh/roles.h>
+
+#include <vector>
+
+namespace birdstrike
+{
+  /// Force and moment that pass through a section across the span.
+  ///
+  /// The cut runs along sides of elements: it divides those whose centroid lies beyond the station from the others.
+  /// What the elements beyond exert on its nodes is, since the forces of an element on its nodes are in balance, the
+  /// negative of all element forces f, m on the nodes beyond the cut (LS-DYNA sums the first over a set of nodes and a
+  /// set of elements, *DATABASE_CROSS_SECTION_SET):
+  ///   F = - sum f,   M = - sum ((x - c) x f + m)   over nodes beyond,
+  /// about the present centroid c of the cut. So F = contact and loads beyond less d/dt of the momentum beyond. At
+  /// station 0 the cut is the root, F and M what the blade exerts on its support (RootSectionReport).
+  struct SectionForces
+  {
+    Point3          force, moment; ///< N, N m, global axes, of the whole
+    Matrix3<double> axes;          ///< span, chord and normal in the rows
+
+    double normal() const ///< N, along the span, tension positive
+    {
+      return force.dot(axes.row(0));
+    }
+    double bending() const ///< N m, about normal x span; positive stretches the struck face
+    {
+      return -moment.dot(axes.row(2).cross(axes.row(0)));
+    }
+  };
+
+  /// Where it is cut. The axes are those of the undeformed blade at the cut (histories/axes.h), span along the line
+  /// from root to tip, turned by the rotation that fits the motion of the nodes of all elements at the cut best
+  /// (Kabsch, Acta Crystallographica A32, 1976); at station 0 they are those of the root and stay.
+  template <int dim>
+  class SectionCut
+  {
+  public:
+    /// `station`: share of the span, 0 <= station < 1. Throws InputError where nothing lies beyond.
+    SectionCut(const BladeMesh<dim> &mesh, const BladeRoles &roles, double station, SymmetryPlane plane);
+
+    /// From element forces [n_nodes][n_unknowns] at positions [n_nodes][3].
+    SectionForces compute(const double *force, const double *position) const;
+
+    double span_position() const ///< m from the root, of the cut
+    {
+      return distance;
+    }
+
+  private:
+    void            find_cut(const BladeMesh<dim> &mesh, const std::vector<bool> &is_beyond);
+    Matrix3<double> fit_rotation(const double *position) const;
+
+    struct Weighted
+    {
+      std::uint32_t node;
+      double        weight;
+    };
+    SymmetryPlane              plane;
+    std::vector<std::uint32_t> beyond;    ///< nodes without the cut's
+    std::vector<Weighted>      cut;       ///< by the length (area) of the sides; sum 1; none at the root
+    std::vector<std::uint32_t> attached;  ///< nodes of the elements at the cut
+    std::vector<Point3>        reference; ///< m, of these
+    Point3                     centroid;  ///< m, at rest
+    Matrix3<double>            axes;      ///< at rest
+    double                     distance = 0.;
+  };
+} // namespace birdstrike
