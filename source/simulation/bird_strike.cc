@@ -6,6 +6,7 @@
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/closing.h>
 #include <birdstrike/report/columns.h>
+#include <birdstrike/report/patch_forces.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
@@ -156,7 +157,11 @@ namespace birdstrike
         if (scene.blade)
           observed.update_present(*scene.blade);
         if (recorder->record(view()))
-          observed.contact.start_row();
+          {
+            observed.contact.start_row();
+            if (scene.patches)
+              scene.patches->start_row();
+          }
       }
     recorder->flush_when_due(timings.wall());
     if (progress.is_due())

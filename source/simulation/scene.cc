@@ -7,6 +7,7 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/report/patch_forces.h>
 #include <birdstrike/structure/make_blade.h>
 
 #include <fmt/format.h>
@@ -73,12 +74,30 @@ namespace birdstrike
         largest_bird_step = bird->shocked_step(first_touch.closing_speed);
         limit_multirate();
       }
+    watch_patches();
     if (bird)
       bird->compute_rates(); // where it has been moved to: its vote rests on them
     plan(parameters.time.end_time);
   }
 
   Scene::~Scene() = default;
+
+  void Scene::watch_patches()
+  {
+    const HistoryRequests &requests = parameters.output.histories;
+    if (!blade && requests.is_any())
+      throw InputError(
+        "Output/Histories asks for histories of a blade, and the case has none.\nLeave its entries empty, "
+        "or set Blade/Kind.");
+    if (requests.patches.empty())
+      return;
+    if (!contact)
+      throw InputError("Output/Histories/Patches is set, and nothing can touch the blade.\nLeave it empty, or set "
+                       "Bird/Enabled and Contact/Enabled to true.");
+    auto table = std::make_unique<PatchForces>(requests.patches, blade->facets());
+    patches    = table.get();
+    histories.tables.push_back(std::move(table));
+  }
 
   void Scene::limit_multirate()
   {

@@ -21,6 +21,7 @@ namespace birdstrike
   class Blade;
   class Contact;
   class SelfContact;
+  class PatchForces;
 
   /// Which parts exist, and where they are when the clock starts. A part that the case lacks is never built: a rigid
   /// target has no finite elements, a blade alone no particles, a bird alone no contact.
@@ -34,10 +35,11 @@ namespace birdstrike
     std::unique_ptr<Blade>       blade;
     std::unique_ptr<Bird>        bird;
     std::unique_ptr<Contact>     contact;
-    std::unique_ptr<SelfContact> self_contact; ///< of a deformable blade
-    FirstTouch                   first_touch;  ///< of bird and blade, if both are there
-    BladeHistories               histories;    ///< that the case asks for
-    ContactReport                gone_contact; ///< the last report of a contact that has been dropped
+    std::unique_ptr<SelfContact> self_contact;      ///< of a deformable blade
+    FirstTouch                   first_touch;       ///< of bird and blade, if both are there
+    BladeHistories               histories;         ///< that the case asks for
+    PatchForces                 *patches = nullptr; ///< of these, if there is contact
+    ContactReport                gone_contact;      ///< the last report of a contact that has been dropped
 
     /// @throws InputError for a case without parts, a bird that misses the blade or starts inside it.
     explicit Scene(const CaseParameters &parameters);
@@ -91,5 +93,6 @@ namespace birdstrike
     MomentumReport        gone_momentum;
 
     void limit_multirate();
+    void watch_patches();
   };
 } // namespace birdstrike

@@ -4,6 +4,7 @@
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/self_contact.h>
 #include <birdstrike/report/contact_watch.h>
+#include <birdstrike/report/patch_forces.h>
 #include <birdstrike/structure/blade.h>
 
 namespace birdstrike
@@ -140,10 +141,13 @@ namespace birdstrike
   void Stepper::compute_contact_forces(const double step)
   {
     timed(scene.contact, sections.contact, [&](Contact &contact) {
+      const NodeForces on_blade = scene.blade->clear_contact_forces();
       contact.add_forces(scene.bird->points(), scene.blade->facets(), step,
-                         {scene.bird->clear_contact_forces(), scene.blade->clear_contact_forces()}, scene.pool);
+                         {scene.bird->clear_contact_forces(), on_blade}, scene.pool);
       if (watch)
         watch->update(contact.report(), step);
+      if (scene.patches)
+        scene.patches->update(on_blade, step);
     });
   }
 
@@ -177,7 +181,9 @@ namespace birdstrike
     if (scene.contact)
       {
         deliver();
-        scene.blade->clear_contact_forces();
+        const NodeForces none = scene.blade->clear_contact_forces();
+        if (scene.patches)
+          scene.patches->update(none, 0.);
       }
   }
 

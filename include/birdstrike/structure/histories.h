@@ -28,6 +28,10 @@ namespace birdstrike
     std::string patches;         ///< "name: x y z radius" or "name: xmin ymin zmin xmax ymax zmax"
 
     void declare(dealii::ParameterHandler &prm); ///< in the present section
+    bool is_any() const
+    {
+      return !(nodes + elements + gauges + stations + patches).empty();
+    }
   };
 
   /// A table of histories: what its columns are, and their present values.

@@ -194,6 +194,10 @@ namespace birdstrike
     if (run != nullptr && run->histories)
       for (const auto &table : run->histories->tables)
         text += describe(table->name + ".csv; results.h5: group '" + table->name + "'", table->columns);
+    if (run == nullptr)
+      text +=
+        "nodes.csv, elements.csv, gauges.csv, sections.csv, patches.csv: what Output/Histories asks for; give the "
+        "parameter file\n";
     return text + describe("results.h5: 'values' of these groups", profiles()) +
            describe("results.h5: their axes", axes());
   }

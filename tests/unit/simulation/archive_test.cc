@@ -122,6 +122,10 @@ namespace
 
   const Case features[] = {
     {"Half", shipped("frontal"), with(coarse, {"Case/Symmetry plane=y"}), 20, 300},
+    {"Histories", shipped("frontal"),
+     with(coarse, {"Output/Histories/Gauges=g: 0.02 0 0", "Output/Histories/Elements=e: 0.02 0 0 | 1",
+                   "Output/Histories/Patches=p: 0.2 0 0 0.05"}),
+     20, 300, "patches/forces, impulses and peaks"},
     {"SolidHalf", shipped("frontal"), with(solid, {"Case/Symmetry plane=y"}), 20, 300},
     {"RemovedFlyOn", shipped("frontal"), with(coarse, {"Output/Removed particles=fly on"}), 400, 500,
      "observed/removed particles/position"},

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <birdstrike/core/contact_views.h>
+#include <birdstrike/core/number.h>
+#include <birdstrike/structure/histories.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace birdstrike
+{
+  /// Contact forces on parts of the surface (Output/Histories/Patches): those facets whose undeformed centre lies in a
+  /// ball or a box. A node counts with the share that they have of the area of its facets, so that patches which cover
+  /// the surface without overlap sum up to the whole contact force:
+  ///   F = sum_n w_n f_n,   pressure = |F . n| / A,   impulse = integral of F,
+  /// n the mean normal of the patch, A its area, of the present surface; the impulse by the trapezoidal rule over every
+  /// evaluation of contact, as the half kicks give it to the blade. Facets that erosion bares belong to no patch.
+  class PatchForces final : public HistoryTable
+  {
+  public:
+    /// Of the undeformed surface, whose nodes stay where they are in memory. Throws InputError for what cannot be read,
+    /// a patch without a facet, and one that a plane of symmetry cuts but is not its own image.
+    PatchForces(const std::string &requests, const FacetsView &surface);
+
+    /// After each evaluation of contact; `step` (s) leads to it from the one before, of which there is none at first.
+    void update(const NodeForces &forces, double step);
+    void start_row(); ///< of the peaks
+
+    void fill(std::span<double> row) const override;
+    void archive(Archive &archive) override;
+
+  private:
+    struct Weighted
+    {
+      std::uint32_t node;
+      double        weight;
+    };
+    struct Patch
+    {
+      std::vector<std::array<std::uint32_t, 4>> facets;
+      std::vector<Weighted>                     nodes;
+      SymmetryPlane                             plane; ///< to the whole patch
+      Point3                                    force = Point3::Zero(), impulse = Point3::Zero(); ///< N, N s
+      double                                    peak = 0.; ///< N, since the last row
+    };
+    void add(const std::string &name, const std::vector<double> &numbers, const FacetsView &surface);
+
+    const double      *position; ///< [n_nodes][3], m
+    std::vector<Patch> patches;
+    bool               is_first = true;
+  };
+} // namespace birdstrike
