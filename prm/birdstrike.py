@@ -10,6 +10,8 @@
     run.blade(3e-3).cells["thickness"]    # the field file nearest to 3 ms: a Mesh
     run.bird(0.4e-3).nodes["velocity"]    # particles are nodes
     run.profile("root_normal_stress_at_peak").values
+    run.nodes["tip"].u                    # Output/Histories: a Curve, [n][3]; elements, gauges, sections, patches alike
+    run.gauges["root"].strain.values      # what a place has, by name: vars(run.sections["span0.5"])
 
 An unfinished run can be read as well: its summary is None, and curves end where history.csv does. What a run does not
 have raises KeyError with the names that it has. Units are those of the files: SI.
@@ -20,6 +22,7 @@ import json
 import pathlib
 import re
 import struct
+import types
 import xml.etree.ElementTree
 import zlib
 from typing import NamedTuple
@@ -92,6 +95,7 @@ class Run:
         summary = self.folder / "summary.json"
         self.summary = json.loads(summary.read_text(encoding="utf-8")) if summary.is_file() else None
         self._units, self._history = _read_history(self.folder / "history.csv")
+        self._places = {}
 
     @property
     def columns(self):
@@ -123,6 +127,17 @@ class Run:
     def energies(self):
         """{name: Curve} of everything in J."""
         return {name: self[name] for name, unit in self._units.items() if unit == "J"}
+
+    def __getattr__(self, table):
+        """The places of nodes.csv, elements.csv, gauges.csv, sections.csv or patches.csv by name."""
+        if table not in ("nodes", "elements", "gauges", "sections", "patches"):
+            raise AttributeError(f"'Run' object has no attribute '{table}'")
+        if table not in self._places:
+            path = self.folder / f"{table}.csv"
+            if not path.is_file():
+                raise KeyError(f"'{self.folder}' has no {path.name}: see Output/Histories.")
+            self._places[table] = _read_places(path)
+        return self._places[table]
 
     @property
     def profiles(self):
@@ -183,6 +198,21 @@ def _read_history(path):
     rows = [row for row in rows if len(row) == len(names)]  # the last may be half written
     values = np.array(rows, dtype=float).reshape(-1, len(names))
     return {name: units.get(name, "") for name in names}, {name: values[:, k] for k, name in enumerate(names)}
+
+
+def _read_places(path):
+    """Columns are "<place>.<quantity>", of vectors and tensors "<place>.<quantity>_<component>": a namespace of curves a
+    place, components side by side as they stand in the file."""
+    units, history = _read_history(path)
+    time, places = history.pop("time"), {}
+    for name, values in history.items():
+        place, quantity = name.rsplit(".", 1)
+        if re.match(r"(u|v|a|F|impulse|stress|strain)_(?!peak)", quantity):
+            quantity = quantity.split("_")[0]
+        places.setdefault(place, {}).setdefault(quantity, []).append((values, units[name]))
+    return {place: types.SimpleNamespace(**{
+        quantity: Curve(time, np.stack([values for values, _ in parts], axis=1) if len(parts) > 1 else parts[0][0], parts[0][1])
+        for quantity, parts in quantities.items()}) for place, quantities in places.items()}
 
 
 def _read(array):

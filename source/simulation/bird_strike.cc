@@ -271,11 +271,6 @@ namespace birdstrike
     return run;
   }
 
-  bool BirdStrike::is_interrupted() const
-  {
-    return why_ended == EndReason::signal;
-  }
-
   Summary BirdStrike::compute_summary() const
   {
     return Summary(view_whole_run());

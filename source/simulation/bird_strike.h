@@ -43,7 +43,10 @@ namespace birdstrike
     static void request_stop();
     static void forget_stop_requests();
 
-    bool        is_interrupted() const; ///< ended by such a request
+    bool is_interrupted() const ///< ended by such a request
+    {
+      return why_ended == EndReason::signal;
+    }
     Summary     compute_summary() const;
     std::string closing_report() const;
     std::string describe_columns() const; ///< of what it writes

@@ -110,6 +110,33 @@ class Reader(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "mid_chord_deflection_at_peak"):
             run.profile("none")
 
+    # quickstart's plate is struck along z: a node of the tip's row moves with it, what a section at the root carries is the
+    # root's, two patches that cover the blade take the whole force (round-off); nothing looked at changes the run
+    def test_histories_that_are_asked_for(self):
+        asked = {"Nodes": "tip: 0.3112 0 0", "Elements": "hot: 0.01 0 0 | 1", "Gauges": "g: 0.05 0 0", "Stations": "0, 0.5",
+                 "Patches": "low: 0 -1 -1 0.2 1 1; high: 0.2 -1 -1 1 1 1"}
+        for kind, plain in self.run_of.items():
+            folder = pathlib.Path(self.scratch.name) / f"histories-{kind}"
+            subprocess.run([PROGRAM, "run", plain.folder / "parameters.prm", "--output", folder] +
+                           [word for entry, text in asked.items() for word in ("--set", f"Output/Histories/{entry}={text}")],
+                           check=True, stdout=subprocess.DEVNULL)
+            run = Run(folder)
+            self.assertEqual((folder / "history.csv").read_bytes(), (plain.folder / "history.csv").read_bytes())
+            np.testing.assert_allclose(run.nodes["tip"].u.values[-1, 2], run.tip.values[-1], rtol=0.05)
+            self.assertEqual(run.nodes["tip"].a.unit, "m/s^2")
+            moment = run["root_bending_moment"].values
+            np.testing.assert_allclose(run.sections["span0"].M_bending.values, moment, atol=1e-6 * np.abs(moment).max())
+            for quantity, whole in (("F", run.contact_force), ("impulse", run.contact_impulse)):
+                parts = [getattr(run.patches[name], quantity).values for name in ("low", "high")]
+                np.testing.assert_allclose(sum(parts), whole.values, atol=1e-9 * np.abs(whole.values).max())
+            self.assertEqual(run.elements["hot"].stress.values.shape, (len(run.tip.time), 6))
+            self.assertLess(abs(run.gauges["g"].strain.values).max(), 0.1)
+            with h5py.File(folder / "results.h5") as file:
+                np.testing.assert_array_equal(file["gauges/g.strain"][()], run.gauges["g"].strain.values)
+                self.assertIn("struck", file["gauges/g.strain"].attrs["description"])
+        with self.assertRaisesRegex(KeyError, "Output/Histories"):
+            self.run_of["shell"].nodes
+
     def test_every_dataset_says_what_it_is(self):
         with h5py.File(self.run_of["shell"].folder / "results.h5") as file:
             for group in file:

@@ -15,8 +15,9 @@ namespace birdstrike
   /// negative of all element forces f, m on the nodes beyond the cut (LS-DYNA sums the first over a set of nodes and a
   /// set of elements, *DATABASE_CROSS_SECTION_SET):
   ///   F = - sum f,   M = - sum ((x - c) x f + m)   over nodes beyond,
-  /// about the present centroid c of the cut. So F = contact and loads beyond less d/dt of the momentum beyond. At
-  /// station 0 the cut is the root, F and M what the blade exerts on its support (RootSectionReport).
+  /// about the present centroid c of the cut. The force is constant along an element: where inertia or loads act along
+  /// the span it is that of half an element beyond the cut. So F = contact and loads beyond less d/dt of the momentum
+  /// beyond. At station 0 the cut is the root, F and M what the blade exerts on its support (RootSectionReport).
   struct SectionForces
   {
     Point3          force, moment; ///< N, N m, global axes, of the whole
