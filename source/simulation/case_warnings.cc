@@ -174,6 +174,7 @@ namespace birdstrike
                                                          "within a percent from about ten on (Bird/Particle spacing).",
                                                          across)});
       }
+    warnings.insert(warnings.end(), scene.histories.warnings.begin(), scene.histories.warnings.end());
     constexpr double much = 20. * 1024. * 1024. * 1024.; // bytes, 20 GiB
     if (const double bytes = compute_field_bytes(parameters, scene); bytes > much)
       warnings.push_back({"output/large", "Field files may take " + format_bytes(bytes) +

@@ -1,4 +1,5 @@
 #include "structure/deformable_blade.h"
+#include "structure/histories/watched_blade.h"
 
 namespace birdstrike
 {
@@ -32,6 +33,7 @@ namespace birdstrike
     scaling = Kind::finish(parameters, mesh, lumped, elements, motion);
     motion.initialize_velocity(parameters.loads);
     motion.watch(parameters.probes, mesh);
+    probe_warnings = warn_of_far_probes(parameters.probes, mesh);
     roles =
       BladeRoles(mesh, supports.root_ids, supports.tip_ids, compute_strike(parameters, motion.momenta(), lumped.total));
     root = typename Kind::Root(mesh, roles.root);

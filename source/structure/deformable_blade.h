@@ -132,6 +132,7 @@ namespace birdstrike
     typename Kind::Surface           surface;
     MassScalingReport                scaling;
     bool                             can_fail;
+    Warnings                         probe_warnings;
     std::size_t                      n_failed = 0; ///< elements, as the surface knows them
   };
 

@@ -116,7 +116,9 @@ namespace birdstrike
   template <class Kind>
   BladeHistories DeformableBlade<Kind>::make_histories(const HistoryRequests &requests) const
   {
-    return make_blade_histories<Kind>({mesh, elements, motion, roles, plane}, requests);
+    BladeHistories histories = make_blade_histories<Kind>({mesh, elements, motion, roles, plane}, requests);
+    histories.warnings.insert(histories.warnings.begin(), probe_warnings.begin(), probe_warnings.end());
+    return histories;
   }
 
   template <class Kind>

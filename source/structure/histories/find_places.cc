@@ -1,6 +1,7 @@
 #include "structure/histories/watched_blade.h"
 #include <birdstrike/core/closest_point.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text_lists.h>
 
 #include <Eigen/LU>
 
@@ -99,6 +100,19 @@ namespace birdstrike
   }
 
   template <int dim>
+  Warnings warn_of_far_probes(const std::string &probes, const BladeMesh<dim> &mesh)
+  {
+    const std::string entry = "Blade/Probes";
+    Warnings          warnings;
+    for (const auto &[name, text] : parse_pairs(probes, entry))
+      {
+        const auto x = parse_numbers(text, 3, entry);
+        find_node(mesh, {name, {}, Point3(x[0], x[1], x[2]), {}}, entry, warnings);
+      }
+    return warnings;
+  }
+
+  template <int dim>
   std::uint32_t find_element(const CellMesh<dim> &mesh, const Place &place, const std::string &entry,
                              Warnings &warnings)
   {
@@ -125,6 +139,8 @@ namespace birdstrike
   template std::string   describe_element(const CellMesh<3> &, std::size_t);
   template std::uint32_t find_node(const BladeMesh<2> &, const Place &, const std::string &, Warnings &);
   template std::uint32_t find_node(const BladeMesh<3> &, const Place &, const std::string &, Warnings &);
+  template Warnings      warn_of_far_probes(const std::string &, const BladeMesh<2> &);
+  template Warnings      warn_of_far_probes(const std::string &, const BladeMesh<3> &);
   template std::uint32_t find_element(const CellMesh<2> &, const Place &, const std::string &, Warnings &);
   template std::uint32_t find_element(const CellMesh<3> &, const Place &, const std::string &, Warnings &);
 } // namespace birdstrike

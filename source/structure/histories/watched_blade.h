@@ -31,6 +31,10 @@ namespace birdstrike
   template <int dim>
   std::uint32_t find_node(const BladeMesh<dim> &mesh, const Place &place, const std::string &entry, Warnings &warnings);
 
+  /// The same for Blade/Probes.
+  template <int dim>
+  Warnings warn_of_far_probes(const std::string &probes, const BladeMesh<dim> &mesh);
+
   /// The element that a place names, the nearest of a point; warnings and errors as above.
   template <int dim>
   std::uint32_t find_element(const CellMesh<dim> &mesh, const Place &place, const std::string &entry,
