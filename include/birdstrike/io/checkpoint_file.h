@@ -1,0 +1,35 @@
+#pragma once
+
+#include <birdstrike/core/archive.h>
+#include <birdstrike/io/input_files.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// A run between two of its steps, and what it takes to know that it is this run.
+  struct Checkpoint
+  {
+    std::string            parameters; ///< every entry with its value, as parameters.prm
+    std::vector<InputFile> inputs;     ///< as they were when the run began
+    std::string            program;    ///< version and build that wrote it
+    double                 time = 0.;  ///< s since first touch
+    std::uint64_t          step = 0;   ///< time steps so far
+    ArchivedState          state;
+  };
+
+  /// One file: a line of text, padded to 512 bytes, that says format, length and CRC-32 of the rest; then HDF5 (any
+  /// reader of HDF5 opens the whole, the line is its user block). /state/<name> is a group with `values` of doubles or
+  /// 64-bit integers, and `lengths` where entities have lists; /parameters and /inputs are texts.
+  ///
+  /// It is made in memory, written aside, flushed to the disk and renamed: under its name a file is complete, whatever
+  /// happens to the process. Throws std::runtime_error where the disk refuses; nothing is left behind then.
+  void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint);
+
+  /// Throws InputError, in a sentence, for a file that is not there, no checkpoint, of a later format, cut off or
+  /// damaged: length and checksum are compared before HDF5 sees a byte.
+  Checkpoint read_checkpoint(const std::filesystem::path &file);
+} // namespace birdstrike
