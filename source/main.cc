@@ -24,12 +24,14 @@ namespace
   using birdstrike::CaseRequest;
   using birdstrike::CompareRequest;
   using birdstrike::ExitCode;
+  using birdstrike::ResumeRequest;
 
   /// What the command line may ask for.
   struct Requests
   {
     CaseRequest    of_case;
     CompareRequest of_comparison;
+    ResumeRequest  of_resumption;
     bool           as_json = false;
   };
 
@@ -55,8 +57,14 @@ namespace
       command->callback([&, verb] { action = [&, verb] { verb(requests.of_case); }; });
     };
     case_command("run", "Run a case to its end", birdstrike::run_case);
+    app.get_subcommand("run")->add_flag("--force", requests.of_case.is_forced, "Replace a finished run in the folder");
     case_command("explain", "Say what would be computed, before it is", birdstrike::explain_case);
     case_command("validate", "Read and check a case, compute nothing", birdstrike::validate_case);
+
+    CLI::App *resume = app.add_subcommand("resume", "Go on with a run from its newest checkpoint");
+    resume->add_option("RUN", requests.of_resumption.run, "Run folder")->required();
+    declare_overrides(resume, requests.of_resumption.overrides);
+    resume->callback([&] { action = [&] { birdstrike::resume_run(requests.of_resumption); }; });
 
     CLI::App       *compare = app.add_subcommand("compare", "Run cases, or take their runs, and set them side by side");
     CompareRequest &request = requests.of_comparison;

@@ -14,17 +14,18 @@ namespace birdstrike
       auto made    = std::make_shared<spdlog::logger>("birdstrike", console);
       made->set_pattern("%^%v%$");
       made->set_level(spdlog::level::trace);
+      made->flush_on(spdlog::level::info); // a run that is killed has said what it has said
       made->sinks().front()->set_level(spdlog::level::info);
       return made;
     }();
     return *logger;
   }
 
-  void log_to_file(const std::string &path)
+  void log_to_file(const std::string &path, const bool is_continued)
   {
     try
       {
-        auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path, true);
+        auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path, !is_continued);
         file->set_level(spdlog::level::debug);
         file->set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
         auto &sinks = log().sinks();

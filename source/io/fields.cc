@@ -18,9 +18,7 @@ namespace birdstrike
 
   void FieldSeries::write(const FieldSnapshot &snapshot, const double time)
   {
-    char number[16];
-    std::snprintf(number, sizeof(number), "%04zu", times_and_names.size());
-    const std::string file = "fields/" + name + "_" + number + ".vtu";
+    const std::string file = file_name(times_and_names.size());
     std::ofstream     out(folder / file, std::ios::binary);
     if (!out)
       throw std::runtime_error("Cannot write " + (folder / file).string());
@@ -33,6 +31,23 @@ namespace birdstrike
     if (!out || !list)
       throw std::runtime_error("Cannot write " + (folder / file).string() + ": is the disk full?");
     bytes += fs::file_size(folder / file);
+  }
+
+  void FieldSeries::archive(Archive &archive)
+  {
+    const auto group = archive.group(name + " fields");
+    archive("bytes", bytes);
+    archive.records("files", times_and_names,
+                    [](Archive::Row &row, std::pair<double, std::string> &entry) { row("time", entry.first); });
+    for (std::size_t k = 0; k < times_and_names.size(); ++k)
+      times_and_names[k].second = file_name(k);
+  }
+
+  std::string FieldSeries::file_name(const std::size_t k) const
+  {
+    char number[16];
+    std::snprintf(number, sizeof(number), "%04zu", k);
+    return "fields/" + name + "_" + number + ".vtu";
   }
 
   std::size_t FieldSeries::n_files() const

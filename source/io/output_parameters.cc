@@ -56,6 +56,24 @@ namespace birdstrike
                    "Channel frequency class (SAE J211-1) by which the contact force is filtered, as a load cell's is: "
                    "filtered.csv, results.h5 and its peak in summary.json. [-]");
     histories.declare(prm);
+    prm.enter_subsection("Checkpoint");
+    prm.add_parameter(
+      "Step interval", checkpoints.step_interval,
+      "Time steps between two checkpoints, from which 'birdstrike resume' goes on; 0: none by steps. [-]", Integer(0));
+    prm.add_parameter("Time interval", checkpoints.time_interval,
+                      "Simulated time between two checkpoints; 0: none by it. [s]", Double(0.));
+    prm.add_parameter(
+      "Wall interval", checkpoints.wall_interval,
+      "Time on the clock between two checkpoints: what a run that is killed loses at most; 0: none by it. "
+      "[s]",
+      Double(0.));
+    prm.add_parameter("At the end", checkpoints.at_the_end,
+                      "Whether the end of a run is a checkpoint, to go on to a later Time/End time. A run that SIGINT, "
+                      "SIGTERM or SIGHUP stops leaves one in any case, SIGUSR1 asks for one. [-]",
+                      Bool());
+    prm.add_parameter("Keep", checkpoints.n_kept, "Newest checkpoints that are kept; older ones are deleted. [-]",
+                      Integer(1));
+    prm.leave_subsection();
     prm.leave_subsection();
   }
 

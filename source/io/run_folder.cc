@@ -1,5 +1,7 @@
 #include <birdstrike/core/errors.h>
+#include <birdstrike/io/checkpoint_file.h>
 #include <birdstrike/io/run_folder.h>
+#include <birdstrike/io/whole_file.h>
 
 #include <sys/file.h>
 
@@ -24,7 +26,7 @@ namespace birdstrike
            {"original.prm", "parameters.prm", "log.txt", "history.csv", "filtered.csv", "results.h5", "summary.json"})
         if (name == known || name == std::string(known) + ".part")
           return true;
-      return extension == ".pvd" || extension == ".vtu";
+      return extension == ".pvd" || extension == ".vtu" || name.starts_with(checkpoint_stem);
     }
 
     /// Throws InputError where somebody else holds the folder.
@@ -51,20 +53,35 @@ namespace birdstrike
       for (const auto &entry : fs::directory_iterator(folder))
         if (entry.is_regular_file() && is_written_by_a_run(entry.path()))
           fs::remove(entry.path());
-      const fs::path fields = folder / "fields";
-      if (!fs::is_directory(fs::symlink_status(fields)))
-        return;
-      remove_results(fields);
-      if (fs::is_empty(fields))
-        fs::remove(fields);
+      for (const char *below : {"fields", checkpoint_folder})
+        {
+          const fs::path inner = folder / below;
+          if (!fs::is_directory(fs::symlink_status(inner)))
+            continue;
+          remove_results(inner);
+          if (fs::is_empty(inner))
+            fs::remove(inner);
+        }
     }
   } // namespace
 
-  RunFolder::RunFolder(const fs::path &directory) : directory(directory)
+  RunFolder::RunFolder(const fs::path &directory) : RunFolder(directory, Contents::removed)
+  {
+  }
+
+  RunFolder RunFolder::of_resumed_run(const fs::path &directory)
+  {
+    if (!fs::exists(directory / marker))
+      throw InputError("'" + directory.string() +
+                       "' is no folder of a run.\n  Allowed: the folder of a run that has left a checkpoint.");
+    return {directory, Contents::kept};
+  }
+
+  RunFolder::RunFolder(const fs::path &directory, const Contents contents) : directory(directory)
   {
     try
       {
-        take();
+        take(contents);
       }
     catch (const fs::filesystem_error &error)
       {
@@ -88,7 +105,7 @@ namespace birdstrike
     ::close(lock);
   }
 
-  void RunFolder::take()
+  void RunFolder::take(const Contents contents)
   {
     if (fs::exists(directory) && !fs::is_directory(directory))
       throw InputError("The run folder '" + directory.string() +
@@ -105,12 +122,18 @@ namespace birdstrike
     // In this order: whoever kills the program in between leaves nothing that looks like a complete run.
     mark("running");
     fs::remove(file("summary.json"));
-    remove_results(directory);
+    if (contents == Contents::removed)
+      remove_results(directory);
   }
 
   void RunFolder::mark(const std::string &state) const
   {
     write_state(lock, directory, state);
+  }
+
+  bool holds_finished_run(const fs::path &directory)
+  {
+    return fs::exists(directory / marker) && fs::exists(directory / "summary.json"); // written last, by rename
   }
 
   void drop_results(const fs::path &directory)
@@ -145,22 +168,7 @@ namespace birdstrike
 
   void RunFolder::write_text(const std::string &name, const std::string &text) const
   {
-    const fs::path part = file(name + ".part");
-    {
-      std::ofstream out(part, std::ios::binary);
-      out << text;
-      out.flush();
-      if (!out)
-        throw std::runtime_error("Cannot write " + part.string() + ": " + std::strerror(errno));
-    }
-    // The name must not reach the disk before the text does.
-    const int descriptor = ::open(part.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor >= 0)
-      {
-        ::fsync(descriptor);
-        ::close(descriptor);
-      }
-    fs::rename(part, file(name));
+    write_whole_file(file(name), {text});
   }
 
   void RunFolder::finish(const std::string &summary_json)

@@ -1,3 +1,4 @@
+#include <birdstrike/report/history.h>
 #include <birdstrike/report/observed.h>
 #include <birdstrike/report/recorder.h>
 
@@ -33,9 +34,30 @@ namespace birdstrike
     archive.list("mid-chord deflection at tip peak", mid_chord_at_peak);
   }
 
+  void History::archive(Archive &archive)
+  {
+    const auto group = archive.group(table.filename().string());
+    archive("rows", rows);
+    for (Curve &column : columns)
+      archive.list(column.what.name.c_str(), column.rows);
+    const auto of_profiles = archive.group("profiles");
+    for (Profile &profile : profiles)
+      archive.list(profile.what.name.c_str(), profile.rows);
+  }
+
   void Recorder::archive(Archive &archive)
   {
     const auto group = archive.group("output");
+    if (!archive.is_reading())
+      {
+        writer.flush(); // what the lists name is on the disk
+        history.flush_table();
+      }
+    history.archive(archive);
+    archive("bird has left", has_left_bird);
+    for (auto *series : {&blade_fields, &bird_fields})
+      if (*series)
+        (*series)->archive(archive);
     history_ticks.archive(archive, "rows due");
     field_ticks.archive(archive, "fields due");
     archive("last", last_row, last_field);

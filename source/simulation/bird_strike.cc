@@ -65,13 +65,19 @@ namespace birdstrike
       }
   }
 
-  void BirdStrike::run()
+  void BirdStrike::run(const std::function<void(bool is_over)> &between_steps)
   {
     try
       {
         start();
         while ((why_ended = reason_to_stop()) == EndReason::none)
-          advance();
+          {
+            advance();
+            if (between_steps)
+              between_steps(false);
+          }
+        if (between_steps)
+          between_steps(true);
         finish();
       }
     catch (...)
@@ -269,6 +275,21 @@ namespace birdstrike
     run.skipped           = compute_skipped();
     run.case_warnings     = case_warnings;
     return run;
+  }
+
+  double BirdStrike::time() const
+  {
+    return now;
+  }
+
+  unsigned long BirdStrike::n_steps_done() const
+  {
+    return n_steps;
+  }
+
+  bool BirdStrike::is_interrupted() const
+  {
+    return why_ended == EndReason::signal;
   }
 
   Summary BirdStrike::compute_summary() const

@@ -8,6 +8,7 @@
 #include <birdstrike/report/summary.h>
 
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -27,8 +28,12 @@ namespace birdstrike
     BirdStrike(const CaseParameters &parameters, Scene &scene, const std::filesystem::path &folder = {},
                Warnings case_warnings = {});
 
-    /// Steps until a stop criterion is met; goes on from where the strike stands.
-    void run();
+    /// Steps until a stop criterion is met; goes on from where the strike stands. `between_steps` is called after each
+    /// step, and once more when the last one is done, with true: the state is whole then, and may be archived.
+    void run(const std::function<void(bool is_over)> &between_steps = {});
+
+    double        time() const; ///< s since first touch
+    unsigned long n_steps_done() const;
 
     /// Forces of the first step, once; run() and advance() call it unless a state has been read.
     void start();

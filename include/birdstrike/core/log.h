@@ -13,8 +13,9 @@ namespace birdstrike
   /// The project's log: console (stdout), and once a run folder exists also its log.txt.
   spdlog::logger &log();
 
-  /// Also write to this file from now on (created anew). Throws InputError if it cannot be opened.
-  void log_to_file(const std::string &path);
+  /// Also write to this file from now on, created anew unless it `is_continued`. Throws InputError if it cannot be
+  /// opened.
+  void log_to_file(const std::string &path, bool is_continued = false);
 
   /// Lowest severity shown on the console: "trace", "info", "warning", "error", "off".
   void set_console_level(const std::string &level);

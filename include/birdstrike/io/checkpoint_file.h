@@ -10,6 +10,9 @@
 
 namespace birdstrike
 {
+  // Of a run folder: checkpoints/checkpoint_000000001234.h5, by time step.
+  constexpr const char *checkpoint_folder = "checkpoints", *checkpoint_stem = "checkpoint_";
+
   /// A run between two of its steps, and what it takes to know that it is this run.
   struct Checkpoint
   {

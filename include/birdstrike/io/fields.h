@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -22,10 +24,15 @@ namespace birdstrike
 
     void write(const FieldSnapshot &snapshot, double time);
 
+    /// The files so far; those written after an archive are overwritten by a run that goes on from it.
+    void archive(Archive &archive);
+
     std::size_t n_files() const;
     std::size_t n_bytes() const; ///< on disk, so far
 
   private:
+    std::string file_name(std::size_t k) const; ///< from the folder on
+
     std::filesystem::path                       folder;
     std::string                                 name;
     std::vector<std::pair<double, std::string>> times_and_names;

@@ -26,7 +26,18 @@ namespace birdstrike
     bool        hdf5             = true;   ///< results.h5 beside history.csv
     bool        is_deformed      = false;  ///< blade's points in its fields
     bool        removed_fly_on   = false;  ///< in the bird's fields
-    double      channel_class    = 1000.;  ///< Hz, of the filtered contact force; 0: none
+
+    /// Section `Output/Checkpoint`. An interval of 0: none by it.
+    struct Checkpoints
+    {
+      unsigned int step_interval = 0;    ///< time steps
+      double       time_interval = 0.;   ///< s, simulated
+      double       wall_interval = 600.; ///< s, on the clock
+      bool         at_the_end    = true;
+      unsigned int n_kept        = 2;
+    } checkpoints;
+
+    double channel_class = 1000.; ///< Hz, of the filtered contact force; 0: none
 
     HistoryRequests histories; ///< of the blade
 

@@ -16,6 +16,10 @@ namespace birdstrike
   {
   public:
     explicit RunFolder(const std::filesystem::path &directory);
+
+    /// The folder of a run that goes on: nothing is removed but summary.json. Throws InputError where no run has been.
+    static RunFolder of_resumed_run(const std::filesystem::path &directory);
+
     ~RunFolder(); ///< a run that was neither finished nor failed is marked "failed: interrupted"
     RunFolder(const RunFolder &)            = delete;
     RunFolder &operator=(const RunFolder &) = delete;
@@ -38,9 +42,18 @@ namespace birdstrike
     int                   lock     = -1;
     bool                  is_ended = false;
 
-    void take();
+    enum class Contents
+    {
+      removed,
+      kept
+    };
+    RunFolder(const std::filesystem::path &directory, Contents contents);
+    void take(Contents contents);
     void mark(const std::string &state) const;
   };
+
+  /// Whether a run has come to its end there.
+  bool holds_finished_run(const std::filesystem::path &directory);
 
   /// Removes what could be taken for results of a run that is still to start in this folder: summary and histories of
   /// the one before. Its parameters stay, for they may be what that run is made of. A folder of no run is left alone,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/core/archive.h>
 #include <birdstrike/core/column.h>
 
 #include <cstddef>
@@ -51,6 +52,9 @@ namespace birdstrike
 
     /// Brings history.csv and results.h5 up to date on disk; results.h5 is written anew as a whole.
     void flush();
+
+    /// All rows so far; reading writes the table anew.
+    void archive(Archive &archive);
 
     std::size_t                n_rows() const;
     std::vector<std::string>   column_names() const;

@@ -11,9 +11,21 @@ namespace birdstrike
   struct CaseRequest
   {
     std::string              prm_file;
-    std::vector<std::string> overrides; ///< "Section/Sub section/Entry=value"
-    std::string              output;    ///< run folder instead of the one in the prm; empty: as in the prm
+    std::vector<std::string> overrides;         ///< "Section/Sub section/Entry=value"
+    std::string              output;            ///< run folder instead of the one in the prm; empty: as in the prm
+    bool                     is_forced = false; ///< a finished run in the folder may be replaced
   };
+
+  /// What the command line says about a run that shall go on.
+  struct ResumeRequest
+  {
+    std::string              run;       ///< its folder
+    std::vector<std::string> overrides; ///< as of a case, of what may change
+  };
+
+  /// Goes on from the newest checkpoint that can be read, in the same folder: rows, fields and log continue as if the
+  /// run had never stopped.
+  void resume_run(const ResumeRequest &request);
 
   /// Runs the case to its end and leaves a run folder.
   void run_case(const CaseRequest &request);

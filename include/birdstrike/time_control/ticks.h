@@ -3,6 +3,7 @@
 #include <birdstrike/core/archive.h>
 
 #include <cstdint>
+#include <utility>
 
 namespace birdstrike
 {
@@ -30,9 +31,16 @@ namespace birdstrike
       return interval == 0. || (interval > 0. && (n_passed == 0 || time >= n_passed * interval * (1. - 1e-12)));
     }
 
+    /// Read with another interval, the next tick is the first of that after the last one passed.
     void archive(Archive &archive, const char *name)
     {
-      archive(name, n_passed);
+      const auto   group = archive.group(name);
+      const double own   = interval;
+      archive("interval", interval);
+      archive("passed", n_passed);
+      const double then = std::exchange(interval, own);
+      if (then != own && n_passed > 0 && own > 0.)
+        n_passed = static_cast<std::uint64_t>(then * static_cast<double>(n_passed - 1) / own * (1. + 1e-12)) + 1;
     }
 
   private:

@@ -1,0 +1,96 @@
+#include "simulation/checkpoints.h"
+#include "simulation/bird_strike.h"
+#include <birdstrike/core/log.h>
+#include <birdstrike/report/text.h>
+
+#include <fmt/format.h>
+#include <spdlog/logger.h>
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+namespace birdstrike
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    std::atomic<bool> is_requested{false};
+
+    double seconds_since(const std::chrono::steady_clock::time_point then)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+    }
+  } // namespace
+
+  Checkpoints::Checkpoints(const OutputParameters::Checkpoints &when, const fs::path &run_folder, Checkpoint of_run,
+                           const BirdStrike &strike)
+    : when(when)
+    , folder(run_folder / checkpoint_folder)
+    , next(std::move(of_run))
+    , last_step(strike.n_steps_done())
+    , last_time(strike.time())
+    , last_clock(std::chrono::steady_clock::now())
+  {
+  }
+
+  void Checkpoints::request()
+  {
+    is_requested = true;
+  }
+
+  const std::string &Checkpoints::last() const
+  {
+    return written;
+  }
+
+  bool Checkpoints::is_due(const BirdStrike &strike, const bool is_over) const
+  {
+    if (strike.n_steps_done() == last_step)
+      return false; // this state is on the disk, or has not begun
+    return (is_over && (when.at_the_end || strike.is_interrupted())) ||
+           (when.step_interval > 0 && strike.n_steps_done() - last_step >= when.step_interval) ||
+           (when.time_interval > 0. && strike.time() - last_time >= when.time_interval) ||
+           (when.wall_interval > 0. && seconds_since(last_clock) >= when.wall_interval);
+  }
+
+  void Checkpoints::write_when_due(BirdStrike &strike, const bool is_over)
+  {
+    if (const bool is_wanted = is_requested.exchange(false); is_wanted || is_due(strike, is_over))
+      write(strike);
+  }
+
+  void Checkpoints::write(BirdStrike &strike)
+  {
+    next.time = strike.time();
+    next.step = strike.n_steps_done();
+    next.state.clear();
+    Archive archive = Archive::writing(next.state);
+    strike.archive(archive);
+    fs::create_directories(folder);
+    const fs::path file = folder / fmt::format("{}{:012}.h5", checkpoint_stem, next.step);
+    write_checkpoint(file, next);
+    next.state.clear();
+    written    = file.string() + " at t = " + format_quantity(next.time, "s");
+    last_step  = next.step;
+    last_time  = next.time;
+    last_clock = std::chrono::steady_clock::now();
+    log().debug("Checkpoint {}", written);
+    const auto all = find_checkpoints(folder.parent_path());
+    for (std::size_t k = when.n_kept; k < all.size(); ++k)
+      fs::remove(all[k]);
+  }
+
+  std::vector<fs::path> find_checkpoints(const fs::path &run_folder)
+  {
+    std::vector<fs::path> files;
+    const fs::path        folder = run_folder / checkpoint_folder;
+    if (fs::is_directory(folder))
+      for (const auto &entry : fs::directory_iterator(folder))
+        if (entry.path().filename().string().starts_with(checkpoint_stem) && entry.path().extension() == ".h5")
+          files.push_back(entry.path());
+    std::ranges::sort(files, std::greater<>());
+    return files;
+  }
+} // namespace birdstrike

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <birdstrike/io/checkpoint_file.h>
+#include <birdstrike/io/output_parameters.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  class BirdStrike;
+
+  /// The checkpoints of one run: when one is due, and which are kept.
+  class Checkpoints
+  {
+  public:
+    /// `of_run`: what every checkpoint of it says, without time, step and state.
+    Checkpoints(const OutputParameters::Checkpoints &when, const std::filesystem::path &run_folder, Checkpoint of_run,
+                const BirdStrike &strike);
+
+    /// Between two steps: writes one that is due by steps, time or clock, or that a signal has asked for.
+    void write_when_due(BirdStrike &strike, bool is_over);
+
+    /// "Last checkpoint: FILE at t = 1 ms"; empty where there is none.
+    const std::string &last() const;
+
+    /// Asks for one after the present step, e.g. from a signal handler.
+    static void request();
+
+  private:
+    bool is_due(const BirdStrike &strike, bool is_over) const;
+    void write(BirdStrike &strike);
+
+    OutputParameters::Checkpoints         when;
+    std::filesystem::path                 folder;
+    Checkpoint                            next;
+    std::string                           written;
+    std::uint64_t                         last_step;
+    double                                last_time;
+    std::chrono::steady_clock::time_point last_clock;
+  };
+
+  /// Those of a run folder, newest first.
+  std::vector<std::filesystem::path> find_checkpoints(const std::filesystem::path &run_folder);
+} // namespace birdstrike

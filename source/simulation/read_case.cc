@@ -1,0 +1,26 @@
+#include "simulation/read_case.h"
+#include "simulation/case_warnings.h"
+#include <birdstrike/core/log.h>
+#include <birdstrike/io/case_parameters.h>
+
+#include <spdlog/logger.h>
+
+namespace birdstrike
+{
+  void show(const Warnings &warnings)
+  {
+    for (const Warning &warning : warnings)
+      log().warn("Warning: {}", warning.text);
+  }
+
+  Warnings read_case(CaseParameters &parameters, const CaseRequest &request)
+  {
+    std::vector<std::string> overrides = request.overrides;
+    if (!request.output.empty())
+      overrides.push_back("Output/Directory=" + request.output);
+    parameters.read(request.prm_file, overrides);
+    Warnings warnings = find_input_warnings(parameters);
+    show(warnings);
+    return warnings;
+  }
+} // namespace birdstrike

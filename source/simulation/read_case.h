@@ -1,0 +1,16 @@
+#pragma once
+
+#include <birdstrike/core/warning.h>
+#include <birdstrike/simulation/commands.h>
+
+namespace birdstrike
+{
+  struct CaseParameters;
+
+  /// On the screen and in the log.
+  void show(const Warnings &warnings);
+
+  /// Reads and checks a case; the command line's folder wins over the file's. Warnings of the entries are shown at
+  /// once, for what is built of a wrong unit may take long, and returned.
+  Warnings read_case(CaseParameters &parameters, const CaseRequest &request);
+} // namespace birdstrike
