@@ -88,7 +88,8 @@ namespace birdstrike
     const fs::path        folder = run_folder / checkpoint_folder;
     if (fs::is_directory(folder))
       for (const auto &entry : fs::directory_iterator(folder))
-        if (entry.path().filename().string().starts_with(checkpoint_stem) && entry.path().extension() == ".h5")
+        if (const std::string name = entry.path().filename().string();
+            name.starts_with(checkpoint_stem) && name.ends_with(".h5"))
           files.push_back(entry.path());
     std::ranges::sort(files, std::greater<>());
     return files;

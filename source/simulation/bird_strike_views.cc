@@ -1,0 +1,60 @@
+#include "simulation/bird_strike.h"
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/report/closing.h>
+#include <birdstrike/report/columns.h>
+
+/// What a strike says of itself.
+namespace birdstrike
+{
+  RunView BirdStrike::view() const
+  {
+    RunView run{parameters,
+                observed,
+                balance,
+                row_balance,
+                scene.blade.get(),
+                scene.bird.get(),
+                scene.contact.get(),
+                scene.self_contact != nullptr,
+                &scene.histories};
+    run.time          = now;
+    run.n_steps       = n_steps;
+    run.bird_step     = scene.last_plan().bird_step();
+    run.blade_step    = scene.last_plan().blade_step();
+    run.bird_at_start = bird_at_start;
+    run.n_retired     = n_retired;
+    run.end_reason    = why_ended;
+    run.n_blade_steps = stepper.counts().blade;
+    run.n_bird_steps  = stepper.counts().bird;
+    return run;
+  }
+
+  RunView BirdStrike::view_whole_run() const
+  {
+    RunView         run   = view();
+    const UnitCosts costs = compute_unit_costs();
+    run.wall              = timings.wall();
+    run.particle_step     = costs.particle_step;
+    run.element_step      = costs.element_step;
+    run.skipped           = compute_skipped();
+    run.case_warnings     = case_warnings;
+    return run;
+  }
+
+  Summary BirdStrike::compute_summary() const
+  {
+    return Summary(view_whole_run());
+  }
+
+  std::string BirdStrike::closing_report() const
+  {
+    const RunView run = view_whole_run();
+    return birdstrike::closing_report(run, Summary(run)) + "\n" + timings.table();
+  }
+
+  std::string BirdStrike::describe_columns() const
+  {
+    const RunView run = view();
+    return birdstrike::describe_columns(&run);
+  }
+} // namespace birdstrike
