@@ -37,6 +37,12 @@ class Prices(unittest.TestCase):
         _, rows = prices.compare(self.table, measured(self.table, 2.5, **{name: 2.5 * 1.4 * value}))
         self.assertEqual([row[0] for row in rows if prices.is_off(row[3])], [name])
 
+    def test_what_building_takes_is_judged_by_its_sums(self):
+        sums = {name: row for name, *row in prices.compare_building(self.table, {"particle": 2000.0, "shell": 2330.0, "brick": 3410.0})}
+        self.assertTrue(prices.is_off(sums["building a particle"][-1]))
+        self.assertFalse(prices.is_off(sums["building a shell"][-1]))
+        self.assertFalse(prices.is_off(sums["building a brick"][-1]))
+
     def test_a_price_without_its_benchmark_is_refused(self):
         with self.assertRaises(BadInput):
             prices.compare(self.table, {})

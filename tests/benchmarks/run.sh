@@ -53,4 +53,4 @@ python=python3
 "$python" "$top/tests/benchmarks/speed_table.py" "$results" | tee "$results/speed.md"
 "$python" "$top/tests/benchmarks/roofline.py" "$results" >&2
 # a part of the benchmarks, chosen by arguments, does not tell whether the table of prices has aged
-[ $# -gt 0 ] || "$python" "$top/tests/benchmarks/prices.py" "$results/benchmarks.json" >&2
+[ $# -gt 0 ] || "$python" "$top/tests/benchmarks/prices.py" "$results/benchmarks.json" --program "$build/bin/birdstrike" >&2

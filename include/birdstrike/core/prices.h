@@ -38,9 +38,9 @@ namespace birdstrike::prices
   // Largest memory while a scene is built, bytes, which is more than it keeps: resident set of `explain` with up to
   // 300 000 particles, 360 000 shells (physical, fully integrated), 160 000 bricks in one and in four layers (one
   // point, B-bar) over that of a small case. The dearest of each kind; others take 0.8 of it.
-  constexpr double building_particle = 1110.;
-  constexpr double building_element  = 1250.;
-  constexpr double building_node     = 1080.;
+  constexpr double building_particle = 1110.; ///< explain
+  constexpr double building_element  = 1250.; ///< explain
+  constexpr double building_node     = 1080.; ///< explain
 } // namespace birdstrike::prices
 
 namespace birdstrike
