@@ -37,7 +37,7 @@ run() {
   for threads in 1 2; do
     for repeat in $(seq "$repeats"); do
       echo "Running $name on $threads thread(s), $repeat of $repeats" >&2
-      "$build/bin/birdstrike" run "$top/prm/$file" "$@" --set "Time/Threads=$threads" \
+      "$build/bin/birdstrike" run --force "$top/prm/$file" "$@" --set "Time/Threads=$threads" \
         --output "$results/$name-$threads-$repeat" >"$results/run.txt" 2>&1 || { tail -n 10 "$results/run.txt" >&2; exit 1; }
     done
   done

@@ -16,7 +16,7 @@ printf '%-9s %5s %8s %7s %8s %9s %10s %8s %10s\n' elements limit macro bird blad
 for mesh in $meshes; do
   reference=
   for limit in $limits; do
-    "$program" run "$top/prm/frontal.prm" --output "$folder/run" --set "Time/End time=2e-3" \
+    "$program" run --force "$top/prm/frontal.prm" --output "$folder/run" --set "Time/End time=2e-3" \
       --set "Time/Maximum ratio=$limit" --set "Blade/Mesh/Elements along span=${mesh%x*}" \
       --set "Blade/Mesh/Elements along chord=${mesh#*x}" --set "Output/Blade fields=false" \
       --set "Output/Bird fields=false" "${@:4}" >"$folder/log"

@@ -47,7 +47,7 @@ def run(program, output, kind, mesh):
     span, chord = mesh.split("x")
     settings = SETTINGS + KINDS[kind] + (f"Blade/Mesh/Elements along span={span}", f"Blade/Mesh/Elements along chord={chord}")
     folder = os.path.join(output, "run")
-    command = [program, "run", os.path.join(TOP, "prm", "frontal.prm"), "--output", folder]
+    command = [program, "run", "--force", os.path.join(TOP, "prm", "frontal.prm"), "--output", folder]
     for setting in settings:
         command += ["--set", setting]
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
