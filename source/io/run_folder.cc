@@ -1,7 +1,7 @@
+#include "io/whole_file.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/checkpoint_file.h>
 #include <birdstrike/io/run_folder.h>
-#include "io/whole_file.h"
 
 #include <sys/file.h>
 

@@ -1,5 +1,5 @@
-#include <birdstrike/core/errors.h>
 #include "io/whole_file.h"
+#include <birdstrike/core/errors.h>
 
 #include <cerrno>
 #include <cstring>
