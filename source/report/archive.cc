@@ -1,6 +1,5 @@
 #include <birdstrike/report/history.h>
 #include <birdstrike/report/observed.h>
-#include <birdstrike/report/recorder.h>
 
 /// What has been observed and written so far.
 namespace birdstrike
@@ -43,23 +42,5 @@ namespace birdstrike
     const auto of_profiles = archive.group("profiles");
     for (Profile &profile : profiles)
       archive.list(profile.what.name.c_str(), profile.rows);
-  }
-
-  void Recorder::archive(Archive &archive)
-  {
-    const auto group = archive.group("output");
-    if (!archive.is_reading())
-      {
-        writer.flush(); // what the lists name is on the disk
-        history.flush_table();
-      }
-    history.archive(archive);
-    archive("bird has left", has_left_bird);
-    for (auto *series : {&blade_fields, &bird_fields})
-      if (*series)
-        (*series)->archive(archive);
-    history_ticks.archive(archive, "rows due");
-    field_ticks.archive(archive, "fields due");
-    archive("last", last_row, last_field);
   }
 } // namespace birdstrike

@@ -250,11 +250,6 @@ namespace birdstrike
     return n_steps;
   }
 
-  bool BirdStrike::is_interrupted() const
-  {
-    return why_ended == EndReason::signal;
-  }
-
   void BirdStrike::forget_stop_requests()
   {
     stop_requested = false;

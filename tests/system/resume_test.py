@@ -102,7 +102,10 @@ class Resume(unittest.TestCase):
 
     def test_other_parts_go_on_to_the_last_bit(self):
         """With the flags that the tests of the archive try in memory: here through a file."""
-        cases = {"oblique": [*COARSE, "Output/Removed particles=fly on", "Time/End time=1e-3"],
+        histories = ["Output/Histories/Nodes=tip: 0.3112 0 0", "Output/Histories/Gauges=g: 0.02 0 0",
+                     "Output/Histories/Elements=e: 0.02 0 0 | 1", "Output/Histories/Stations=0.1, 0.5",
+                     "Output/Histories/Patches=p: 0.2 0 0 0.05"]
+        cases = {"oblique": [*COARSE, *histories, "Output/Removed particles=fly on", "Time/End time=1e-3"],
                  "fan-blade": ["Bird/Particle spacing=0.012", "Time/End time=3e-4", "Blade/Kind=solid", "Output/Field interval=1e-4"],
                  "perforation": ["Bird/Particle spacing=0.006", "Blade/Mesh/Elements along span=20",
                                  "Blade/Mesh/Elements along chord=20", "Bird/Velocity=0, 0, 400", "Time/End time=3e-4",

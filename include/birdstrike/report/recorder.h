@@ -49,6 +49,7 @@ namespace birdstrike
     void write_filtered(const FilteredForce &force);
     void write_fields(const RunView &run);
     void add_table(const HistoryTable &source);
+    void flush_tables();
 
     const RunView        *present = nullptr; ///< while a row is made
     std::filesystem::path folder;

@@ -201,10 +201,15 @@ namespace birdstrike
   {
     if (wall - last_flush < flush_interval)
       return;
+    flush_tables();
+    last_flush = wall;
+  }
+
+  void Recorder::flush_tables()
+  {
     history.flush_table();
     for (const auto &table : tables)
       table->history.flush_table();
-    last_flush = wall;
   }
 
   void Recorder::flush()
@@ -212,5 +217,25 @@ namespace birdstrike
     for (const auto &table : tables)
       table->history.flush();
     history.flush();
+  }
+
+  void Recorder::archive(Archive &archive)
+  {
+    const auto group = archive.group("output");
+    if (!archive.is_reading())
+      {
+        writer.flush(); // what the lists name is on the disk
+        flush_tables();
+      }
+    history.archive(archive);
+    for (const auto &table : tables)
+      table->history.archive(archive);
+    archive("bird has left", has_left_bird);
+    for (auto *series : {&blade_fields, &bird_fields})
+      if (*series)
+        (*series)->archive(archive);
+    history_ticks.archive(archive, "rows due");
+    field_ticks.archive(archive, "fields due");
+    archive("last", last_row, last_field);
   }
 } // namespace birdstrike
