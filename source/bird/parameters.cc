@@ -138,10 +138,14 @@ namespace birdstrike
                         Patterns::Double(0.01, 0.7));
       prm.add_parameter("Skin", bird.skin, "Skin of the neighbour list over the kernel's support. [-]",
                         Patterns::Double(0.001, 1.));
-      prm.add_parameter("Retire", bird.retire,
-                        "Whether loose particles that can no longer meet the blade leave the computation. [-]");
-      prm.add_parameter("Retirement margin", bird.retirement_margin,
-                        "Distance by which the blade's box grows before a path is said to miss it. [m]", not_negative);
+      prm.add_parameter(
+        "Retire", bird.retire,
+        "Whether loose particles that can no longer meet the blade are removed from the computation. [-]");
+      prm.add_parameter(
+        "Retirement margin", bird.retirement_margin,
+        "Distance by which the blade's box grows before the path of a particle that may be removed is said to miss it. "
+        "[m]",
+        not_negative);
     }
 
     [[noreturn]] void refuse(const std::string &entry, const std::string &found, const std::string &action)

@@ -149,14 +149,14 @@ namespace birdstrike
             table.add("skipped: " + work.what,
                       much + (std::isnan(work.saved) ? "" : ", saved about " + format_share(work.saved)));
           }
-        table.add("retired particles", shown("retired/particles") + " of " + shown("bird/particles"));
+        table.add("removed particles", shown("retired/particles") + " of " + shown("bird/particles"));
       }
 
       void add_cost()
       {
         table.add_heading("Cost");
-        table.add("steps", format_count(run.n_steps) + " macro, " + shown("steps/bird") + " bird, " +
-                             shown("steps/blade") + " blade");
+        table.add("time steps", format_count(run.n_steps) + " (with subcycles: bird " + shown("steps/bird") +
+                                  ", blade " + shown("steps/blade") + ")");
         table.add("per particle-step", fmt::format("{:.0f} ns", value("cost/ns_per_particle_step")));
         table.add("per element-step", fmt::format("{:.0f} ns", value("cost/ns_per_element_step")));
         add("cost/peak_memory");

@@ -45,7 +45,7 @@ namespace birdstrike
         {"time", "end/time", "s", [](View run) { return run.time; }, "end time", "Time since first touch"},
         {"", "end/reason", "", [](View run) { return end_reasons().name(run.end_reason); }, "ended"},
         {"step", "", "-", [](View run) { return static_cast<double>(run.n_steps); }, "",
-         "Number of macro steps so far"},
+         "Number of time steps so far; of bird and blade the longer one where they are subcycled"},
         {"bird_step", "", "s", [](View run) { return run.bird ? run.bird_step : 0.; }, "", "Present step of the bird"},
         {"blade_step", "", "s", [](View run) { return run.blade_step; }, "", "Present step of the blade"},
         {"", "blade/kind", "",
@@ -66,8 +66,9 @@ namespace birdstrike
         {"", "energy/max_relative_error", "share", [](View run) { return run.balance.energy_error().largest; },
          "largest energy error"},
         {"momentum_error", "", "-", [](View run) { return run.shown.momentum_error().now; }, "",
-         "Change of the momentum that is carried, retired and given to supports, less that of loads and damping, over "
-         "its scale"},
+         "Change of the momentum that is carried, was taken along by removed particles and given to supports, less "
+         "that of "
+         "loads and damping, over its scale"},
         {"", "momentum/max_relative_error", "-", [](View run) { return run.balance.momentum_error().largest; },
          "largest momentum error"},
         {"angular_momentum_error", "", "-", [](View run) { return run.shown.angular_momentum_error().now; }, "",

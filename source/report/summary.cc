@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include <limits>
+#include <tuple>
 
 namespace birdstrike
 {
@@ -41,16 +42,37 @@ namespace birdstrike
     }
   } // namespace
 
+  void Summary::add_aim(const StrikeAim &aim)
+  {
+    const std::tuple<const char *, const char *, Json> values[] = {
+      {"point", "m", aim.point},
+      {"span", "share", aim.span},
+      {"chord", "share", aim.chord},
+      {"velocity", "m/s", aim.velocity},
+      {"speed", "m/s", aim.speed},
+      {"angle", "degree", aim.angle},
+      {"normal_speed", "m/s", aim.normal_speed},
+      {"hugoniot_pressure", "Pa", aim.hugoniot_pressure},
+      {"stagnation_pressure", "Pa", aim.stagnation_pressure},
+      {"duration", "s", aim.duration}};
+    for (const auto &[key, unit, value] : values)
+      {
+        json["aim"][key]                         = value;
+        json["units"]["aim/" + std::string(key)] = unit;
+      }
+  }
+
   Summary::Summary(const RunView &run)
   {
     json["schema"] = schema;
     json["case"]   = nullptr;
     for (const char *object :
-         {"units", "program", "inputs", "end", "blade", "bird", "steps", "tip", "root", "contact", "plastic", "failed",
-          "energy", "momentum", "angular_momentum", "retired", "skipped", "cost"})
+         {"units", "program", "inputs", "end", "blade", "bird", "aim", "steps", "tip", "root", "contact", "plastic",
+          "failed", "energy", "momentum", "angular_momentum", "retired", "skipped", "cost"})
       json[object] = Json::object();
     json["inputs"] = Json::array();
 
+    add_aim(run.aim);
     std::map<std::string, Json> parts; // by name
     const std::string           of_part = "energy/parts/";
     for (const Quantity &each : quantities())

@@ -1,4 +1,5 @@
 #include "simulation/bird_strike.h"
+#include "simulation/aim.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/core/allocation_guard.h>
@@ -46,11 +47,13 @@ namespace birdstrike
     , scene(scene)
     , case_warnings(std::move(case_warnings))
     , stepper(scene, timings, &observed.contact)
-    , sections{timings.section("retirement"), timings.section("step votes"), timings.section("balance and output")}
+    , sections{timings.section("removal of particles"), timings.section("stable time step"),
+               timings.section("balance and output")}
     , balance(parameters.time.energy_error_limit)
     , row_balance(INFINITY)
     , progress(parameters.time.end_time, parameters.output.console_interval)
   {
+    aim = compute_aim(parameters, scene);
     if (!folder.empty())
       recorder.emplace(view(), folder);
     has_contact      = scene.contact != nullptr;

@@ -101,6 +101,7 @@ namespace birdstrike
     EndReason     why_ended = EndReason::none;
 
     BirdAtStart   bird_at_start;
+    StrikeAim     aim;
     std::size_t   n_retired  = 0;
     std::size_t   n_at_start = 0, n_dropped = 0; ///< particles that are computed
     double        time_bird_gone    = -1.;       ///< s

@@ -22,6 +22,7 @@ namespace birdstrike
     run.bird_step     = scene.last_plan().bird_step();
     run.blade_step    = scene.last_plan().blade_step();
     run.bird_at_start = bird_at_start;
+    run.aim           = aim;
     run.n_retired     = n_retired;
     run.end_reason    = why_ended;
     run.n_blade_steps = stepper.counts().blade;

@@ -1,4 +1,5 @@
 #include "simulation/explain.h"
+#include "simulation/aim.h"
 #include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
@@ -120,55 +121,23 @@ namespace birdstrike
       table.add("memory, about", format_bytes(prices::bytes_per_particle * static_cast<double>(bird.state().size())));
     }
 
-    /// Unit normal of the surface where the bird aims: of the blade's mid-surface, or of the facet nearest to that
-    /// point.
-    Point3 find_normal(const BirdParameters &bird, const FacetsView &facets)
-    {
-      if (bird.aimed_surface)
-        return Point3(bird.aimed_surface->normal.data());
-      const Point3 aim(bird.target().data());
-      Point3       normal  = Point3::Zero();
-      double       nearest = INFINITY;
-      for (std::size_t f = 0; f < facets.n_facets; ++f)
-        {
-          std::array<Point3, 4> x;
-          for (unsigned int k = 0; k < 4; ++k)
-            x[k] = Point3(facets.position + 3 * facets.nodes[f][k]);
-          if (const double d = (0.25 * (x[0] + x[1] + x[2] + x[3]) - aim).squaredNorm(); d < nearest)
-            {
-              nearest = d;
-              normal  = (x[2] - x[0]).cross(x[3] - x[1]).normalized();
-            }
-        }
-      return normal;
-    }
-
-    /// Pressures of a normal shock p_H = rho U_s v_n and of steady flow, rho v^2/2 (Wilbeck 1978), of what the bird
-    /// does relative to the surface.
     void add_aim(TextTable &table, const CaseParameters &parameters, const Scene &scene)
     {
-      const BirdParameters &bird = parameters.bird;
-      const Point3          velocity(scene.first_touch.closing_velocity.data());
-      const double          speed = velocity.norm(),
-                   sine           = std::abs(velocity.dot(find_normal(bird, scene.blade->facets()))) / speed;
-      std::string where           = vector_text(bird.target(), "m");
-      if (const auto &surface = bird.aimed_surface; surface && bird.chordwise_offset == 0.)
-        where += ": " + format_share(surface->span_share) + " of the span, " + format_share(surface->chord_share) +
-                 " of the chord";
+      const StrikeAim aim   = compute_aim(parameters, scene);
+      std::string     where = vector_text(aim.point, "m");
+      if (!std::isnan(aim.span))
+        where += ": " + format_share(aim.span) + " of the span, " + format_share(aim.chord) + " of the chord";
       table.add_heading("Strike");
       table.add("aim", where);
-      table.add("velocity", vector_text(bird.velocity, "m/s"));
-      table.add("speed relative to the blade", fmt::format("{:.5g} m/s", speed));
-      table.add("angle to its surface", fmt::format("{:.4g} degrees, normal speed {:.5g} m/s",
-                                                    std::asin(std::min(1., sine)) * 180. / M_PI, speed * sine));
-      if (sine > 0.)
-        {
-          const EquationOfState eos(parameters.equation_of_state, bird.density);
-          table.add("Hugoniot pressure of that", eos.hugoniot(speed * sine).pressure, "Pa");
-        }
-      table.add("stagnation pressure", 0.5 * bird.density * speed * speed, "Pa");
-      if (const double length = Shape(bird).length(); bird.shape != BirdShape::slab)
-        table.add("duration, length over speed", length / speed, "s");
+      table.add("velocity", vector_text(parameters.bird.velocity, "m/s"));
+      table.add("speed relative to the blade", fmt::format("{:.5g} m/s", aim.speed));
+      table.add("angle to its surface",
+                fmt::format("{:.4g} degrees, normal speed {:.5g} m/s", aim.angle, aim.normal_speed));
+      if (aim.normal_speed > 0.)
+        table.add("Hugoniot pressure of that", aim.hugoniot_pressure, "Pa");
+      table.add("stagnation pressure", aim.stagnation_pressure, "Pa");
+      if (!std::isnan(aim.duration))
+        table.add("duration, length over speed", aim.duration, "s");
     }
 
     void add_mass_in_the_way(TextTable &table, const double share, const BirdParameters &bird)
@@ -187,11 +156,11 @@ namespace birdstrike
       table.add_heading("Time");
       table.add("end time", parameters.time.end_time, "s");
       table.add("flight skipped before first touch", scene.first_touch.flight_time, "s");
-      table.add("first macro step", format_quantity(schedule.step, "s"));
+      table.add("first time step", format_quantity(schedule.step, "s"));
       table.add("limited by",
                 schedule.limiter.reason + (schedule.limiter.where.kind ? ", " + schedule.limiter.where.text() : ""));
-      table.add("sub-steps in it", fmt::format("bird {}, blade {}", schedule.n_bird, schedule.n_blade));
-      table.add("macro steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
+      table.add("subcycles in it", fmt::format("bird {}, blade {}", schedule.n_bird, schedule.n_blade));
+      table.add("time steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
       double ns = 0.;
       if (scene.bird)
         ns += n_macro * schedule.n_bird * scene.bird->step_price();

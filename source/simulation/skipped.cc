@@ -72,7 +72,7 @@ namespace birdstrike
     const double         retired =
       n * static_cast<double>(counts.bird) - static_cast<double>(counts.particle_steps) + (n - dropped) * without;
     add("contact steps with boxes apart", apart, "steps", apart * costs.contact_step);
-    add("retired particles", retired, "particle-steps", retired * costs.particle_step);
+    add("removed particles", retired, "particle-steps", retired * costs.particle_step);
     add("bird and contact after the bird's phase", without, "steps",
         without * (dropped * costs.particle_step + costs.contact_step));
     const double not_done = n_cells * static_cast<double>(counts.blade_not_done);

@@ -2,7 +2,7 @@
 # What ratio of steps pays, and what error it brings: the frontal strike on coarse and fine blades with growing limits of
 # the ratio. Usage: multirate.sh PROGRAM [MESHES [LIMITS [further arguments of the program]]]
 #   bash tests/studies/multirate.sh build/bin/birdstrike "31x9 62x18 124x36" "1 2 4 8" --set "Time/Threads=1"
-# Columns: elements, largest ratio allowed, macro steps, bird and blade steps to each of them, run time (s), tip at 2 ms
+# Columns: elements, largest ratio allowed, time steps, bird and blade steps to each of them, run time (s), tip at 2 ms
 # (mm), its difference from ratio 1 (%), largest energy error (%).
 set -euo pipefail
 program=$1
@@ -12,7 +12,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-printf '%-9s %5s %8s %7s %8s %9s %10s %8s %10s\n' elements limit macro bird blade time tip change energy
+printf '%-9s %5s %8s %7s %8s %9s %10s %8s %10s\n' elements limit steps bird blade time tip change energy
 for mesh in $meshes; do
   reference=
   for limit in $limits; do
@@ -20,7 +20,7 @@ for mesh in $meshes; do
       --set "Time/Maximum ratio=$limit" --set "Blade/Mesh/Elements along span=${mesh%x*}" \
       --set "Blade/Mesh/Elements along chord=${mesh#*x}" --set "Output/Blade fields=false" \
       --set "Output/Bird fields=false" "${@:4}" >"$folder/log"
-    macro=$(sed -nE 's/^ +steps +([0-9 ]+) macro.*/\1/p' "$folder/log" | tr -d ' ')
+    macro=$(sed -nE 's/^ +time steps +([0-9 ]+) \(with.*/\1/p' "$folder/log" | tr -d ' ')
     read -r bird blade time tip energy < <(python3 - "$folder/run/summary.json" <<'PYTHON'
 import json, sys
 s = json.load(open(sys.argv[1]))

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,21 @@ namespace birdstrike
     std::array<double, 3> momentum{};                     ///< N s
   };
 
+  /// How the bird meets the blade; of a scene without contact all is NaN.
+  struct StrikeAim
+  {
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+    std::array<double, 3> point{{none, none, none}}; ///< m, that the bird's axis goes through
+    double span = none, chord = none; ///< share of the span from the root, of the chord from its leading edge
+    std::array<double, 3> velocity{{none, none, none}};      ///< m/s, relative to the blade there
+    double                speed = none, normal_speed = none; ///< m/s
+    double                angle               = none;        ///< degrees, between velocity and surface
+    double                hugoniot_pressure   = none;        ///< Pa, of the normal speed
+    double                stagnation_pressure = none;        ///< Pa
+    double                duration            = none;        ///< s, length over speed; none of a slab
+  };
+
   /// All that is known of a run at one instant: what every quantity (source/report/quantities.h) is taken from. Parts
   /// that the case lacks, or that have gone, are null. What is said of the whole run is known at its end only.
   struct RunView
@@ -55,6 +71,7 @@ namespace birdstrike
     double        bird_step = 0., blade_step = 0.; ///< s
 
     BirdAtStart bird_at_start = {};
+    StrikeAim   aim           = {};
     std::size_t n_retired     = 0; ///< particles that the computation has let go
 
     EndReason   end_reason    = EndReason::none;

@@ -35,6 +35,7 @@ namespace birdstrike
 
     Warnings warnings() const;
 
+    void add_aim(const StrikeAim &aim);
     void set_inputs(const std::vector<InputFile> &files); ///< as they were when the run read them
   };
 

@@ -65,7 +65,7 @@ TEST(Skipping, RetiredParticlesTakeNoSteps)
   const double present = std::accumulate(n.begin(), n.end() - 1, 0.);
   const double all     = static_cast<double>(run.summary.number("bird/particles") * run.summary.number("steps/bird"));
   EXPECT_GT(all - present, 0.1 * all);
-  EXPECT_EQ(count_of(run, "retired particles"), all - present);
+  EXPECT_EQ(count_of(run, "removed particles"), all - present);
 }
 
 TEST(Skipping, ContactRestsWhileBoxesAreApart)

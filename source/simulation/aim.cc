@@ -1,0 +1,64 @@
+#include "simulation/aim.h"
+#include "simulation/scene.h"
+#include <birdstrike/bird/shape.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/structure/blade.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Unit normal of the surface where the bird aims: of the blade's mid-surface, or of the facet nearest to that
+    /// point.
+    Point3 find_normal(const BirdParameters &bird, const FacetsView &facets)
+    {
+      if (bird.aimed_surface)
+        return Point3(bird.aimed_surface->normal.data());
+      const Point3 aim(bird.target().data());
+      Point3       normal  = Point3::Zero();
+      double       nearest = INFINITY;
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        {
+          std::array<Point3, 4> x;
+          for (unsigned int k = 0; k < 4; ++k)
+            x[k] = Point3(facets.position + 3 * facets.nodes[f][k]);
+          if (const double d = (0.25 * (x[0] + x[1] + x[2] + x[3]) - aim).squaredNorm(); d < nearest)
+            {
+              nearest = d;
+              normal  = (x[2] - x[0]).cross(x[3] - x[1]).normalized();
+            }
+        }
+      return normal;
+    }
+  } // namespace
+
+  StrikeAim compute_aim(const CaseParameters &parameters, const Scene &scene)
+  {
+    StrikeAim aim;
+    if (!scene.contact)
+      return aim;
+    const BirdParameters &bird = parameters.bird;
+    const Point3          velocity(scene.first_touch.closing_velocity.data());
+    aim.point         = bird.target();
+    aim.velocity      = scene.first_touch.closing_velocity;
+    aim.speed         = velocity.norm();
+    const double sine = std::min(1., std::abs(velocity.dot(find_normal(bird, scene.blade->facets()))) / aim.speed);
+    aim.normal_speed  = aim.speed * sine;
+    aim.angle         = std::asin(sine) * 180. / M_PI;
+    if (const auto &surface = bird.aimed_surface; surface && bird.chordwise_offset == 0.)
+      {
+        aim.span  = surface->span_share;
+        aim.chord = surface->chord_share;
+      }
+    if (sine > 0.)
+      aim.hugoniot_pressure =
+        EquationOfState(parameters.equation_of_state, bird.density).hugoniot(aim.normal_speed).pressure;
+    aim.stagnation_pressure = 0.5 * bird.density * aim.speed * aim.speed;
+    if (bird.shape != BirdShape::slab)
+      aim.duration = Shape(bird).length() / aim.speed;
+    return aim;
+  }
+} // namespace birdstrike
