@@ -6,11 +6,9 @@
 
 #include <birdstrike/core/errors.h>
 
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 
 namespace birdstrike
@@ -35,55 +33,20 @@ namespace birdstrike
       return false;
     }
 
-    /// The formats that readers of our own read.
-    std::optional<ImportedMesh> import(const std::string &file)
+    ImportedMesh import(const std::string &file)
     {
       const std::string ending = ending_of(file);
       if (ending == ".k" || ending == ".key" || ending == ".dyn")
         return read_ls_dyna(file);
       if (ending == ".vtk")
         return read_vtk(file);
-      if (ending == ".inp" && is_abaqus(file))
-        return read_abaqus(file);
-      if (ending == ".msh" || ending == ".inp")
-        return {};
+      if (ending == ".inp")
+        return is_abaqus(file) ? read_abaqus(file) : read_ucd(file);
+      if (ending == ".msh")
+        return read_gmsh(file);
       throw InputError("Blade/Mesh/File: '" + file +
                        "' has an unknown ending.\nAllowed: .msh (Gmsh 2 and 4), .inp (Abaqus or UCD), .k .key .dyn "
                        "(LS-DYNA), .vtk.");
-    }
-
-    /// Formats of deal.II's reader.
-    template <int dim>
-    void read(const std::string &file, dealii::Triangulation<dim, 3> &triangulation)
-    {
-      std::ifstream          in(file);
-      const QuietErrors      quiet;
-      dealii::GridIn<dim, 3> reader;
-      reader.attach_triangulation(triangulation);
-      try
-        {
-          reader.read(in, ending_of(file) == ".msh" ? dealii::GridIn<dim, 3>::msh : dealii::GridIn<dim, 3>::ucd);
-        }
-      catch (const typename dealii::Triangulation<dim, 3>::DistortedCellList &)
-        {
-          // The cells exist; check_cells finds the first bad one and names it.
-        }
-    }
-
-    /// Number of cells if the file can be read in this dimension, else 0.
-    template <int dim>
-    unsigned int count_cells(const std::string &file)
-    {
-      dealii::Triangulation<dim, 3> triangulation;
-      try
-        {
-          read(file, triangulation);
-        }
-      catch (const std::exception &)
-        {
-          return 0;
-        }
-      return triangulation.n_active_cells();
     }
 
     template <int dim>
@@ -104,20 +67,6 @@ namespace birdstrike
                                  : "only physical volumes and surfaces (transfinite or swept, recombined)."));
     }
 
-    template <int dim>
-    MeshLabels read_by_dealii(const std::string &file, dealii::Triangulation<dim, 3> &triangulation)
-    {
-      try
-        {
-          read(file, triangulation);
-        }
-      catch (const std::exception &)
-        {
-          refuse<dim>(file, count_cells<5 - dim>(file));
-        }
-      return ending_of(file) == ".msh" ? read_gmsh_names(file, dim) : MeshLabels();
-    }
-
     /// Bricks make a body, whatever else there is; quadrilaterals are a surface only where there are none.
     template <int dim>
     MeshLabels take(const ImportedMesh &mesh, const std::string &file, dealii::Triangulation<dim, 3> &triangulation)
@@ -134,20 +83,12 @@ namespace birdstrike
   {
     const std::string &file = parameters.file;
     FileLines{file}; // can be opened
-    const std::optional<ImportedMesh> imported = import(file);
-    MeshLabels labels = imported ? take(*imported, file, triangulation) : read_by_dealii(file, triangulation);
+    MeshLabels labels = take(import(file), file, triangulation);
     if (parameters.file_scale != 1.)
       dealii::GridTools::scale(parameters.file_scale, triangulation);
     for (auto &corners : labels.corner_thickness)
       for (double &thickness : corners)
         thickness *= parameters.file_scale;
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (!cell->reference_cell().is_hyper_cube())
-        throw InputError("Blade/Mesh/File: '" + file + "' contains cells that are not " + cells_of<dim> + " (cell " +
-                         std::to_string(cell->active_cell_index()) + ").\n" +
-                         (dim == 2 ? "Recombine the triangles (Gmsh: Mesh.RecombineAll = 1)."
-                                   : "Mesh the body by sweeping or transfinite volumes; tetrahedra and wedges are "
-                                     "not offered."));
     return labels;
   }
 

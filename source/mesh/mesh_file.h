@@ -8,9 +8,8 @@
 namespace birdstrike
 {
   /// Reads `Mesh/File` and scales it: quadrilaterals (dim = 2) or hexahedra (dim = 3) in space, with boundary and
-  /// material ids and their names. .msh (Gmsh 2 and 4) and .inp (UCD) by deal.II's reader; .inp (Abaqus, if it begins
-  /// with a '*' line), .k .key .dyn (LS-DYNA) and .vtk by the readers of mesh/files. Folded hexahedra pass, so that
-  /// `check_cells` can name them.
+  /// material ids and their names. .msh (Gmsh), .inp (Abaqus if it begins with a '*' line, else UCD), .k .key .dyn
+  /// (LS-DYNA), .vtk. Folded hexahedra pass, so that `check_cells` can name them.
   ///
   /// Throws InputError for a file that cannot be opened or read, that holds cells of another kind, or cells of the
   /// other dimension: then it says what was found and what is needed.

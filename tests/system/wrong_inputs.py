@@ -22,7 +22,7 @@ def read_cases(path):
             lines = cases[match[1]] = []
         elif line and not line.startswith("#"):
             key, value = line.split(":", 1)
-            assert key in ("set", "prm", "file", "args", "says", "valid"), f"unknown key in '{line}'"
+            assert key in ("set", "prm", "file", "args", "mesh", "says", "valid"), f"unknown key in '{line}'"
             lines.append((key, value.removeprefix(" ")))
     return cases
 
@@ -43,6 +43,9 @@ def judge(program, top, lines):
         if values("prm"):
             (pathlib.Path(folder) / file).write_bytes(b"\n".join(unescape(text) for text in values("prm")) + b"\n")
         command = values("args")[0].split() if values("args") else ["validate", file]
+        if meshes := values("mesh"):
+            (pathlib.Path(folder) / meshes[0]).write_text("\n".join(meshes[1:]) + "\n")
+            command += ["--set", "Blade/Mesh/Generator=file", "--set", f"Blade/Mesh/File={meshes[0]}"]
         for setting in values("set"):
             command += ["--set", setting]
         try:

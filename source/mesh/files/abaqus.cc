@@ -250,9 +250,14 @@ namespace birdstrike
           {
             if (fields.size() < 2)
               lines.refuse("GENERATE wants 'first, last, increment'", "Give at least first and last.");
+            const Id first = lines.integer(fields[0]), last = lines.integer(fields[1]);
             const Id step = fields.size() > 2 ? lines.integer(fields[2]) : 1;
-            for (Id id = lines.integer(fields[0]); is_of_instance && step > 0 && id <= lines.integer(fields[1]);
-                 id += step)
+            if (first < 0 || last < first || step < 1 || (last - first) / step > ImportedMesh::largest_list)
+              lines.refuse("GENERATE from " + std::to_string(first) + " to " + std::to_string(last) + " by " +
+                             std::to_string(step) + " is no list of ids",
+                           "Allowed: first at most last, increment from 1, up to " +
+                             std::to_string(ImportedMesh::largest_list) + " ids.");
+            for (Id id = first; is_of_instance && id <= last; id += step)
               add(id);
             return;
           }

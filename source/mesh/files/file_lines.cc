@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 
 namespace birdstrike
 {
@@ -64,7 +65,7 @@ namespace birdstrike
       text.begin(), text.end(), [](const char c) { return c == 'D' || c == 'd'; }, 'e'); // of Fortran
     double value            = 0.;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
       refuse("cannot read '" + std::string(field) + "' as a number", "Allowed: numbers in the columns of the format.");
     return value;
   }
@@ -80,6 +81,20 @@ namespace birdstrike
       }
     while (!fields.empty() && fields.back().empty())
       fields.pop_back();
+    return fields;
+  }
+
+  std::vector<std::string_view> FileLines::split_at_blanks() const
+  {
+    constexpr const char         *blanks = " \t\r";
+    std::vector<std::string_view> fields;
+    const std::string_view        text = line;
+    for (std::size_t begin = text.find_first_not_of(blanks); begin < text.size();)
+      {
+        const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+        fields.push_back(text.substr(begin, end - begin));
+        begin = text.find_first_not_of(blanks, end);
+      }
     return fields;
   }
 } // namespace birdstrike

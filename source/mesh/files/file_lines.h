@@ -26,11 +26,12 @@ namespace birdstrike
     }
     [[noreturn]] void refuse(const std::string &what, const std::string &remedy) const;
 
-    /// A field of the line as a number; blank: 0.
+    /// A field of the line as a number, finite; blank: 0.
     std::int64_t integer(std::string_view field) const;
     double       number(std::string_view field) const;
 
     std::vector<std::string_view> split_at_commas() const; ///< trimmed, without empty ones at the end
+    std::vector<std::string_view> split_at_blanks() const;
 
   private:
     std::string   path, entry, line;

@@ -223,12 +223,20 @@ namespace birdstrike
           mesh.groups[group].sides.push_back({integer(0), integer(1), integer(2), integer(3)});
         else if (contains(words, "GENERATE"))
           for (std::size_t k = 0; k < 8; k += 2)
-            for (Id member = integer(k); member > 0 && member <= integer(k + 1); ++member)
-              add_member(member);
+            add_members(integer(k), integer(k + 1));
         else
           for (std::size_t k = 0; k < 8; ++k)
             if (integer(k) > 0)
               add_member(integer(k));
+      }
+
+      void add_members(const Id first, const Id last)
+      {
+        if (last - first > ImportedMesh::largest_list)
+          lines.refuse("GENERATE from " + std::to_string(first) + " to " + std::to_string(last) + " is too long a list",
+                       "Allowed: up to " + std::to_string(ImportedMesh::largest_list) + " ids.");
+        for (Id member = first; member > 0 && member <= last; ++member)
+          add_member(member);
       }
 
       void add_member(const Id member)
@@ -247,6 +255,9 @@ namespace birdstrike
         const auto [found, is_new] = groups.emplace(name, mesh.groups.size());
         if (is_new)
           {
+            if (number < 0 || number > ImportedMesh::largest_number)
+              lines.refuse("a " + kind + " has the id " + std::to_string(number),
+                           "Allowed: up to " + std::to_string(ImportedMesh::largest_number) + ".");
             Group &group = mesh.groups.emplace_back();
             group.name   = name;
             if (kind == "part")

@@ -21,6 +21,11 @@ namespace birdstrike
   /// MaterialID (as deal.II writes them), else CellEntityIds (as Gmsh does), number cells and sides.
   ImportedMesh read_vtk(const std::string &path);
 
-  /// Names of the physical groups of a Gmsh file, version 2 or 4, of a mesh of this dimension.
-  MeshLabels read_gmsh_names(const std::string &path, unsigned int dim);
+  /// Gmsh's format, text, versions 2, 4.0 and 4.1 ("Gmsh reference manual", MSH file format): points, lines,
+  /// quadrilaterals and hexahedra; physical groups by number and name, each of one dimension. What is written in one
+  /// line there must stand in one line.
+  ImportedMesh read_gmsh(const std::string &path);
+
+  /// AVS's unstructured cell data, text: pt, line, quad and hex; material numbers are groups, 0 is none.
+  ImportedMesh read_ucd(const std::string &path);
 } // namespace birdstrike

@@ -1,8 +1,10 @@
 #include "mesh/files/file_lines.h"
+#include "mesh/files/numbered_groups.h"
 #include "mesh/files/readers.h"
 
 #include <birdstrike/core/errors.h>
 
+#include <cmath>
 #include <map>
 
 namespace birdstrike
@@ -71,7 +73,12 @@ namespace birdstrike
       {
         std::vector<Id> values;
         for (std::size_t k = 0; k < n; ++k)
-          values.push_back(static_cast<Id>(take<double>()));
+          {
+            const auto value = take<double>();
+            if (std::abs(value) > 1e15 || value != std::floor(value))
+              refuse("has " + std::to_string(value) + " where a whole number must stand", "Save it again.");
+            values.push_back(static_cast<Id>(value));
+          }
         return values;
       }
 
@@ -103,7 +110,10 @@ namespace birdstrike
             take<std::string>(), take<std::string>(); // CONNECTIVITY
             const auto points = take_many(second);
             for (std::size_t k = 0; k + 1 < first; ++k)
-              cells.emplace_back(points.begin() + begin[k], points.begin() + begin[k + 1]);
+              if (begin[k] < 0 || begin[k] > begin[k + 1] || begin[k + 1] > static_cast<Id>(points.size()))
+                refuse("has OFFSETS that do not ascend from 0 to the number of points", "Save it again.");
+              else
+                cells.emplace_back(points.begin() + begin[k], points.begin() + begin[k + 1]);
           }
       }
 
@@ -136,7 +146,7 @@ namespace birdstrike
         for (const char *name : {"MaterialID", "gmsh:physical", "CellEntityIds"})
           if (numbers.empty())
             numbers = data[name];
-        std::map<Id, std::size_t> group_of;
+        NumberedGroups group(mesh, path);
         for (std::size_t k = 0; k < cells.size(); ++k)
           {
             if (types[k] == 1) // a point
@@ -151,15 +161,7 @@ namespace birdstrike
             added.id                 = static_cast<Id>(k);
             std::copy(cells[k].begin(), cells[k].end(), added.nodes.begin());
             if (numbers.size() == cells.size() && numbers[k] >= 0)
-              {
-                const auto [place, is_new] = group_of.emplace(numbers[k], mesh.groups.size());
-                if (is_new)
-                  {
-                    auto &group           = mesh.groups.emplace_back();
-                    group.material_number = group.boundary_number = static_cast<unsigned int>(numbers[k]);
-                  }
-                mesh.groups[place->second].elements[dim].push_back(added.id);
-              }
+              group(dim, numbers[k]).elements[dim].push_back(added.id);
           }
       }
     };
