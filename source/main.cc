@@ -9,13 +9,17 @@
 #include <deal.II/base/multithread_info.h>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <spdlog/logger.h>
 #include <sys/prctl.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -46,7 +50,8 @@ namespace
   {
     app.set_version_flag("--version", "birdstrike " + birdstrike::program_identity().version);
     app.require_subcommand(1);
-    app.footer("Exit codes: 0 done, 1 internal error, 2 bad input, 3 the computation was lost, 130 interrupted");
+    app.footer("Exit codes: 0 done, 1 internal or system error (full disk), 2 bad input, 3 the computation was lost, "
+               "130 interrupted");
 
     const auto case_command = [&](const char *name, const char *text, void (*verb)(const CaseRequest &)) {
       CLI::App    *command = app.add_subcommand(name, text);
@@ -120,6 +125,11 @@ namespace
         birdstrike::log().warn("{}", error.what());
         return birdstrike::Interrupted::exit_code;
       }
+    catch (const std::runtime_error &error) // a disk that is full, a file that cannot be read: says so itself
+      {
+        birdstrike::log().error("{}", error.what());
+        return exit_code(ExitCode::internal_error);
+      }
     catch (const std::exception &error)
       {
         birdstrike::log().error("Internal error: {}", error.what());
@@ -130,6 +140,12 @@ namespace
 
 int main(int argc, char *argv[])
 {
+  while (true) // a closed screen's descriptor would go to the next file that is opened, and words into it
+    if (const int descriptor = ::open("/dev/null", O_RDWR); descriptor > STDERR_FILENO || descriptor < 0)
+      {
+        ::close(descriptor);
+        break;
+      }
   ::prctl(PR_SET_NAME, "birdstrike"); // for ps and pkill: the runs of a comparison are started by another name
   CLI::App              app{"Bird strike on aircraft-engine blades", "birdstrike"};
   Requests              requests;
@@ -149,5 +165,11 @@ int main(int argc, char *argv[])
     dealii::MultithreadInfo::set_thread_limit(1);
   else if (mpi.emplace(argc, argv, 1u); dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     birdstrike::set_console_level("off"); // one rank speaks for all
-  return run_guarded(action);
+  const int code = run_guarded(action);
+  if (const bool is_for_the_screen = app.got_subcommand("explain") || app.got_subcommand("validate") ||
+                                     app.got_subcommand("columns") || app.got_subcommand("parameters");
+      !is_for_the_screen || code != 0 || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0))
+    return code;
+  std::fputs("Cannot write to standard output: is the disk full?\n", stderr);
+  return exit_code(ExitCode::internal_error);
 }

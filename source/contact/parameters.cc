@@ -59,6 +59,10 @@ namespace birdstrike
         if (!(x[3] > 0.) || name.find(' ') != std::string::npos)
           throw InputError(entry + " holds '" + name + ": " + disc +
                            "'.\nAllowed: 'name: x y z radius', names without blanks, a radius of more than 0.");
+        for (const PressurePatch &other : result)
+          if (other.name == name)
+            throw InputError(entry + ": two are called '" + name +
+                             "'.\nGive each a name of its own: it names their curves.");
         result.push_back({name, {x[0], x[1], x[2]}, x[3]});
       }
     return result;

@@ -1,7 +1,7 @@
-#include "io/hdf5_handle.h"
-#include "io/whole_file.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/checkpoint_file.h>
+#include <birdstrike/io/hdf5_handle.h>
+#include <birdstrike/io/whole_file.h>
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "io/vtu.h"
 #include <birdstrike/io/fields.h>
+#include <birdstrike/io/whole_file.h>
 
 #include <deal.II/base/data_out_base.h>
 
 #include <cstdio>
-#include <fstream>
-#include <stdexcept>
+#include <sstream>
 
 namespace birdstrike
 {
@@ -18,18 +18,13 @@ namespace birdstrike
 
   void FieldSeries::write(const FieldSnapshot &snapshot, const double time)
   {
-    const std::string file = file_name(times_and_names.size());
-    std::ofstream     out(folder / file, std::ios::binary);
-    if (!out)
-      throw std::runtime_error("Cannot write " + (folder / file).string());
+    const std::string  file = file_name(times_and_names.size());
+    std::ostringstream out, list;
     write_vtu(snapshot, time, out);
+    write_whole_file(folder / file, {out.view()});
     times_and_names.emplace_back(time, file);
-    std::ofstream list(folder / (name + ".pvd"));
     dealii::DataOutBase::write_pvd_record(list, times_and_names);
-    out.flush();
-    list.flush();
-    if (!out || !list)
-      throw std::runtime_error("Cannot write " + (folder / file).string() + ": is the disk full?");
+    write_whole_file(folder / (name + ".pvd"), {list.view()}); // whose files are all whole
     bytes += fs::file_size(folder / file);
   }
 

@@ -74,6 +74,32 @@ namespace birdstrike
       return {section, name, value, where.line};
     }
 
+    /// Where a text stops to be UTF-8 (RFC 3629); its size if nowhere.
+    std::size_t first_not_utf8(const std::string &text)
+    {
+      for (std::size_t k = 0; k < text.size();)
+        {
+          const auto        byte = [&](const std::size_t at) { return static_cast<unsigned char>(text[at]); };
+          const std::size_t n    = byte(k) < 0x80   ? 1
+                                   : byte(k) < 0xC2 ? 0
+                                   : byte(k) < 0xE0 ? 2
+                                   : byte(k) < 0xF0 ? 3
+                                   : byte(k) < 0xF5 ? 4
+                                                    : 0;
+          if (n == 0 || k + n > text.size())
+            return k;
+          for (std::size_t j = 1; j < n; ++j)
+            if ((byte(k + j) & 0xC0) != 0x80)
+              return k;
+          // overlong forms, halves of UTF-16 pairs, beyond U+10FFFF
+          if ((byte(k) == 0xE0 && byte(k + 1) < 0xA0) || (byte(k) == 0xED && byte(k + 1) > 0x9F) ||
+              (byte(k) == 0xF0 && byte(k + 1) < 0x90) || (byte(k) == 0xF4 && byte(k + 1) > 0x8F))
+            return k;
+          k += n;
+        }
+      return text.size();
+    }
+
     /// One file: the state between its lines.
     class FileScanner
     {
@@ -134,6 +160,14 @@ namespace birdstrike
           throw InputError(message({"'" + path.string() + "' is no parameter file: it holds bytes that are no text.",
                                     includer.line > 0 ? "  Included by " + includer.text() + "." : "",
                                     "  Allowed: text in UTF-8 (an editor may have saved it as UTF-16)."}));
+        if (const std::size_t place = first_not_utf8(whole); place < whole.size())
+          throw InputError(message(
+            {SourceLine{path.string(),
+                        static_cast<unsigned int>(
+                          1 + std::count(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(place), '\n'))}
+                 .text() +
+               ": the text is not in UTF-8.",
+             "  Action: save the file in UTF-8 (an editor may have saved it as Latin-1)."}));
         return whole.rfind("\xEF\xBB\xBF", 0) == 0 ? whole.substr(3) : whole;
       }
 
@@ -206,6 +240,10 @@ namespace birdstrike
         if (depth == 16)
           throw InputError(
             message({where.text() + ": files include each other without end.", "  Read: include " + name}));
+        constexpr std::size_t most = 1000;
+        if (result.included.size() >= most)
+          throw InputError(message({where.text() + ": more than " + std::to_string(most) + " files are included.",
+                                    "  Read: include " + name, "  Action: include each file once."}));
         FileScanner inner(path.parent_path() / name, section, known, depth + 1, result);
         inner.includer = where;
         inner.scan();
@@ -232,6 +270,8 @@ namespace birdstrike
     if (equals == std::string::npos || slash == std::string::npos)
       throw InputError(
         message({where.text() + ": no section or no value.", "  Allowed: --set \"Section/Sub section/Entry=value\""}));
+    if (first_not_utf8(text) < text.size())
+      throw InputError(message({where.text() + ": the text is not in UTF-8.", "  Action: type it in UTF-8."}));
     if (text.find_first_of("#\n\\") != std::string::npos)
       throw InputError(message(
         {where.text() + ": '#', '\\' and line breaks cannot stand in a parameter file.", "  Action: leave them out."}));

@@ -1,7 +1,7 @@
-#include "io/whole_file.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/checkpoint_file.h>
 #include <birdstrike/io/run_folder.h>
+#include <birdstrike/io/whole_file.h>
 
 #include <sys/file.h>
 
@@ -19,14 +19,26 @@ namespace birdstrike
 
     constexpr auto marker = ".birdstrike";
 
+    /// stem, digits, ending: blade_0012.vtu
+    bool is_numbered(const std::string &name, const std::string &stem, const std::string &ending)
+    {
+      const std::size_t n = stem.size() + ending.size();
+      return name.size() > n && name.starts_with(stem) && name.ends_with(ending) &&
+             name.find_first_not_of("0123456789", stem.size()) == name.size() - ending.size();
+    }
+
+    /// By the very names that a run gives: whatever else lies in its folder is somebody's own.
     bool is_written_by_a_run(const fs::path &path)
     {
-      const std::string name = path.filename().string(), extension = path.extension().string();
-      for (const char *known :
-           {"original.prm", "parameters.prm", "log.txt", "history.csv", "filtered.csv", "results.h5", "summary.json"})
-        if (name == known || name == std::string(known) + ".part")
+      std::string name = path.filename().string();
+      if (name.ends_with(".part"))
+        name.erase(name.size() - 5);
+      for (const char *known : {"original.prm", "parameters.prm", "log.txt", "history.csv", "filtered.csv",
+                                "results.h5", "summary.json", "blade.pvd", "bird.pvd"})
+        if (name == known)
           return true;
-      return extension == ".pvd" || extension == ".vtu" || name.starts_with(checkpoint_stem);
+      return is_numbered(name, "blade_", ".vtu") || is_numbered(name, "bird_", ".vtu") ||
+             is_numbered(name, checkpoint_stem, ".h5");
     }
 
     /// Throws InputError where somebody else holds the folder.

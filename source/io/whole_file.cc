@@ -1,5 +1,5 @@
-#include "io/whole_file.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/io/whole_file.h>
 
 #include <cerrno>
 #include <cstring>

@@ -47,8 +47,14 @@ namespace birdstrike
       }
     std::set<std::string> names;
     for (const auto &[probe, place] : parse_pairs(probes, "Blade/Probes"))
-      require(names.insert(probe).second,
-              "Probes: two are called '" + probe + "'.\nGive each a name of its own: it names their curves.");
+      {
+        std::string column = probe; // as histories spell it
+        std::replace_if(
+          column.begin(), column.end(), [](const char c) { return c == ' ' || c == ',' || c == '/' || c == '\t'; },
+          '_');
+        require(names.insert(column).second,
+                "Probes: two are called '" + probe + "'.\nGive each a name of its own: it names their curves.");
+      }
     check_geometry();
     require(kind != BladeKind::solid || thickness.table.empty(),
             "Thickness/Table: bricks are as thick as the mesh.\nLeave it empty, or set Kind = shell.");

@@ -10,8 +10,8 @@
 
 namespace birdstrike
 {
-  /// Writes one HDF5 file whole: under a temporary name until close(), so that a reader never meets half a file.
-  /// Throws std::runtime_error where the disk refuses.
+  /// Writes one HDF5 file whole, at close(): a reader never meets half a file, and an earlier one stays where the disk
+  /// is full. Throws std::runtime_error where the disk refuses.
   class ResultsFile
   {
   public:
@@ -25,10 +25,9 @@ namespace birdstrike
     void close();
 
   private:
-    struct Open;
-    std::filesystem::path path, part;
-    std::unique_ptr<Open> open;
-    std::size_t           n_bytes = 0;
+    struct InMemory;
+    std::filesystem::path     path;
+    std::unique_ptr<InMemory> in_memory;
   };
 
   /// A dataset of such a file by its path, e.g. "history/time", row-major; empty if the file or the dataset does not

@@ -1,6 +1,6 @@
-#include "io/whole_file.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/checkpoint_file.h>
+#include <birdstrike/io/whole_file.h>
 
 #include <gtest/gtest.h>
 
