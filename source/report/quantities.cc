@@ -226,6 +226,7 @@ namespace birdstrike
          "elements that carry on with failed points"},
         {"", "failed/points", "count", [](View run) { return run.observed.failure.n_points; },
          "  failed points of theirs"},
+        {"", "failed/partly_at", "m", [](View run) { return run.observed.failure.partly_at; }},
         {"", "failed/mass", "kg", [](View run) { return run.observed.failure.mass; }},
         {"", "failed/free_mass", "kg", [](View run) { return run.observed.failure.free_mass; },
          "mass flying free of all elements"},

@@ -79,9 +79,11 @@ namespace birdstrike
       const FailureReport &failure = run.observed.failure;
       if (failure.n_partly > 0)
         warnings.push_back({"metal/partly_failed",
-                            fmt::format("{} elements carry on with {} failed points: they are not among the failed "
-                                        "elements (fields: failed_points).",
-                                        failure.n_partly, failure.n_points)});
+                            fmt::format("{} elements carry on with {} failed points, the most in the one at ({:.4g}, "
+                                        "{:.4g}, {:.4g}) m: they are not among the failed elements (fields: "
+                                        "failed_points).",
+                                        failure.n_partly, failure.n_points, failure.partly_at[0], failure.partly_at[1],
+                                        failure.partly_at[2])});
       if (failure.n_at_root > 0)
         warnings.push_back({"metal/failed_at_root", fmt::format("{} elements at the root section have failed: root "
                                                                 "forces and stresses lack theirs.",

@@ -157,9 +157,16 @@ namespace birdstrike
     report.can_fail = can_fail;
     if (!can_fail)
       return report;
+    std::size_t most = 0;
     for (std::size_t e = 0; e < mesh.cells.size(); ++e)
       if (const std::size_t n = elements.n_failed_points(e); n > 0 && mesh.is_owned(e) && !elements.is_failed(e))
         {
+          if (n > most)
+            {
+              most             = n;
+              const Point3 at  = mesh.centroid(e);
+              report.partly_at = {{at[0], at[1], at[2]}};
+            }
           report.n_partly += plane.whole(std::size_t(1));
           report.n_points += plane.whole(n);
         }

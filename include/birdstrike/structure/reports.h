@@ -60,15 +60,17 @@ namespace birdstrike
   /// those of its elements that fail; the tip is followed as long as its nodes exist, also when they fly freely.
   struct FailureReport
   {
-    bool        can_fail     = false; ///< whether the metal has a failure law
-    std::size_t n_elements   = 0;     ///< failed
-    std::size_t n_collapsed  = 0;     ///< of these, not by damage but by the smallest step
-    std::size_t n_at_root    = 0;     ///< of these, at the root section
-    std::size_t n_partly     = 0;     ///< elements that carry on though points of theirs have failed
-    std::size_t n_points     = 0;     ///< these points
-    double      mass         = 0.;    ///< kg, of failed elements
-    double      free_mass    = 0.;    ///< kg, on free nodes
-    bool        has_lost_tip = false; ///< a watched node of the tip row is free
+    bool        can_fail    = false; ///< whether the metal has a failure law
+    std::size_t n_elements  = 0;     ///< failed
+    std::size_t n_collapsed = 0;     ///< of these, not by damage but by the smallest step
+    std::size_t n_at_root   = 0;     ///< of these, at the root section
+    std::size_t n_partly    = 0;     ///< elements that carry on though points of theirs have failed
+    std::size_t n_points    = 0;     ///< these points
+    double      mass        = 0.;    ///< kg, of failed elements
+    double      free_mass   = 0.;    ///< kg, on free nodes
+    /// m, centroid of the one of n_partly with the most failed points (the first of several); none: 0
+    std::array<double, 3> partly_at{};
+    bool                  has_lost_tip = false; ///< a watched node of the tip row is free
   };
 
   /// Force and moment that the blade exerts on its clamped edge, and the stress that carries them.

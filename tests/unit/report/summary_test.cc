@@ -34,7 +34,7 @@ TEST(Summary, HasTheStableKeys)
     {"contact",
      {"impulse", "peak_force", "peak_force_time", "filtered", "max_penetration", "max_penetration_over_spacing"}},
     {"plastic", {"max_strain", "position", "work"}},
-    {"failed", {"elements", "collapsed", "at_root", "partly", "points", "mass", "free_mass", "energy"}},
+    {"failed", {"elements", "collapsed", "at_root", "partly", "points", "partly_at", "mass", "free_mass", "energy"}},
     {"energy",
      {"initial", "final", "max_relative_error", "max_hourglass_over_internal", "bird_internal", "parts",
       "error_origins"}},

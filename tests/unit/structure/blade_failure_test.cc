@@ -199,6 +199,14 @@ namespace birdstrike
       EXPECT_EQ(std::accumulate(points->values.begin(), points->values.end(), 0.), failure.n_points);
       EXPECT_EQ(points->values.size(), 20u - failure.n_elements); // those that failed whole are left out
       EXPECT_EQ(points->values.size() - std::count(points->values.begin(), points->values.end(), 0.), failure.n_partly);
+      const auto most = static_cast<std::size_t>(std::ranges::max_element(points->values) - points->values.begin());
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          double mean = 0.; // of the corners, undeformed
+          for (unsigned int v = 0; v < 4; ++v)
+            mean += 0.25 * snapshot.points[3 * snapshot.cells[4 * most + v] + d];
+          EXPECT_NEAR(failure.partly_at[d], mean, 1e-12);
+        }
 
       p.is_halved    = true;
       p.mesh.n_chord = 2;
