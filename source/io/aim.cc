@@ -42,9 +42,10 @@ namespace birdstrike
     [[noreturn]] void refuse_difference(const std::string &entry, const std::string &found, const std::string &other,
                                         const std::string &there)
     {
-      throw InputError(
-        fmt::format("{} = {} contradicts {}, by which it is {}.\nLeave one of the two out, or correct it.", entry,
-                    found, other, there));
+      throw InputError(fmt::format("{} = {} contradicts {}, by which it is {}.\nLeave one of the two out (of a file: "
+                                   "--set \"Bird/Velocity=default\", or "
+                                   "Aim point), or correct it.",
+                                   entry, found, other, there));
     }
 
     /// The surface where the bird aims, or nothing.

@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <zlib.h>
@@ -193,7 +194,8 @@ namespace birdstrike
 
   void write_checkpoint(const fs::path &file, const Checkpoint &checkpoint)
   {
-    Writer writer;
+    std::optional<Writer> in_memory(std::in_place); // ends before the disk is asked
+    Writer               &writer = *in_memory;
     writer.write("parameters", checkpoint.parameters);
     writer.write("program", checkpoint.program);
     writer.write("time", std::vector<double>{checkpoint.time});
@@ -214,7 +216,8 @@ namespace birdstrike
           writer.write(path + of_lengths, quantity.lengths);
       }
     const Bytes body = writer.image();
-    Bytes       head(n_head, '\0');
+    in_memory.reset();
+    Bytes head(n_head, '\0');
     std::snprintf(head.data(), head.size(), head_format, version, static_cast<unsigned long long>(body.size()),
                   checksum(body.data(), body.size()));
     write_whole_file(file, {head, body});

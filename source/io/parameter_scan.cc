@@ -47,11 +47,16 @@ namespace birdstrike
       SectionPath  section;
       std::string  name, value;
       unsigned int line;
+      bool         is_default; ///< as if nothing had set it
 
       void add_to(ScannedParameters &result) const
       {
         result.text += "set " + name + " = " + value + "\n";
-        result.given.insert((section.empty() ? "" : to_string(section) + "/") + name);
+        const std::string entry = (section.empty() ? "" : to_string(section) + "/") + name;
+        if (is_default)
+          result.given.erase(entry);
+        else
+          result.given.insert(entry);
       }
     };
 
@@ -67,11 +72,13 @@ namespace birdstrike
       if (entry == nullptr)
         throw InputError(describe_unknown_entry(where, section, name, known));
       const std::string typed = normalise(statement.substr(equals + 1));
+      if (typed == "default" && !entry->allows(typed))
+        return {section, name, entry->default_value, where.line, true};
       const std::string value =
         read_typed_numbers(normalise_value(typed, *entry), *entry, where.text() + ", " + describe_section(section));
       if (!entry->allows(value))
         throw InputError(describe_bad_value(where, *entry, typed == value ? value : typed + " = " + value));
-      return {section, name, value, where.line};
+      return {section, name, value, where.line, false};
     }
 
     /// Where a text stops to be UTF-8 (RFC 3629); its size if nowhere.

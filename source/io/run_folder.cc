@@ -132,10 +132,20 @@ namespace birdstrike
       throw fs::filesystem_error("marker", file(marker), std::error_code(errno, std::generic_category()));
     lock_alone(lock, directory);
     // In this order: whoever kills the program in between leaves nothing that looks like a complete run.
+    if (contents == Contents::kept)
+      is_ended = true; // as it is
+    else
+      {
+        go_on();
+        remove_results(directory);
+      }
+  }
+
+  void RunFolder::go_on()
+  {
+    is_ended = false;
     mark("running");
     fs::remove(file("summary.json"));
-    if (contents == Contents::removed)
-      remove_results(directory);
   }
 
   void RunFolder::mark(const std::string &state) const

@@ -84,8 +84,15 @@ namespace birdstrike
     catch (...)
       {
         progress.finish();
-        if (recorder)
-          recorder->flush();
+        try
+          {
+            if (recorder)
+              recorder->flush();
+          }
+        catch (const std::exception &error) // must not hide what ended the run
+          {
+            log().error("{}", error.what());
+          }
         throw;
       }
   }

@@ -57,15 +57,16 @@ namespace birdstrike
     {
       for (const auto &[number, of_section] : blade.by_section())
         {
-          const std::string where = "Blade/" + BladeParameters::section_path(number) + "Material/";
-          const Metal       metal = of_section.material.metal(where);
+          const std::string where    = "Blade/" + BladeParameters::section_path(number) + "Material/";
+          const Metal       metal    = of_section.material.metal(where);
+          const std::size_t n_before = warnings.size();
           check({"density", where + "Density", metal.density, "kg/m^3", 500., 25e3, of_density}, warnings);
           check({"young", where + "Young's modulus", metal.elasticity.young, "Pa", 5e5, 2e12, of_stress}, warnings);
           if (metal.hardening.law == HardeningLaw::elastic)
             continue;
           check({"yield", where + "Yield stress", metal.hardening.yield, "Pa", 1e5, 1e10, of_stress}, warnings);
           const double strain = metal.hardening.yield / metal.elasticity.young;
-          if (warnings.empty() && strain > 0.1)
+          if (warnings.size() == n_before && strain > 0.1)
             warnings.push_back({"material/yield_strain",
                                 fmt::format("{}Yield stress is {:.3g} of Young's modulus: no metal stays elastic to "
                                             "such strains.",
@@ -160,6 +161,20 @@ namespace birdstrike
         check({"blade_size", "Largest length of the blade (root of its area)", std::sqrt(census.area), "m", 3e-3, 3.,
                of_length},
               warnings);
+        const double size      = std::sqrt(census.area),
+                     thickness = scene.blade->kind() == BladeKind::shell
+                                   ? census.mass / (blade.material.metal("Blade/Material/").density * census.area)
+                                   : 0.;
+        if (thickness > size)
+          warnings.push_back(
+            {"unit/thickness", fmt::format("Mean thickness of the shell = {:.6g} m, more than its length "
+                                           "({:.3g} m, root of its area). Was Blade/Thickness meant in "
+                                           "mm?",
+                                           thickness, size)});
+        if (const auto line = scene.blade->span_line();
+            line && (Point3(line->tip.data()) - Point3(line->root.data())).norm() < 1e-6 * size)
+          warnings.push_back({"blade/tip_is_root", "The tip row is the clamped root: there is no tip deflection "
+                                                   "(Blade/Supports/Clamped, Hub and Tip)."});
         check({"blade_mass", "Mass of the blade", census.mass, "kg", 1e-4, 200., {{"g", 1e-3}}}, warnings);
         if (census.n_held_dofs == 0)
           warnings.push_back({"blade/free", "Nothing holds the blade: it flies off (Blade/Supports)."});
@@ -171,7 +186,8 @@ namespace birdstrike
         const double across = scene.bird->packing().diameter / parameters.bird.spacing;
         if (parameters.bird.shape != BirdShape::slab && across < 8.)
           warnings.push_back({"bird/coarse", fmt::format("{:.1f} particles across the bird: impulse and deflection are "
-                                                         "within a percent from about ten on (Bird/Particle spacing).",
+                                                         "within a percent from about ten on, where an edge cuts the "
+                                                         "bird within ten percent at 16 (Bird/Particle spacing).",
                                                          across)});
       }
     warnings.insert(warnings.end(), scene.histories.warnings.begin(), scene.histories.warnings.end());

@@ -18,6 +18,11 @@ namespace birdstrike
   {
     std::atomic<bool> is_requested{false};
 
+    std::string file_name(const std::uint64_t step)
+    {
+      return fmt::format("{}{:012}.h5", checkpoint_stem, step);
+    }
+
     double seconds_since(const std::chrono::steady_clock::time_point then)
     {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
@@ -29,7 +34,7 @@ namespace birdstrike
     : when(when)
     , folder(run_folder / checkpoint_folder)
     , next(std::move(of_run))
-    , last_step(strike.n_steps_done())
+    , last_step(strike.n_steps_done() > 0 ? std::optional(strike.n_steps_done()) : std::nullopt)
     , last_time(strike.time())
     , last_clock(std::chrono::steady_clock::now())
   {
@@ -48,9 +53,9 @@ namespace birdstrike
   bool Checkpoints::is_due(const BirdStrike &strike, const bool is_over) const
   {
     if (strike.n_steps_done() == last_step)
-      return false; // this state is on the disk, or has not begun
+      return false;
     return (is_over && (when.at_the_end || strike.is_interrupted())) ||
-           (when.step_interval > 0 && strike.n_steps_done() - last_step >= when.step_interval) ||
+           (when.step_interval > 0 && strike.n_steps_done() - last_step.value_or(0) >= when.step_interval) ||
            (when.time_interval > 0. && strike.time() - last_time >= when.time_interval) ||
            (when.wall_interval > 0. && seconds_since(last_clock) >= when.wall_interval);
   }
@@ -69,7 +74,7 @@ namespace birdstrike
     Archive archive = Archive::writing(next.state);
     strike.archive(archive);
     fs::create_directories(folder);
-    const fs::path file = folder / fmt::format("{}{:012}.h5", checkpoint_stem, next.step);
+    const fs::path file = folder / file_name(next.step);
     write_checkpoint(file, next);
     next.state.clear();
     written    = file.string() + " at t = " + format_quantity(next.time, "s");
@@ -93,5 +98,12 @@ namespace birdstrike
           files.push_back(entry.path());
     std::ranges::sort(files, std::greater<>());
     return files;
+  }
+
+  void remove_later_checkpoints(const fs::path &run_folder, const std::uint64_t step)
+  {
+    for (const fs::path &file : find_checkpoints(run_folder))
+      if (file.filename().string() > file_name(step))
+        fs::remove(file);
   }
 } // namespace birdstrike

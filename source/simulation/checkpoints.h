@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,11 +38,14 @@ namespace birdstrike
     std::filesystem::path                 folder;
     Checkpoint                            next;
     std::string                           written;
-    std::uint64_t                         last_step;
+    std::optional<std::uint64_t>          last_step; ///< that is on the disk
     double                                last_time;
     std::chrono::steady_clock::time_point last_clock;
   };
 
   /// Those of a run folder, newest first.
   std::vector<std::filesystem::path> find_checkpoints(const std::filesystem::path &run_folder);
+
+  /// Of time steps after this one: they must not count among those that are kept.
+  void remove_later_checkpoints(const std::filesystem::path &run_folder, std::uint64_t step);
 } // namespace birdstrike

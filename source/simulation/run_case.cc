@@ -50,14 +50,20 @@ namespace birdstrike
       Checkpoints::request();
     }
 
+    /// Signals that do not end a process, from its beginning.
+    void survive_signals()
+    {
+      std::signal(SIGUSR1, write_on_signal);
+      std::signal(SIGPIPE, SIG_IGN); // who reads the screen may leave: the files go on
+    }
+
     /// From the moment that there is a folder on, a run that is stopped ends in order.
     void listen_to_signals()
     {
       BirdStrike::forget_stop_requests();
       for (const int stop : {SIGINT, SIGTERM, SIGHUP})
-        std::signal(stop, stop_on_signal);
-      std::signal(SIGUSR1, write_on_signal);
-      std::signal(SIGPIPE, SIG_IGN); // who reads the screen may leave: the files go on
+        if (std::signal(stop, stop_on_signal) == SIG_IGN) // nohup, or a shell's background: it stays ignored
+          std::signal(stop, SIG_IGN);
     }
 
     std::string program()
@@ -100,9 +106,17 @@ namespace birdstrike
         }
       log().info("Results in {}", folder.path().string());
       if (strike.is_interrupted())
-        throw Interrupted("Interrupted by a signal before Time/End time; what stands in the folder goes as far as it "
-                          "came.\nGo on with: birdstrike resume " +
-                          folder.path().string());
+        throw Interrupted(
+          "Interrupted by a signal before Time/End time; what stands in the folder goes as far as it "
+          "came." +
+          std::string(checkpoints.last().empty() ? "" : "\nGo on with: birdstrike resume " + folder.path().string()));
+    }
+
+    /// Those whose entries are not compared: what included files say stands in parameters.prm.
+    std::vector<InputFile> without_included(std::vector<InputFile> inputs)
+    {
+      std::erase_if(inputs, [](const InputFile &file) { return file.is_included; });
+      return inputs;
     }
 
     /// The newest checkpoint that can be read.
@@ -133,7 +147,11 @@ namespace birdstrike
                                  "intervals of Output.\n  Action: run the changed case anew.");
       const std::vector<InputFile> inputs = list_input_files(now);
       for (const InputFile &input : checkpoint.inputs)
-        if (std::ranges::find(inputs, input) == inputs.end())
+        if (!std::filesystem::exists(input.name))
+          throw InputError("The file '" + input.name +
+                           "' is not there, seen from this folder.\n  Action: resume from the "
+                           "folder in which the run was begun, or put it back.");
+        else if (std::ranges::find(inputs, input) == inputs.end())
           throw InputError("The file '" + input.name +
                            "' is not what it was when the run began.\n  Action: put it back, or run the case anew.");
     }
@@ -141,11 +159,22 @@ namespace birdstrike
 
   void run_case(const CaseRequest &request)
   {
+    survive_signals();
     CaseParameters parameters;
     const Warnings of_inputs = read_case(parameters, request);
-    if (!request.is_forced && holds_finished_run(parameters.run_directory()))
-      throw InputError("The folder '" + parameters.run_directory() +
-                       "' holds a finished run.\n  Action: --output DIR for another folder, or --force to replace it.");
+    if (const auto directory = parameters.run_directory(); !request.is_forced)
+      {
+        if (holds_finished_run(directory))
+          throw InputError(
+            "The folder '" + directory +
+            "' holds a finished run.\n  Action: --output DIR for another folder, or --force to replace it.");
+        if (!find_checkpoints(directory).empty())
+          throw InputError(
+            "The folder '" + directory +
+            "' holds checkpoints of a run that has not come to its end.\n  Action: go on with 'birdstrike "
+            "resume " +
+            directory + "', or --force to begin anew.");
+      }
     const auto inputs = list_input_files(parameters);
     Scene      scene(parameters); // refuses a bad case before a folder is touched
     const auto forecast = explain(parameters, scene);
@@ -159,19 +188,20 @@ namespace birdstrike
     const Warnings warnings = find_all_warnings(of_inputs, parameters, scene);
     BirdStrike     strike(parameters, scene, folder.path(), warnings);
     Checkpoints    checkpoints(parameters.output.checkpoints, folder.path(),
-                               {parameters.file.as_prm(), inputs, program(), 0., 0, {}}, strike);
+                               {parameters.file.as_prm(), without_included(inputs), program(), 0., 0, {}}, strike);
     finish_run(strike, checkpoints, folder, inputs);
   }
 
   void resume_run(const ResumeRequest &request)
   {
+    survive_signals();
     RunFolder folder = RunFolder::of_resumed_run(request.run);
     log_to_file(folder.file("log.txt").string(), true);
-    listen_to_signals();
-    const Checkpoint checkpoint = read_newest(folder.path());
-    folder.write_text("parameters.prm", checkpoint.parameters); // the truth, whatever has become of the file
+    const Checkpoint  checkpoint = read_newest(folder.path());
+    const std::string of_run     = std::string(checkpoint_folder) + "/parameters.prm";
+    folder.write_text(of_run, checkpoint.parameters); // whatever has become of the file beside
     CaseParameters then, now;
-    const auto     prm = folder.file("parameters.prm").string(), here = "Output/Directory=" + request.run;
+    const auto     prm = folder.file(of_run).string(), here = "Output/Directory=" + request.run;
     then.read(prm, {here});
     std::vector<std::string> overrides = request.overrides;
     overrides.push_back(here);
@@ -183,9 +213,12 @@ namespace birdstrike
     if (checkpoint.program != program())
       log().warn("The checkpoint was written by another build of the program ({}, this is {}): last digits may differ.",
                  checkpoint.program, program());
-    folder.write_text("parameters.prm", now.file.as_prm());
 
-    Scene          scene(now);
+    Scene scene(now);
+    listen_to_signals();
+    folder.go_on();
+    folder.write_text("parameters.prm", now.file.as_prm());
+    remove_later_checkpoints(folder.path(), checkpoint.step); // damaged, or they would have been taken
     const Warnings warnings = find_all_warnings(of_inputs, now, scene);
     BirdStrike     strike(now, scene, folder.path(), warnings);
     Archive        archive = Archive::reading(checkpoint.state);

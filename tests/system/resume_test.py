@@ -165,9 +165,13 @@ class Resume(unittest.TestCase):
     def test_what_may_change_and_what_not(self):
         run = self.finished()
         end = checkpoints(run)[-1]
+        before = {file: file.read_bytes() for file in run.rglob("*") if file.is_file() and file.name not in ("log.txt", ".birdstrike")}
         self.assertIn("has reached its end", self.program("resume", "run", expect=2))
         text = self.program("resume", "run", *sets(["Blade/Material/Yield stress=1e9", "Time/End time=3e-4"]), expect=2)
         self.assertIn("Blade/Material/Yield stress", text)
+        for file, content in before.items():
+            self.assertEqual(file.read_bytes(), content, f"{file.name}: a refusal leaves a finished run as it is")
+        self.assertEqual((run / ".birdstrike").read_text(), "done\n")
         text = self.program("resume", "run", *sets(["Time/End time=3e-4", "Output/History interval=2e-6"]))
         self.assertIn(end.name, text)
         times = [float(line.split(",")[0]) for line in (run / "history.csv").read_text().splitlines() if line[0].isdigit()]
@@ -202,6 +206,44 @@ class Resume(unittest.TestCase):
         mesh.write_text(mesh.read_text() + "\n")
         text = self.program("resume", "run", *sets(["Time/End time=2e-4"]), expect=2)
         self.assertIn("own.msh' is not what it was", text)
+
+        mesh.unlink()
+        self.assertIn("own.msh' is not there, seen from this folder", self.program("resume", "run", expect=2))
+
+    def test_an_included_file_is_no_input_of_what_goes_on(self):
+        (self.folder / "inner.prm").write_text((TOP / "prm" / "quickstart.prm").read_text())
+        (self.folder / "outer.prm").write_text("include inner.prm\n")
+        self.program("run", "outer.prm", "--output", "run", *sets([*COARSE, "Time/End time=1e-4"]))
+        (self.folder / "inner.prm").unlink()
+        self.program("resume", "run", *sets(["Time/End time=2e-4"]))
+
+    def test_a_damaged_file_does_not_count_among_those_that_are_kept(self):
+        run = self.finished()
+        last = checkpoints(run)[-1]
+        last.write_bytes(last.read_bytes()[:1000])
+        self.program("resume", "run", *sets(["Output/Checkpoint/Keep=1", "Output/Checkpoint/Step interval=5",
+                                             "Output/Checkpoint/At the end=false", "Time/End time=1.99e-4"]))
+        self.assertEqual(len(checkpoints(run)), 1)
+        self.program("resume", "run", *sets(["Time/End time=2.5e-4"]))
+
+    def test_what_was_stopped_is_not_begun_anew_by_mistake(self):
+        run = self.folder / "run"
+        process = self.start("quickstart", "run", [*COARSE, "Time/End time=1.5e-3"])
+        self.wait_for(lambda: (run / "fields" / "blade_0001.vtu").exists(), process)
+        process.terminate()
+        process.wait()
+        again = ["run", TOP / "prm" / "quickstart.prm", "--output", "run", *sets([*COARSE, "Time/End time=1e-4"])]
+        self.assertIn("birdstrike resume run", self.program(*again, expect=2))
+        self.assertEqual(len(checkpoints(run)), 1)
+
+    def test_a_signal_that_is_ignored_from_outside_stays_ignored(self):
+        run = self.folder / "run"
+        process = subprocess.Popen(["nohup", PROGRAM, "run", TOP / "prm" / "quickstart.prm", "--output", "run",
+                                    *sets([*COARSE, "Time/End time=1e-3"])], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        self.wait_for(lambda: (run / "fields" / "blade_0001.vtu").exists(), process)
+        process.send_signal(signal.SIGHUP)
+        self.assertEqual(process.wait(), 0)
 
     def test_a_screen_that_has_gone_takes_nothing_along(self):
         entries = [*COARSE, "Time/End time=3e-4", "Output/Console interval=1e-3"]

@@ -17,8 +17,12 @@ namespace birdstrike
   public:
     explicit RunFolder(const std::filesystem::path &directory);
 
-    /// The folder of a run that goes on: nothing is removed but summary.json. Throws InputError where no run has been.
+    /// The folder of a run that shall go on, locked, and left as it is until go_on(). Throws InputError where no run
+    /// has been.
     static RunFolder of_resumed_run(const std::filesystem::path &directory);
+
+    /// Marks it as running and removes summary.json, for it is no complete run any more.
+    void go_on();
 
     ~RunFolder(); ///< a run that was neither finished nor failed is marked "failed: interrupted"
     RunFolder(const RunFolder &)            = delete;

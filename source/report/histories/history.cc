@@ -31,10 +31,8 @@ namespace birdstrike
   } // namespace
 
   History::History(const std::filesystem::path &folder, const bool write_hdf5, const std::string &table)
-    : folder(folder), table(folder / table), write_hdf5(write_hdf5), csv(this->table, std::ios::binary)
+    : folder(folder), table(folder / table), write_hdf5(write_hdf5)
   {
-    if (!csv)
-      throw std::runtime_error("Cannot write " + this->table.string());
   }
 
   History::~History()
@@ -126,8 +124,11 @@ namespace birdstrike
 
   void History::write_csv_rows()
   {
-    if (rows_in_file == 0 && rows > 0)
-      write_csv_header();
+    if (rows_in_file == 0 && rows > 0) // not before there are rows: a run that goes on keeps the table until then
+      {
+        csv.open(table, std::ios::binary);
+        write_csv_header();
+      }
     std::string line;
     for (; rows_in_file < rows; ++rows_in_file)
       {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 namespace birdstrike
@@ -63,8 +64,12 @@ namespace birdstrike
   PatchForces::PatchForces(const std::string &requests, const FacetsView &surface) : position(surface.position)
   {
     name = "patches";
+    std::set<std::string> taken;
     for (const auto &[patch, text] : parse_pairs(requests, entry))
-      add(patch, parse(patch, text), surface);
+      if (!taken.insert(patch).second)
+        throw InputError(entry + " has the name '" + patch + "' twice.\nGive each patch a name of its own.");
+      else
+        add(patch, parse(patch, text), surface);
   }
 
   void PatchForces::add(const std::string &patch_name, const std::vector<double> &numbers, const FacetsView &surface)

@@ -237,5 +237,7 @@ namespace birdstrike
     history_ticks.archive(archive, "rows due");
     field_ticks.archive(archive, "fields due");
     archive("last", last_row, last_field);
+    if (archive.is_reading())
+      flush_tables();
   }
 } // namespace birdstrike

@@ -111,19 +111,26 @@ namespace birdstrike
   }
 
   template <int dim>
-  Matrix3<double> SectionCut<dim>::fit_rotation(const double *position) const
+  Matrix3<double> SectionCut<dim>::fit_rotation(const double *position, const IsFree &is_free) const
   {
-    if (cut.empty())
+    const auto  is_part = [&](const std::size_t k) { return !is_free || !is_free(attached[k]); };
+    std::size_t n_left  = 0;
+    for (std::size_t k = 0; k < attached.size(); ++k)
+      n_left += is_part(k);
+    if (cut.empty() || n_left < 3)
       return Matrix3<double>::Identity();
     Point3 before = Point3::Zero(), now = Point3::Zero();
     for (std::size_t k = 0; k < attached.size(); ++k)
-      {
-        before += reference[k] / static_cast<double>(attached.size());
-        now += Point3(position + 3 * attached[k]) / static_cast<double>(attached.size());
-      }
+      if (is_part(k))
+        {
+          before += reference[k] / static_cast<double>(n_left);
+          now += Point3(position + 3 * attached[k]) / static_cast<double>(n_left);
+        }
     Matrix3<double> covariance = Matrix3<double>::Zero();
     for (std::size_t k = 0; k < attached.size(); ++k)
       {
+        if (!is_part(k))
+          continue;
         Point3 a = reference[k] - before, b = Point3(position + 3 * attached[k]) - now;
         covariance += b * a.transpose();
         if (plane.exists()) // and its image
@@ -140,15 +147,21 @@ namespace birdstrike
   }
 
   template <int dim>
-  SectionForces SectionCut<dim>::compute(const double *force, const double *position) const
+  SectionForces SectionCut<dim>::compute(const double *force, const double *position, const IsFree is_free) const
   {
     constexpr unsigned int n_unknowns = BladeMesh<dim>::n_unknowns;
     Point3                 c          = cut.empty() ? centroid : Point3::Zero();
+    double                 gone       = 0.; // weight of nodes that fly free: they are no part of the section
     for (const Weighted &one : cut)
-      c += one.weight * Point3(position + 3 * one.node);
+      if (is_free && is_free(one.node))
+        gone += one.weight;
+      else
+        c += one.weight * Point3(position + 3 * one.node);
+    if (gone > 0.)
+      c = gone < 1. - 1e-9 ? Point3(c / (1. - gone)) : centroid;
     if (plane.exists())
       c[1] = 0.;
-    SectionForces result{Point3::Zero(), Point3::Zero(), axes * fit_rotation(position).transpose()};
+    SectionForces result{Point3::Zero(), Point3::Zero(), axes * fit_rotation(position, is_free).transpose()};
     for (const std::uint32_t n : beyond)
       {
         const Point3 f(force + n_unknowns * n);

@@ -4,6 +4,7 @@
 #include <birdstrike/mesh/blade_mesh.h>
 #include <birdstrike/mesh/roles.h>
 
+#include <functional>
 #include <vector>
 
 namespace birdstrike
@@ -43,8 +44,12 @@ namespace birdstrike
     /// `station`: share of the span, 0 <= station < 1. Throws InputError where nothing lies beyond.
     SectionCut(const BladeMesh<dim> &mesh, const BladeRoles &roles, double station, SymmetryPlane plane);
 
-    /// From element forces [n_nodes][n_unknowns] at positions [n_nodes][3].
-    SectionForces compute(const double *force, const double *position) const;
+    /// Whether a node has lost all its elements.
+    using IsFree = std::function<bool(std::uint32_t)>;
+
+    /// From element forces [n_nodes][n_unknowns] at positions [n_nodes][3]. Nodes that fly free are no part of the
+    /// section: neither its centroid nor its axes follow them (of fewer than three left the axes are those at rest).
+    SectionForces compute(const double *force, const double *position, IsFree is_free = {}) const;
 
     double span_position() const ///< m from the root, of the cut
     {
@@ -53,7 +58,7 @@ namespace birdstrike
 
   private:
     void            find_cut(const BladeMesh<dim> &mesh, const std::vector<bool> &is_beyond);
-    Matrix3<double> fit_rotation(const double *position) const;
+    Matrix3<double> fit_rotation(const double *position, const IsFree &is_free) const;
 
     struct Weighted
     {

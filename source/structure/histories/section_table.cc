@@ -29,6 +29,8 @@ namespace birdstrike
             const double station = parse_numbers(text, 1, entry)[0];
             if (!(station >= 0. && station < 1.))
               throw InputError(entry + " holds " + text + ".\nAllowed: shares of the span from 0 to below 1.");
+            if (std::ranges::find(columns, "span" + text + ".N", &Column::name) != columns.end())
+              throw InputError(entry + " holds " + text + " twice.\nGive each station once.");
             cuts.emplace_back(blade.mesh, blade.roles, station, blade.plane);
             add_columns("span" + text);
           }
@@ -40,7 +42,8 @@ namespace birdstrike
         double *next = row.data();
         for (const auto &cut : cuts)
           {
-            const SectionForces now = cut.compute(force, x);
+            const SectionForces now =
+              cut.compute(force, x, [this](const std::uint32_t n) { return this->blade.elements.is_free(n); });
             for (const double value : {now.normal(), now.force.dot(now.axes.row(1)), now.force.dot(now.axes.row(2)),
                                        now.bending(), now.moment.dot(now.axes.row(2)), now.moment.dot(now.axes.row(0))})
               *next++ = value;

@@ -51,6 +51,18 @@ TEST(Aim, SpeedAndAngleAreTheShippedVelocityOfTheObliqueCase)
   EXPECT_EQ(*parameters.blade.bird_velocity, parameters.bird.velocity);
 }
 
+/// Whoever has a file with a velocity, and wants to say it the other way.
+TEST(Aim, AnEntryOfTheFileIsGivenBackByTheWordDefault)
+{
+  CaseParameters parameters;
+  expect_parts(refusal(oblique, {"Bird/Speed=200", "Bird/Angle to surface=90"}),
+               {"contradicts Bird/Velocity", "default"});
+  parameters.read(oblique, {"Bird/Velocity=default", "Bird/Speed=200", "Bird/Angle to surface=90",
+                            "Bird/Aim point=default", "Bird/Aim span fraction=0.5", "Bird/Aim chord fraction=0.5"});
+  EXPECT_EQ(parameters.bird.velocity, (std::array<double, 3>{{0., 0., 200.}}));
+  EXPECT_NEAR(parameters.bird.aim_point[0], 0.1556, 1e-12);
+}
+
 TEST(Aim, ARightAngleIsTheNormalItself)
 {
   const ScratchFolder scratch;

@@ -77,6 +77,7 @@ TEST(CaseWarnings, LooksAtTheParts)
   EXPECT_EQ(of_scene({"Blade/Supports/Clamped=", "Blade/Supports/Free=0"}), Codes{"blade/free"});
   EXPECT_EQ(of_scene({"Bird/Chordwise offset=-0.04445"}), Codes{"bird/misses_in_part"});
   EXPECT_EQ(of_scene({"Output/Field interval=1e-9"}), Codes{"output/large"});
+  EXPECT_EQ(of_scene({"Blade/Supports/Tip=0"}), Codes{"blade/tip_is_root"});
   EXPECT_EQ(of_scene({"Blade/Kind=solid"}), Codes{}) << "one layer of solid-shells";
   EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Mesh/Layers=2"}), Codes{"blade/layers"});
   EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Mesh/Layers=4"}), Codes{});
