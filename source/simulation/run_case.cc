@@ -162,25 +162,18 @@ namespace birdstrike
     survive_signals();
     CaseParameters parameters;
     const Warnings of_inputs = read_case(parameters, request);
-    if (const auto directory = parameters.run_directory(); !request.is_forced)
-      {
-        if (holds_finished_run(directory))
-          throw InputError(
-            "The folder '" + directory +
-            "' holds a finished run.\n  Action: --output DIR for another folder, or --force to replace it.");
-        if (!find_checkpoints(directory).empty())
-          throw InputError(
-            "The folder '" + directory +
-            "' holds checkpoints of a run that has not come to its end.\n  Action: go on with 'birdstrike "
-            "resume " +
-            directory + "', or --force to begin anew.");
-      }
+    const auto     directory = parameters.run_directory();
+    const bool     can_go_on = !find_checkpoints(directory).empty();
+    if (!request.is_forced && (can_go_on || holds_finished_run(directory)))
+      throw InputError("The folder '" + directory + "' holds a run.\n  Action: --output DIR for another folder, " +
+                       (can_go_on ? "'birdstrike resume " + directory + "' to go on with it, " : "") +
+                       "or --force to replace it.");
     const auto inputs = list_input_files(parameters);
     Scene      scene(parameters); // refuses a bad case before a folder is touched
     const auto forecast = explain(parameters, scene);
 
     listen_to_signals();
-    RunFolder folder(parameters.run_directory());
+    RunFolder folder(directory);
     log_to_file(folder.file("log.txt").string());
     folder.write_text("original.prm", parameters.file.original());
     folder.write_text("parameters.prm", parameters.file.as_prm());

@@ -123,6 +123,8 @@ namespace birdstrike
         std::string line;
         std::getline(in, line);                   // type, number of components
         take<std::string>(), take<std::string>(); // LOOKUP_TABLE default
+        if (trim(line).empty())
+          refuse("has SCALARS '" + name + "' without a type", "Save it again.");
         const std::string_view last = trim(line).substr(trim(line).size() - 1);
         data[name]                  = take_many(cells.size() * (last >= "1" && last <= "9" ? last[0] - '0' : 1));
       }
