@@ -52,6 +52,8 @@ namespace birdstrike
         return "its state is '" + run.state() + "'";
       if (run.column("time").empty())
         return "it has no history";
+      if (run.column("time").back() < run.summary().number("end/time"))
+        return "its history.csv is cut off";
       if (has_results && run.dataset("history/time").empty())
         return "it has no results.h5";
       return "";
