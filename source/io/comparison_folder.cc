@@ -52,11 +52,11 @@ namespace birdstrike
         ::close(lock);
         throw InputError("Another comparison is writing into the folder '" + directory.string() + "'." + action);
       }
-    // Figures of an earlier comparison must not be taken for this one's.
-    for (const auto &entry : fs::directory_iterator(directory))
-      if (const std::string extension = entry.path().extension().string();
-          entry.is_regular_file() && (extension == ".svg" || extension == ".csv"))
-        fs::remove(entry.path());
+    // Figures of an earlier comparison must not be taken for this one's; other files are somebody's own.
+    for (const char *stem :
+         {"comparison", "tip_deflection", "contact", "energies", "root_moment", "root_stress", "profiles"})
+      for (const char *ending : {".csv", ".svg"})
+        fs::remove(directory / (std::string(stem) + ending), error);
   }
 
   ComparisonFolder::~ComparisonFolder()

@@ -64,6 +64,15 @@ def check_own_files_stay(program, top, scratch):
     answer = run(program, top, folder, "--force")
     assert answer.returncode == 0, answer.stdout
     assert all(file.read_text() == "mine" for file in own)
+    compare = [program, "compare", str(top / "prm/quickstart.prm"), *CASE, "--output", str(scratch / "compared")]
+    subprocess.run(compare, check=True, stdout=subprocess.DEVNULL, timeout=60)
+    own = [scratch / "compared" / name for name in ("experiment.csv", "drawing.svg")]
+    for file in own:
+        file.write_text("mine")
+    (scratch / "compared/profiles.svg").write_text("of another comparison")
+    subprocess.run(compare + ["--set", "Output/HDF5=false"], check=True, stdout=subprocess.DEVNULL, timeout=60)
+    assert all(file.read_text() == "mine" for file in own)
+    assert "of another" not in "".join(file.read_text() for file in (scratch / "compared").glob("profiles.svg"))
 
 
 def main():
