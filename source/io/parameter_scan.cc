@@ -81,24 +81,22 @@ namespace birdstrike
       return {section, name, value, where.line, false};
     }
 
-    /// Where a text stops to be UTF-8 (RFC 3629); its size if nowhere.
+    /// Where a text stops to be UTF-8 (RFC 3629: no overlong forms, halves of pairs); its size if nowhere.
     std::size_t first_not_utf8(const std::string &text)
     {
+      const auto byte = [&text](const std::size_t at) { return static_cast<unsigned char>(text[at]); };
       for (std::size_t k = 0; k < text.size();)
         {
-          const auto        byte = [&](const std::size_t at) { return static_cast<unsigned char>(text[at]); };
-          const std::size_t n    = byte(k) < 0x80   ? 1
-                                   : byte(k) < 0xC2 ? 0
-                                   : byte(k) < 0xE0 ? 2
-                                   : byte(k) < 0xF0 ? 3
-                                   : byte(k) < 0xF5 ? 4
-                                                    : 0;
+          const std::size_t n = byte(k) < 0x80                     ? 1
+                                : byte(k) < 0xC2 || byte(k) > 0xF4 ? 0
+                                : byte(k) < 0xE0                   ? 2
+                                : byte(k) < 0xF0                   ? 3
+                                                                   : 4;
           if (n == 0 || k + n > text.size())
             return k;
-          for (std::size_t j = 1; j < n; ++j)
-            if ((byte(k + j) & 0xC0) != 0x80)
+          for (std::size_t j = k + 1; j < k + n; ++j)
+            if ((byte(j) & 0xC0) != 0x80)
               return k;
-          // overlong forms, halves of UTF-16 pairs, beyond U+10FFFF
           if ((byte(k) == 0xE0 && byte(k + 1) < 0xA0) || (byte(k) == 0xED && byte(k + 1) > 0x9F) ||
               (byte(k) == 0xF0 && byte(k + 1) < 0x90) || (byte(k) == 0xF4 && byte(k + 1) > 0x8F))
             return k;
@@ -247,10 +245,9 @@ namespace birdstrike
         if (depth == 16)
           throw InputError(
             message({where.text() + ": files include each other without end.", "  Read: include " + name}));
-        constexpr std::size_t most = 1000;
-        if (result.included.size() >= most)
-          throw InputError(message({where.text() + ": more than " + std::to_string(most) + " files are included.",
-                                    "  Read: include " + name, "  Action: include each file once."}));
+        if (result.included.size() >= 1000)
+          throw InputError(message({where.text() + ": more than 1000 files are included.", "  Read: include " + name,
+                                    "  Action: include each file once."}));
         FileScanner inner(path.parent_path() / name, section, known, depth + 1, result);
         inner.includer = where;
         inner.scan();
