@@ -63,7 +63,9 @@ namespace birdstrike
           log().error("{}", error.what());
           return static_cast<int>(ExitCode::bad_input);
         }
-      const ChildResult result = run_child({arguments_for("run", planned), "", false, this_program});
+      std::vector<std::string> arguments = arguments_for("run", planned);
+      arguments.emplace_back("--force"); // its checkpoints go as its results have gone
+      const ChildResult result = run_child({arguments, "", false, this_program});
       end_if_stopped(result);
       planned.in_use = std::make_unique<RunFolderInUse>(planned.folder);
       return result.exit_code;

@@ -33,6 +33,8 @@ namespace birdstrike
   History::History(const std::filesystem::path &folder, const bool write_hdf5, const std::string &table)
     : folder(folder), table(folder / table), write_hdf5(write_hdf5)
   {
+    if (!std::filesystem::is_directory(folder))
+      throw std::runtime_error("Cannot write " + this->table.string() + ": there is no such folder.");
   }
 
   History::~History()
