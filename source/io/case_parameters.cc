@@ -104,6 +104,10 @@ namespace birdstrike
   void CaseParameters::read(const std::string &path, const std::vector<std::string> &overrides)
   {
     file.read(path, overrides);
+    if (name.find('/') != std::string::npos || (!name.empty() && name.find_first_not_of('.') == std::string::npos))
+      throw InputError("Case/Name = " + name +
+                       ": a name is no path, for it names a folder in runs.\nGive a name without "
+                       "'/', and the folder in Output/Directory.");
     blade.is_halved = bird.is_halved = has_symmetry_plane;
     require_memory(*this, static_cast<double>(available_memory()));
     resolve_aim(*this);
