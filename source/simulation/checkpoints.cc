@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <stdexcept>
 #include <utility>
 
 namespace birdstrike
@@ -73,14 +74,23 @@ namespace birdstrike
     next.state.clear();
     Archive archive = Archive::writing(next.state);
     strike.archive(archive);
-    fs::create_directories(folder);
+    last_step           = next.step; // also of one that fails: the next is tried an interval later
+    last_time           = next.time;
+    last_clock          = std::chrono::steady_clock::now();
     const fs::path file = folder / file_name(next.step);
-    write_checkpoint(file, next);
+    try
+      {
+        fs::create_directories(folder);
+        write_checkpoint(file, next);
+      }
+    catch (const std::runtime_error &error) // a disk without room for it may have room for the results
+      {
+        next.state.clear();
+        log().warn("No checkpoint at t = {}: {}. The run goes on.", format_quantity(next.time, "s"), error.what());
+        return;
+      }
     next.state.clear();
-    written    = file.string() + " at t = " + format_quantity(next.time, "s");
-    last_step  = next.step;
-    last_time  = next.time;
-    last_clock = std::chrono::steady_clock::now();
+    written = file.string() + " at t = " + format_quantity(next.time, "s");
     log().debug("Checkpoint {}", written);
     const auto all = find_checkpoints(folder.parent_path());
     for (std::size_t k = when.n_kept; k < all.size(); ++k)

@@ -26,7 +26,7 @@ def run(program, top, folder, *more, limit=None, **streams):
 
 
 def check_full_disk(program, top, scratch):
-    stopped_by = set()
+    stopped_by, without = set(), 0
     for checkpoint in (), ("--set", "Output/Checkpoint/At the end=false"):
         for limit in (8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256):
             folder = scratch / f"full-{limit}-{len(checkpoint)}"
@@ -37,10 +37,12 @@ def check_full_disk(program, top, scratch):
             assert not any(word in answer.stdout for word in ("HDF5-DIAG", "error occurred in line", "Internal error")), what
             assert (answer.returncode == 0) == (state == "done\n") == (folder / "summary.json").exists(), what
             assert not list(folder.rglob("*.part")), what
+            without += "No checkpoint at t = " in answer.stdout and answer.returncode == 0
             if answer.returncode == 1:
                 assert "Cannot write" in answer.stdout and state.startswith("failed"), what
                 stopped_by.add(answer.stdout.split("Cannot write ")[-1].split(":")[0].split("/")[-1].split("_")[0])
     assert {"history.csv", "results.h5"} <= stopped_by, f"the limits hit only {stopped_by}"
+    assert without > 0, "no run had room for its results alone: a checkpoint that fails must not end it"
 
 
 def check_closed_screen(program, top, scratch):
