@@ -9,6 +9,7 @@
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/run_folder.h>
+#include <birdstrike/io/telling_entries.h>
 #include <birdstrike/report/summary.h>
 #include <birdstrike/report/text.h>
 
@@ -22,23 +23,9 @@ namespace birdstrike
   namespace
   {
     /// What a run that goes on may change: how long it goes and what it tells, not what it computes.
-    const EntryNames may_change{"Time/End time",
-                                "Time/Threads",
-                                "Time/Maximum wall time",
-                                "Time/Energy error limit",
-                                "Time/Stop at tip peak",
-                                "Time/Tip peak wait",
-                                "Case/Description",
-                                "Output/Directory",
-                                "Output/History interval",
-                                "Output/Field interval",
-                                "Output/Console interval",
-                                "Output/Flush interval",
-                                "Output/Checkpoint/Step interval",
-                                "Output/Checkpoint/Time interval",
-                                "Output/Checkpoint/Wall interval",
-                                "Output/Checkpoint/At the end",
-                                "Output/Checkpoint/Keep"};
+    const EntryNames may_change =
+      telling_entries_and({"Time/End time", "Time/Threads", "Time/Maximum wall time", "Time/Energy error limit",
+                           "Time/Stop at tip peak", "Time/Tip peak wait"});
 
     void stop_on_signal(int)
     {

@@ -3,6 +3,7 @@
 #include "report/comparison/run_reuse.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/comparison_folder.h>
+#include <birdstrike/io/telling_entries.h>
 
 #include <fmt/format.h>
 
@@ -13,16 +14,8 @@ namespace birdstrike
     namespace fs = std::filesystem;
 
     /// What may differ between two files that describe the same case.
-    const EntryNames only_names{"Case/Name",
-                                "Case/Description",
-                                "Output/Directory",
-                                "Output/History interval",
-                                "Output/Field interval",
-                                "Output/Console interval",
-                                "Output/Flush interval",
-                                "Output/Blade fields",
-                                "Output/Bird fields",
-                                "Output/HDF5"};
+    const EntryNames only_names =
+      telling_entries_and({"Case/Name", "Output/Blade fields", "Output/Bird fields", "Output/HDF5"});
 
     PlannedCase read_case(const CompareRequest &request, const std::string &file, const std::string &kind)
     {

@@ -1,0 +1,21 @@
+#include <birdstrike/io/telling_entries.h>
+
+namespace birdstrike
+{
+  std::vector<std::string> telling_entries_and(const std::vector<std::string> &more)
+  {
+    std::vector<std::string> all{"Case/Description",
+                                 "Output/Directory",
+                                 "Output/History interval",
+                                 "Output/Field interval",
+                                 "Output/Console interval",
+                                 "Output/Flush interval",
+                                 "Output/Checkpoint/Step interval",
+                                 "Output/Checkpoint/Time interval",
+                                 "Output/Checkpoint/Wall interval",
+                                 "Output/Checkpoint/At the end",
+                                 "Output/Checkpoint/Keep"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+} // namespace birdstrike
