@@ -157,6 +157,16 @@ namespace birdstrike
         table.add_heading("Cost");
         table.add("time steps", format_count(run.n_steps) + " (with subcycles: bird " + shown("steps/bird") +
                                   ", blade " + shown("steps/blade") + ")");
+        for (const StepLimiters::Limiter &limiter : run.limiters)
+          {
+            const EntityPlace where{limiter.kind.empty() ? nullptr : limiter.kind.c_str(), limiter.id,
+                                    limiter.position};
+            table.add("limited by " + limiter.reason,
+                      fmt::format("{} ({}), shortest {} at {}{}", format_count(limiter.n_steps),
+                                  format_share(double(limiter.n_steps) / double(run.n_steps)),
+                                  format_quantity(limiter.step, "s"), format_quantity(limiter.time, "s"),
+                                  where.kind ? ", " + where.text() : ""));
+          }
         table.add("per particle-step", fmt::format("{:.0f} ns", value("cost/ns_per_particle_step")));
         table.add("per element-step", fmt::format("{:.0f} ns", value("cost/ns_per_element_step")));
         add("cost/peak_memory");

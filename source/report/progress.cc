@@ -2,6 +2,8 @@
 #include <birdstrike/report/progress.h>
 #include <birdstrike/report/text.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -73,10 +75,9 @@ namespace birdstrike
   std::string Progress::compose(const ProgressState &state, const double steps_per_second) const
   {
     const double left = rate > 0. ? std::max(end_time - state.time, 0.) / rate : -1.;
-    char         line[200];
-    std::snprintf(line, sizeof(line), "t = %.4f ms (%5.1f %%)  %.4g steps/s  dt = %s  left %s  energy error %.2g %%",
-                  1e3 * state.time, 100. * state.time / end_time, steps_per_second,
-                  format_quantity(state.step, "s").c_str(), format_duration(left).c_str(), 100. * state.energy_error);
-    return line;
+    return fmt::format("t = {:.4f} ms ({:5.1f} %)  {:.4g} steps/s  dt = {}{}  left {}  energy error {:.2g} %",
+                       1e3 * state.time, 100. * state.time / end_time, steps_per_second,
+                       format_quantity(state.step, "s"), state.limiter.empty() ? "" : " by " + state.limiter,
+                       format_duration(left), 100. * state.energy_error);
   }
 } // namespace birdstrike

@@ -106,6 +106,17 @@ namespace birdstrike
     for (const Warnings &each : {run.case_warnings, find_run_warnings(run)})
       for (const Warning &warning : each)
         json["warnings"].push_back({{"code", warning.code}, {"text", warning.text}});
+    json["steps"]["limited_by"] = Json::array();
+    for (const StepLimiters::Limiter &limiter : run.limiters)
+      {
+        json["steps"]["limited_by"].push_back({{"reason", limiter.reason},
+                                               {"steps", limiter.n_steps},
+                                               {"smallest_step", limiter.step},
+                                               {"time", limiter.time}});
+        if (!limiter.kind.empty())
+          json["steps"]["limited_by"].back().update(
+            {{"entity", limiter.kind}, {"id", limiter.id}, {"position", limiter.position}});
+      }
     for (const SkippedWork &work : run.skipped)
       json["skipped"][work.what] = {{"count", work.count}, {"unit", work.unit}, {"saved", work.saved}};
   }

@@ -78,6 +78,7 @@ namespace birdstrike
     archive("bird gone at", time_bird_gone);
     archive("last touch", last_touch);
     archive("reachable impulse", reachable_impulse);
+    limiters.archive(archive);
     is_started = true;
   }
 } // namespace birdstrike

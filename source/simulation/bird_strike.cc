@@ -133,6 +133,7 @@ namespace birdstrike
   {
     start();
     plan();
+    limiters.count(schedule.limiter, now);
     step();
     now += schedule.step;
     ++n_steps;
@@ -179,7 +180,7 @@ namespace birdstrike
       }
     recorder->flush_when_due(timings.wall());
     if (progress.is_due())
-      progress.print({now, schedule.step, n_steps, balance.energy_error().now});
+      progress.print({now, schedule.step, n_steps, balance.energy_error().now, schedule.limiter.brief()});
   }
 
   void BirdStrike::retire_particles()
@@ -258,6 +259,12 @@ namespace birdstrike
   unsigned long BirdStrike::n_steps_done() const
   {
     return n_steps;
+  }
+
+  std::string BirdStrike::describe_step() const
+  {
+    const Schedule &plan = scene.last_plan();
+    return "time step " + format_quantity(plan.step, "s") + " by " + plan.limiter.text();
   }
 
   void BirdStrike::forget_stop_requests()

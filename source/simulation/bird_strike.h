@@ -6,6 +6,7 @@
 #include <birdstrike/report/progress.h>
 #include <birdstrike/report/recorder.h>
 #include <birdstrike/report/summary.h>
+#include <birdstrike/time_control/step_limiters.h>
 
 #include <atomic>
 #include <functional>
@@ -34,6 +35,7 @@ namespace birdstrike
 
     double        time() const; ///< s since first touch
     unsigned long n_steps_done() const;
+    std::string   describe_step() const; ///< the present one, and what limits it
 
     /// Forces of the first step, once; run() and advance() call it unless a state has been read.
     void start();
@@ -98,6 +100,7 @@ namespace birdstrike
     double        now        = 0.; ///< s since first touch
     unsigned long n_steps    = 0;
     Schedule      schedule;
+    StepLimiters  limiters;
     EndReason     why_ended = EndReason::none;
 
     BirdAtStart   bird_at_start;

@@ -38,6 +38,7 @@ namespace birdstrike
     run.particle_step     = costs.particle_step;
     run.element_step      = costs.element_step;
     run.skipped           = compute_skipped();
+    run.limiters          = limiters.all();
     run.case_warnings     = case_warnings;
     return run;
   }

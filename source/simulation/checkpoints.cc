@@ -64,10 +64,10 @@ namespace birdstrike
   void Checkpoints::write_when_due(BirdStrike &strike, const bool is_over)
   {
     if (const bool is_wanted = is_requested.exchange(false); is_wanted || is_due(strike, is_over))
-      write(strike);
+      write(strike, is_wanted);
   }
 
-  void Checkpoints::write(BirdStrike &strike)
+  void Checkpoints::write(BirdStrike &strike, const bool is_wanted)
   {
     next.time = strike.time();
     next.step = strike.n_steps_done();
@@ -91,7 +91,8 @@ namespace birdstrike
       }
     next.state.clear();
     written = file.string() + " at t = " + format_quantity(next.time, "s");
-    log().debug("Checkpoint {}", written);
+    log().log(is_wanted ? spdlog::level::info : spdlog::level::debug, "Checkpoint {}, {}", written,
+              strike.describe_step());
     const auto all = find_checkpoints(folder.parent_path());
     for (std::size_t k = when.n_kept; k < all.size(); ++k)
       fs::remove(all[k]);

@@ -32,7 +32,7 @@ namespace birdstrike
 
   private:
     bool is_due(const BirdStrike &strike, bool is_over) const;
-    void write(BirdStrike &strike);
+    void write(BirdStrike &strike, bool is_wanted); ///< wanted: by a signal, which is answered
 
     OutputParameters::Checkpoints         when;
     std::filesystem::path                 folder;

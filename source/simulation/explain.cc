@@ -157,8 +157,7 @@ namespace birdstrike
       table.add("end time", parameters.time.end_time, "s");
       table.add("flight skipped before first touch", scene.first_touch.flight_time, "s");
       table.add("first time step", format_quantity(schedule.step, "s"));
-      table.add("limited by",
-                schedule.limiter.reason + (schedule.limiter.where.kind ? ", " + schedule.limiter.where.text() : ""));
+      table.add("limited by", schedule.limiter.text());
       table.add("subcycles in it", fmt::format("bird {}, blade {}", schedule.n_bird, schedule.n_blade));
       table.add("time steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
       double ns = 0.;

@@ -12,8 +12,7 @@ namespace birdstrike
     {
       if (vote && !(vote->limit.value > 0.))
         throw NumericalFailure(std::string("The stable step of the ") + part + " is " +
-                               std::to_string(vote->limit.value) + " s.\nLimited by: " + vote->limit.reason + ", " +
-                               vote->limit.where.text());
+                               std::to_string(vote->limit.value) + " s.\nLimited by: " + vote->limit.text());
     }
 
     Schedule cheapest(const StepVote &bird, const StepVote &blade, const unsigned int max_ratio)

@@ -29,14 +29,13 @@ namespace birdstrike
     const bool is_collapsing = limit.value<share * first, is_endless = remaining> most_steps * limit.value;
     if (!is_collapsing && !is_endless)
       return;
-    const std::string where = limit.where.text();
     const std::string what = "The stable step of the " + part + " is " + text(limit.value) + " s at t = " + text(time) +
                              " s, " + text(limit.value / first) + " of its first value";
     throw NumericalFailure(what +
                            (is_collapsing
                               ? ": less than Time/Smallest step = " + text(share) + "."
                               : "; " + text(remaining / limit.value) + " steps are left to Time/End time.") +
-                           "\nLimited by: " + limit.reason + (where.empty() ? "" : ", " + where) + ".\n" + advice);
+                           "\nLimited by: " + limit.text() + ".\n" + advice);
   }
 
   double SmallestStep::smallest_share() const

@@ -24,6 +24,9 @@ namespace birdstrike
     double      value  = std::numeric_limits<double>::infinity();
     const char *reason = ""; ///< e.g. "shell element, membrane wave"
     EntityPlace where;
+
+    std::string text() const;  ///< "shell element, largest eigenvalue, element 17 at (0.01, 0.02, 0)"
+    std::string brief() const; ///< "shell element 17", "contact, node 5", "end of the run"
   };
 
   /// What a part brings to the choice of a schedule.

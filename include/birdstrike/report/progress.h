@@ -13,11 +13,12 @@ namespace birdstrike
     double        step         = 0.; ///< s, present macro step
     std::uint64_t n_steps      = 0;  ///< macro steps so far
     double        energy_error = 0.; ///< share of the initial energy
+    std::string   limiter      = {}; ///< of the step (StepLimit::brief)
   };
 
-  /// Prints a line at intervals of wall time: time, share, steps a second, step, time left, energy error. On a terminal
-  /// the line is written over the last one; elsewhere lines follow each other in the log. The time left is
-  /// extrapolated from the last interval, smoothed, since the cost of a step changes when the bird has gone.
+  /// Prints a line at intervals of wall time: time, share, steps a second, step and what limits it, time left, energy
+  /// error. On a terminal the line is written over the last one; elsewhere lines follow each other in the log. The time
+  /// left is extrapolated from the last interval, smoothed, since the cost of a step changes when the bird has gone.
   class Progress
   {
   public:

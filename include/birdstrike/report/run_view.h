@@ -4,6 +4,7 @@
 #include <birdstrike/report/balance.h>
 #include <birdstrike/report/observed.h>
 #include <birdstrike/time_control/end_reason.h>
+#include <birdstrike/time_control/step_limiters.h>
 
 #include <array>
 #include <cstddef>
@@ -78,7 +79,8 @@ namespace birdstrike
     std::size_t n_blade_steps = 0, n_bird_steps = 0;
     double      wall = 0., particle_step = 0., element_step = 0.; ///< s of run time: in all, per step of an entity
 
-    std::vector<SkippedWork> skipped       = {};
-    Warnings                 case_warnings = {}; ///< known before the first step
+    std::vector<SkippedWork>           skipped       = {};
+    std::vector<StepLimiters::Limiter> limiters      = {}; ///< of macro steps
+    Warnings                           case_warnings = {}; ///< known before the first step
   };
 } // namespace birdstrike

@@ -16,10 +16,11 @@ TEST(Progress, TellsTimeShareSpeedAndTimeLeft)
   wall += 2.;
   EXPECT_TRUE(progress.is_due());
   // 2 ms in 2 s: the other 8 ms take 8 s.
-  progress.print({2e-3, 1e-6, 2000, 0.0012});
+  progress.print({2e-3, 1e-6, 2000, 0.0012, "shell element 17"});
   EXPECT_FALSE(progress.is_due());
   ASSERT_EQ(lines.size(), 1u);
-  for (const char *part : {"t = 2.0000 ms", "20.0 %", "1000 steps/s", "dt = 1 us", "left 8.0 s", "energy error 0.12 %"})
+  for (const char *part :
+       {"t = 2.0000 ms", "20.0 %", "1000 steps/s", "dt = 1 us by shell element 17  left 8.0 s", "energy error 0.12 %"})
     EXPECT_NE(lines[0].find(part), std::string::npos) << part << " in " << lines[0];
 
   // The next interval is three times as fast; the rate is the mean of both.

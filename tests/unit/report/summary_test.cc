@@ -26,7 +26,7 @@ TEST(Summary, HasTheStableKeys)
     {"aim",
      {"point", "span", "chord", "velocity", "speed", "angle", "normal_speed", "hugoniot_pressure",
       "stagnation_pressure", "duration"}},
-    {"steps", {"blade", "bird"}},
+    {"steps", {"blade", "bird", "limited_by"}},
     {"tip", {"peak", "peak_time", "peak_reached", "final"}},
     {"root",
      {"peak_normal_stress", "peak_normal_stress_time", "peak_normal_stress_reached", "peak_moment",
@@ -115,6 +115,24 @@ TEST(Summary, KeepsEveryDigitAndTurnsNanIntoNull)
   EXPECT_EQ(json["energy"]["parts"]["blade_plastic"], 12.5);
   EXPECT_EQ(json["plastic"]["work"], 12.5) << "the same energy by another key";
   EXPECT_EQ(json["steps"]["blade"], 1234567890123);
+}
+
+TEST(Summary, NamesWhatLimitedTheSteps)
+{
+  SomeRun some;
+  RunView run     = some.view();
+  run.limiters    = {{"shell element, largest eigenvalue", 900, 1e-6, 2e-3, "element", 17, {{1., 2., 3.}}},
+                     {"end of the run", 1, 1e-7, 3e-3, "", 0, {}}};
+  const auto json = nlohmann::json::parse(to_text(Summary(run)))["steps"]["limited_by"];
+  ASSERT_EQ(json.size(), 2u);
+  EXPECT_EQ(json[0]["reason"], "shell element, largest eigenvalue");
+  EXPECT_EQ(json[0]["steps"], 900);
+  EXPECT_EQ(json[0]["smallest_step"], 1e-6);
+  EXPECT_EQ(json[0]["time"], 2e-3);
+  EXPECT_EQ(json[0]["entity"], "element");
+  EXPECT_EQ(json[0]["id"], 17);
+  EXPECT_EQ(json[0]["position"], (std::vector<double>{1., 2., 3.}));
+  EXPECT_FALSE(json[1].contains("entity")) << "no entity ends a run";
 }
 
 TEST(Summary, APeakAtTheLastInstantIsNotReached)
