@@ -2,13 +2,17 @@
 
 #include "mesh/files/file_lines.h"
 #include "mesh/files/readers.h"
-#include <birdstrike/core/quiet_errors.h>
-
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/memory.h>
+#include <birdstrike/core/prices.h>
+#include <birdstrike/core/quiet_errors.h>
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <string>
 
 namespace birdstrike
@@ -67,12 +71,30 @@ namespace birdstrike
                                  : "only physical volumes and surfaces (transfinite or swept, recombined)."));
     }
 
+    void require_memory(const std::string &file, const double needed, const std::string &what)
+    {
+      constexpr double gibi = 1024. * 1024. * 1024.;
+      if (const auto available = static_cast<double>(available_memory()); needed > available)
+        throw InputError(
+          fmt::format("Blade/Mesh/File: '{}' needs about {:.3g} GiB of memory for its {}; {:.3g} GiB are "
+                      "there.\nGive a coarser mesh.",
+                      file, needed / gibi, what, available / gibi));
+    }
+
+    /// What a reader keeps of a byte: a node takes 32 bytes, an element with its place in a group 112, of lines of some
+    /// 30 letters.
+    constexpr double bytes_per_byte = 4.;
+
     /// Bricks make a body, whatever else there is; quadrilaterals are a surface only where there are none.
     template <int dim>
     MeshLabels take(const ImportedMesh &mesh, const std::string &file, dealii::Triangulation<dim, 3> &triangulation)
     {
       if (mesh.elements[dim].empty() || (dim == 2 && !mesh.elements[3].empty()))
         refuse<dim>(file, mesh.elements[5 - dim].size());
+      require_memory(file,
+                     prices::building_element * static_cast<double>(mesh.elements[dim].size()) +
+                       prices::building_node * static_cast<double>(mesh.nodes.size()),
+                     std::to_string(mesh.elements[dim].size()) + " elements");
       const QuietErrors quiet;
       return make_triangulation(mesh, file, triangulation);
     }
@@ -83,6 +105,8 @@ namespace birdstrike
   {
     const std::string &file = parameters.file;
     FileLines{file}; // can be opened
+    const auto n_bytes = std::filesystem::file_size(file);
+    require_memory(file, bytes_per_byte * static_cast<double>(n_bytes), std::to_string(n_bytes) + " bytes");
     MeshLabels labels = take(import(file), file, triangulation);
     if (parameters.file_scale != 1.)
       dealii::GridTools::scale(parameters.file_scale, triangulation);

@@ -58,9 +58,10 @@ namespace birdstrike
             continue;
           else if (text[0] == '*')
             begin(parse(text));
-          else if (read_line != nullptr)
-            (this->*read_line)(lines.split_at_commas());
+          else if (const Fields fields = lines.split_at_commas(); read_line != nullptr && !fields.empty())
+            (this->*read_line)(fields);
         finish_element();
+        sets.add_awaited();
         for (const Face &face : faces)
           sets.add_sides(face.group, face.elements, face.label);
         return std::move(mesh);
@@ -76,7 +77,7 @@ namespace birdstrike
 
       FileLines         lines;
       ImportedMesh      mesh;
-      AbaqusSets        sets{mesh};
+      AbaqusSets        sets{mesh, lines};
       std::vector<Face> faces;
       unsigned int      n_parts = 0, n_instances = 0;
       bool              is_in_assembly = false; ///< and in no instance: ids are not those of the mesh
@@ -252,13 +253,14 @@ namespace birdstrike
               lines.refuse("GENERATE wants 'first, last, increment'", "Give at least first and last.");
             const Id first = lines.integer(fields[0]), last = lines.integer(fields[1]);
             const Id step = fields.size() > 2 ? lines.integer(fields[2]) : 1;
-            if (first < 0 || last < first || step < 1 || (last - first) / step > ImportedMesh::largest_list)
+            if (first < 0 || last < first || step < 1)
               lines.refuse("GENERATE from " + std::to_string(first) + " to " + std::to_string(last) + " by " +
                              std::to_string(step) + " is no list of ids",
-                           "Allowed: first at most last, increment from 1, up to " +
-                             std::to_string(ImportedMesh::largest_list) + " ids.");
-            for (Id id = first; is_of_instance && id <= last; id += step)
-              add(id);
+                           "Allowed: first at most last, increment from 1.");
+            const Id n_steps = (last - first) / step;
+            lines.add_listed(static_cast<std::size_t>(n_steps) + 1);
+            for (Id k = 0; is_of_instance && k <= n_steps; ++k)
+              add(first + k * step);
             return;
           }
         for (const auto field : fields)

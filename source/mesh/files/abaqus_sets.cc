@@ -1,7 +1,5 @@
 #include "mesh/files/abaqus_sets.h"
 
-#include "mesh/files/file_lines.h"
-
 namespace birdstrike
 {
   namespace
@@ -10,9 +8,10 @@ namespace birdstrike
     constexpr unsigned int brick_sides[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1},
                                                 {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
 
-    template <class Value>
-    void append(std::vector<Value> &to, const std::vector<Value> from) // a copy: it may be the same
+    void append(FileLines &lines, std::vector<ImportedMesh::Id> &to,
+                const std::vector<ImportedMesh::Id> from) // a copy: it may be the same
     {
+      lines.add_listed(from.size());
       to.insert(to.end(), from.begin(), from.end());
     }
 
@@ -62,25 +61,49 @@ namespace birdstrike
   {
     if (const auto found = places.find(id); found != places.end())
       mesh.groups[group].elements[found->second.dim].push_back(id);
+    else
+      awaited[group].push_back(id);
   }
 
   void AbaqusSets::add_elements(const std::size_t group, const std::size_t of)
   {
     for (unsigned int d = 1; d <= 3; ++d)
-      append(mesh.groups[group].elements[d], mesh.groups[of].elements[d]);
+      append(lines, mesh.groups[group].elements[d], mesh.groups[of].elements[d]);
+    append(lines, awaited[group], awaited[of]);
   }
 
   void AbaqusSets::add_nodes(const std::size_t group, const std::size_t of)
   {
-    append(mesh.groups[group].nodes, mesh.groups[of].nodes);
+    append(lines, mesh.groups[group].nodes, mesh.groups[of].nodes);
+  }
+
+  void AbaqusSets::add_nodes_of(const Id id, ImportedMesh::Group &group) const
+  {
+    const auto &nodes = element(id).nodes;
+    group.nodes.insert(group.nodes.end(), nodes.begin(), nodes.begin() + (1 << places.at(id).dim));
   }
 
   void AbaqusSets::add_nodes_of_elements(const std::size_t group, const std::size_t of)
   {
     for (unsigned int d = 1; d <= 3; ++d)
-      for (const Id id : mesh.groups[of].elements[d])
-        for (unsigned int k = 0; k < 1u << d; ++k)
-          mesh.groups[group].nodes.push_back(element(id).nodes[k]);
+      {
+        lines.add_listed(mesh.groups[of].elements[d].size());
+        for (const Id id : mesh.groups[of].elements[d])
+          add_nodes_of(id, mesh.groups[group]);
+      }
+    append(lines, awaited_for_nodes[group], awaited[of]);
+  }
+
+  void AbaqusSets::add_awaited()
+  {
+    for (const auto &[group, ids] : awaited)
+      for (const Id id : ids)
+        if (const auto found = places.find(id); found != places.end())
+          mesh.groups[group].elements[found->second.dim].push_back(id);
+    for (const auto &[group, ids] : awaited_for_nodes)
+      for (const Id id : ids)
+        if (const auto found = places.find(id); found != places.end())
+          add_nodes_of(id, mesh.groups[group]);
   }
 
   void AbaqusSets::add_sides(const std::size_t group, const std::string &elements, const std::string &label)
@@ -88,8 +111,8 @@ namespace birdstrike
     std::vector<Id> ids;
     if (const auto set = find(elements))
       for (const unsigned int d : {2, 3})
-        append(ids, mesh.groups[*set].elements[d]);
-    else if (!elements.empty() && elements.find_first_not_of("0123456789") == std::string::npos)
+        append(lines, ids, mesh.groups[*set].elements[d]);
+    else if (!elements.empty() && elements.size() < 19 && elements.find_first_not_of("0123456789") == std::string::npos)
       if (const Id id = std::stoll(elements); places.count(id) > 0)
         ids = {id};
     const unsigned int number = label.empty() ? 0 : static_cast<unsigned int>(label.back() - '0');

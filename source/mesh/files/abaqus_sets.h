@@ -1,6 +1,9 @@
 #pragma once
 
+#include "mesh/files/file_lines.h"
 #include "mesh/files/imported_mesh.h"
+
+#include <map>
 
 namespace birdstrike
 {
@@ -11,7 +14,7 @@ namespace birdstrike
   public:
     using Id = ImportedMesh::Id;
 
-    explicit AbaqusSets(ImportedMesh &mesh) : mesh(mesh)
+    AbaqusSets(ImportedMesh &mesh, FileLines &lines) : mesh(mesh), lines(lines)
     {
     }
 
@@ -19,10 +22,11 @@ namespace birdstrike
     std::optional<std::size_t> find(const std::string &name) const;
 
     bool add(const ImportedMesh::Element &element, unsigned int dim); ///< to the mesh; false if the id is there
-    void add_element(std::size_t group, Id id);                       ///< nothing if it is not there
+    void add_element(std::size_t group, Id id);                       ///< once it is there
     void add_elements(std::size_t group, std::size_t of);
     void add_nodes(std::size_t group, std::size_t of);
     void add_nodes_of_elements(std::size_t group, std::size_t of);
+    void add_awaited(); ///< elements that sets have named before they were there; at the end of the file
 
     /// Sides of the elements of a set, or of one element: S1..S6 of bricks, E1..E4 of shells, S1..S4 of plane elements;
     /// none: all of them. SPOS and SNEG, the faces of a shell, are no side of it.
@@ -30,6 +34,7 @@ namespace birdstrike
 
   private:
     const ImportedMesh::Element &element(Id id) const;
+    void                         add_nodes_of(Id id, ImportedMesh::Group &group) const;
 
     struct Place
     {
@@ -38,7 +43,9 @@ namespace birdstrike
     };
 
     ImportedMesh                           &mesh;
-    std::unordered_map<std::string, size_t> groups; ///< by name in upper case
-    std::unordered_map<Id, Place>           places; ///< of elements
+    FileLines                              &lines;                      ///< to refuse sets without bounds
+    std::unordered_map<std::string, size_t> groups;                     ///< by name in upper case
+    std::unordered_map<Id, Place>           places;                     ///< of elements
+    std::map<std::size_t, std::vector<Id>>  awaited, awaited_for_nodes; ///< by group
   };
 } // namespace birdstrike

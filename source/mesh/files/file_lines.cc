@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 namespace birdstrike
 {
@@ -24,7 +25,8 @@ namespace birdstrike
 
   FileLines::FileLines(const std::string &path, const std::string &entry) : path(path), entry(entry), in(path)
   {
-    if (!in)
+    std::error_code error;
+    if (!in || !std::filesystem::is_regular_file(path, error)) // what is no file may never end
       throw InputError(entry + ": cannot open '" + path + "'.\nPaths are relative to the working directory.");
   }
 
@@ -40,6 +42,15 @@ namespace birdstrike
   void FileLines::refuse(const std::string &what, const std::string &remedy) const
   {
     throw InputError(entry + ": '" + path + "', line " + std::to_string(n_lines) + ": " + what + ".\n" + remedy);
+  }
+
+  void FileLines::add_listed(const std::size_t n)
+  {
+    if (n > largest_list - n_listed)
+      refuse("the lists by first and last id and of sets, down to here, have more than " +
+               std::to_string(largest_list) + " ids",
+             "Leave out the sets that are not needed.");
+    n_listed += n;
   }
 
   std::int64_t FileLines::integer(std::string_view field) const

@@ -26,6 +26,11 @@ namespace birdstrike
     }
     [[noreturn]] void refuse(const std::string &what, const std::string &remedy) const;
 
+    /// Counts ids that the file does not write down one by one: refuses more than `largest_list` of them all, for a few
+    /// lines could ask for any memory.
+    void                         add_listed(std::size_t n);
+    static constexpr std::size_t largest_list = 10'000'000;
+
     /// A field of the line as a number, finite; blank: 0.
     std::int64_t integer(std::string_view field) const;
     double       number(std::string_view field) const;
@@ -35,7 +40,7 @@ namespace birdstrike
 
   private:
     std::string   path, entry, line;
-    std::size_t   n_lines = 0;
+    std::size_t   n_lines = 0, n_listed = 0;
     std::ifstream in;
   };
 } // namespace birdstrike

@@ -79,6 +79,11 @@ namespace birdstrike
         return n;
       }
 
+      Id group_number(const std::string_view field) const ///< negative: turned round
+      {
+        return std::abs(std::max(lines.integer(field), -ImportedMesh::largest_number - 1));
+      }
+
       void repeat(const Id n, void (GmshFile::*read_one)())
       {
         for (Id k = 0; k < n; ++k)
@@ -123,9 +128,9 @@ namespace birdstrike
               if (n_groups > static_cast<Id>(fields.size() - before - 1))
                 lines.refuse("an entity has fewer physical groups than its " + std::to_string(n_groups),
                              "Save the mesh again.");
-              for (Id g = 0; g < n_groups; ++g) // negative: turned round
+              for (Id g = 0; g < n_groups; ++g)
                 physical_of[{dim, lines.integer(fields[0])}].push_back(
-                  std::abs(lines.integer(fields[before + 1 + static_cast<std::size_t>(g)])));
+                  group_number(fields[before + 1 + static_cast<std::size_t>(g)]));
             }
       }
 
@@ -177,7 +182,7 @@ namespace birdstrike
         const Id     n_tags = count(fields[2]);
         if (n_tags >= static_cast<Id>(fields.size()) - 3)
           lines.refuse("an element has " + std::to_string(n_tags) + " tags and no nodes", "Save the mesh again.");
-        const Id number = n_tags > 0 ? std::abs(lines.integer(fields[3])) : 0;
+        const Id number = n_tags > 0 ? group_number(fields[3]) : 0;
         add_element(type_of(fields[1]), fields, static_cast<std::size_t>(3 + n_tags),
                     number > 0 ? std::vector<Id>{number} : std::vector<Id>{});
       }
@@ -219,6 +224,7 @@ namespace birdstrike
         auto &element = mesh.elements[type.dim].emplace_back(ImportedMesh::Element{lines.integer(fields[0])});
         for (unsigned int k = 0; k < type.n_nodes; ++k)
           element.nodes[k] = lines.integer(fields[first + k]);
+        lines.add_listed(groups.size() > 1 ? groups.size() : 0);
         for (const Id number : groups)
           group(type.dim, number).elements[type.dim].push_back(element.id);
       }

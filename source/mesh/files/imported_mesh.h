@@ -30,7 +30,6 @@ namespace birdstrike
     using Id = std::int64_t;
 
     static constexpr Id largest_number = 2'000'000'000; ///< of a group: deal.II keeps the highest ids for itself
-    static constexpr Id largest_list   = 10'000'000;    ///< of ids that a file says by the first and the last
 
     struct Element
     {

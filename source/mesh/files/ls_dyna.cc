@@ -32,6 +32,7 @@ namespace birdstrike
             {
               const auto &of_part = mesh.groups[group_of("part", part)].elements[d];
               auto       &all     = mesh.groups[set].elements[d];
+              lines.add_listed(of_part.size());
               all.insert(all.end(), of_part.begin(), of_part.end());
             }
         return std::move(mesh);
@@ -232,11 +233,12 @@ namespace birdstrike
 
       void add_members(const Id first, const Id last)
       {
-        if (last - first > ImportedMesh::largest_list)
-          lines.refuse("GENERATE from " + std::to_string(first) + " to " + std::to_string(last) + " is too long a list",
-                       "Allowed: up to " + std::to_string(ImportedMesh::largest_list) + " ids.");
-        for (Id member = first; member > 0 && member <= last; ++member)
-          add_member(member);
+        if (first < 1 || last < first)
+          return; // fields of the card that are not filled
+        const Id n = last - first + 1;
+        lines.add_listed(static_cast<std::size_t>(n));
+        for (Id k = 0; k < n; ++k)
+          add_member(first + k);
       }
 
       void add_member(const Id member)

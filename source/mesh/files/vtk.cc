@@ -27,8 +27,11 @@ namespace birdstrike
           std::getline(in, line);
         if (trim(line) != "ASCII")
           refuse("is not written as text", "Save it as VTK legacy, ASCII.");
-        for (std::string word; in >> word && word != "POINT_DATA";)
-          if (word == "DATASET" && take<std::string>() != "UNSTRUCTURED_GRID")
+        bool is_of_cells = false; // what points have is passed over
+        for (std::string word; in >> word;)
+          if (word == "CELL_DATA" || word == "POINT_DATA")
+            is_of_cells = word == "CELL_DATA";
+          else if (word == "DATASET" && take<std::string>() != "UNSTRUCTURED_GRID")
             refuse("holds no unstructured grid", "Save it as a legacy unstructured grid.");
           else if (word == "POINTS")
             read_points();
@@ -36,9 +39,9 @@ namespace birdstrike
             read_cells();
           else if (word == "CELL_TYPES")
             types = take_many(take<std::size_t>());
-          else if (word == "SCALARS")
+          else if (word == "SCALARS" && is_of_cells)
             read_scalars();
-          else if (word == "FIELD")
+          else if (word == "FIELD" && is_of_cells)
             read_fields();
         if (types.size() != cells.size())
           refuse("has " + std::to_string(cells.size()) + " cells and " + std::to_string(types.size()) + " cell types",

@@ -83,6 +83,16 @@ namespace birdstrike
     EXPECT_THROW(mesh.boundary_names.parse("strip", "Clamped"), InputError) << "elements are no boundary";
   }
 
+  TEST(AbaqusFile, SetsMayStandBeforeTheirElements)
+  {
+    const ShellMesh mesh = read<2>("*ELSET, ELSET=first\n1, 99\n*ELSET, ELSET=two\nfirst, 2\n"
+                                   "*NSET, NSET=of_two, ELSET=two\n" +
+                                   nodes + squares);
+    EXPECT_EQ(cells(mesh, "first"), (std::vector<int>{0}));
+    EXPECT_EQ(cells(mesh, "two"), (std::vector<int>{0, 1}));
+    EXPECT_EQ(places(mesh, "of_two"), (std::vector<int>{0, 1, 10, 11, 20, 21}));
+  }
+
   TEST(AbaqusFile, SurfacesAreSidesOfElements)
   {
     const ShellMesh mesh = read<2>(nodes + squares +

@@ -84,6 +84,7 @@ namespace birdstrike
       const std::string vtk    = "# vtk DataFile Version 3.0\ncube\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n"
                                  "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
                                  "CELLS 2 14\n8 0 1 2 3 4 5 6 7\n4 0 4 7 3\nCELL_TYPES 2\n12\n9\n"
+                                 "POINT_DATA 8\nSCALARS height double 1\nLOOKUP_TABLE default\n0 0 0 0 .5 .5 .5 .5\n"
                                  "CELL_DATA 2\nSCALARS MaterialID int 1\nLOOKUP_TABLE default\n3\n7\n";
       const std::string abaqus = "*HEADING\ncube\n*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n"
                                  "6, 1, 0, 1\n7, 1, 1, 1\n8, 0, 1, 1\n*ELEMENT, TYPE=C3D8R, ELSET=EB3\n"
