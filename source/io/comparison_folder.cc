@@ -25,7 +25,11 @@ namespace birdstrike
   void ComparisonFolder::require_usable(const fs::path &directory)
   {
     std::error_code error;
-    if (fs::exists(directory, error) && !fs::is_directory(directory, error))
+    const bool      is_there = fs::exists(directory, error);
+    if (error) // a name that is too long, a folder above it that is closed
+      throw InputError("The folder of the comparison, '" + directory.string() + "', cannot be: " + error.message() +
+                       "." + action);
+    if (is_there && !fs::is_directory(directory, error))
       throw InputError("The folder of the comparison, '" + directory.string() + "', is a file." + action);
     if (fs::exists(directory / marker_of_a_run, error))
       throw InputError("The folder of the comparison, '" + directory.string() +

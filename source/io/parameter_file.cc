@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 namespace birdstrike
@@ -59,14 +58,6 @@ namespace birdstrike
           out += indent + "end\n\n";
         }
     }
-
-    std::string read_text(const std::string &path)
-    {
-      std::ifstream      in(path, std::ios::binary);
-      std::ostringstream text;
-      text << in.rdbuf();
-      return text.str();
-    }
   } // namespace
 
   void ParameterGroup::declare_in_section(dealii::ParameterHandler &prm, const std::string &section,
@@ -95,7 +86,7 @@ namespace birdstrike
     scan_parameter_file(path, known, scanned);
     for (const std::string &override_text : overrides)
       scan_override(override_text, known, scanned);
-    original_text = read_text(path);
+    original_text = scanned.original;
     given         = scanned.given;
     included      = scanned.included;
     prm->parse_input_from_string(scanned.text);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "io/parameter_messages.h"
@@ -24,6 +23,15 @@ namespace birdstrike
       while (in >> word)
         result += (result.empty() ? "" : " ") + word;
       return result;
+    }
+
+    /// What follows the first word, with the blanks within it: names of files keep theirs.
+    std::string behind_first_word(const std::string &text)
+    {
+      constexpr const char *blanks = " \t\n\v\f\r";
+      const std::size_t     end    = text.find_first_of(blanks, text.find_first_not_of(blanks));
+      const std::size_t     begin = text.find_first_not_of(blanks, end), last = text.find_last_not_of(blanks);
+      return text.substr(begin, last + 1 - begin);
     }
 
     std::string without_comment(const std::string &text)
@@ -81,30 +89,6 @@ namespace birdstrike
       return {section, name, value, where.line, false};
     }
 
-    /// Where a text stops to be UTF-8 (RFC 3629: no overlong forms, halves of pairs); its size if nowhere.
-    std::size_t first_not_utf8(const std::string &text)
-    {
-      const auto byte = [&text](const std::size_t at) { return static_cast<unsigned char>(text[at]); };
-      for (std::size_t k = 0; k < text.size();)
-        {
-          const std::size_t n = byte(k) < 0x80                     ? 1
-                                : byte(k) < 0xC2 || byte(k) > 0xF4 ? 0
-                                : byte(k) < 0xE0                   ? 2
-                                : byte(k) < 0xF0                   ? 3
-                                                                   : 4;
-          if (n == 0 || k + n > text.size())
-            return k;
-          for (std::size_t j = k + 1; j < k + n; ++j)
-            if ((byte(j) & 0xC0) != 0x80)
-              return k;
-          if ((byte(k) == 0xE0 && byte(k + 1) < 0xA0) || (byte(k) == 0xED && byte(k + 1) > 0x9F) ||
-              (byte(k) == 0xF0 && byte(k + 1) < 0x90) || (byte(k) == 0xF4 && byte(k + 1) > 0x8F))
-            return k;
-          k += n;
-        }
-      return text.size();
-    }
-
     /// One file: the state between its lines.
     class FileScanner
     {
@@ -117,7 +101,11 @@ namespace birdstrike
 
       void scan()
       {
-        std::istringstream in(read_text());
+        const std::string whole_text = read_parameter_text(path, includer);
+        if (depth == 0)
+          result.original = whole_text;
+        const bool         has_mark = whole_text.starts_with("\xEF\xBB\xBF"); // by which some editors begin UTF-8
+        std::istringstream in(whole_text.substr(has_mark ? 3 : 0));
         std::string        line;
         unsigned int       number = 0;
         while (std::getline(in, line))
@@ -131,7 +119,7 @@ namespace birdstrike
                 whole.erase(whole.find_last_of('\\'));
                 whole += first == std::string::npos ? "" : line.substr(first);
               }
-            read_statement(normalise(without_comment(whole)));
+            read_statement(without_comment(whole));
           }
         if (!opened_at.empty())
           throw InputError(message({path.string() + ": subsection '" + section.back() + "', opened in line " +
@@ -152,41 +140,18 @@ namespace birdstrike
       SourceLine                where;
       ScannedParameters        &result;
 
-      /// Without the mark by which some editors begin a text in UTF-8.
-      std::string read_text() const
-      {
-        std::ifstream file(path, std::ios::binary);
-        if (!file || fs::is_directory(path))
-          throw InputError(describe_missing_file(path, includer));
-        std::ostringstream text;
-        text << file.rdbuf();
-        const std::string whole = text.str();
-        if (whole.find('\0') != std::string::npos)
-          throw InputError(message({"'" + path.string() + "' is no parameter file: it holds bytes that are no text.",
-                                    includer.line > 0 ? "  Included by " + includer.text() + "." : "",
-                                    "  Allowed: text in UTF-8 (an editor may have saved it as UTF-16)."}));
-        if (const std::size_t place = first_not_utf8(whole); place < whole.size())
-          throw InputError(message(
-            {SourceLine{path.string(),
-                        static_cast<unsigned int>(
-                          1 + std::count(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(place), '\n'))}
-                 .text() +
-               ": the text is not in UTF-8.",
-             "  Action: save the file in UTF-8 (an editor may have saved it as Latin-1)."}));
-        return whole.rfind("\xEF\xBB\xBF", 0) == 0 ? whole.substr(3) : whole;
-      }
-
       static bool is_continued(const std::string &line)
       {
         const std::size_t last = line.find_last_not_of(" \t\r");
         return last != std::string::npos && line[last] == '\\';
       }
 
-      void read_statement(const std::string &statement)
+      void read_statement(const std::string &typed)
       {
-        const std::size_t blank   = statement.find(' ');
-        std::string       keyword = statement.substr(0, blank);
-        const std::string rest    = blank == std::string::npos ? "" : statement.substr(blank + 1);
+        const std::string statement = normalise(typed);
+        const std::size_t blank     = statement.find(' ');
+        std::string       keyword   = statement.substr(0, blank);
+        const std::string rest      = blank == std::string::npos ? "" : statement.substr(blank + 1);
         if (std::all_of(keyword.begin(), keyword.end(), [](const unsigned char c) { return std::isupper(c); }))
           std::transform(keyword.begin(), keyword.end(), keyword.begin(),
                          [](const unsigned char c) { return std::tolower(c); });
@@ -199,7 +164,7 @@ namespace birdstrike
         else if (keyword == "set" && !rest.empty())
           add(read_assignment(section, rest, where, known));
         else if (keyword == "include" && !rest.empty())
-          include(rest);
+          include(behind_first_word(typed));
         else
           throw InputError(describe_bad_statement(where, statement));
       }

@@ -2,6 +2,7 @@
 
 #include "io/parameter_tree.h"
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ namespace birdstrike
   struct ScannedParameters
   {
     std::string              text;     ///< as deal.II's ParameterHandler parses it
+    std::string              original; ///< the outermost file as it is
     std::set<std::string>    given;    ///< entries that are set, "Section/Entry"
     std::vector<std::string> included; ///< files, in the order of reading
   };
@@ -37,4 +39,11 @@ namespace birdstrike
 
   /// The same of one override "Section/Sub section/Entry=value"; blanks around '/' and '=' do not count.
   void scan_override(const std::string &text, const ParameterTree &known, ScannedParameters &result);
+
+  /// Where a text stops to be UTF-8 (RFC 3629: no overlong forms, halves of pairs); its size if nowhere.
+  std::size_t first_not_utf8(const std::string &text);
+
+  /// A parameter file as it is, read once, for it may be a pipe. Raises InputError for what cannot be read, is larger
+  /// than 16 MiB (/dev/zero never ends), no text or not in UTF-8.
+  std::string read_parameter_text(const std::filesystem::path &path, const SourceLine &includer);
 } // namespace birdstrike
