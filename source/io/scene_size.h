@@ -11,6 +11,7 @@ namespace birdstrike
     double n_particles = 0.; ///< bird/packing.h: count_particles
     double n_elements = 0., n_nodes = 0.;
     double bytes_of_bird = 0., bytes_of_blade = 0.; ///< largest while the scene is built (core/prices.h)
+                                                    ///< or, where checkpoints are planned, written
   };
 
   SceneSize compute_scene_size(const CaseParameters &parameters);

@@ -2,6 +2,7 @@
 #include "simulation/case_warnings.h"
 #include "simulation/explain.h"
 #include "simulation/read_case.h"
+#include "simulation/run_size.h"
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/columns.h>
@@ -19,6 +20,7 @@ namespace birdstrike
     CaseParameters parameters;
     read_case(parameters, request);
     Scene scene(parameters);
+    require_bounded_run(parameters, scene);
     std::cout << explain(parameters, scene);
     show(find_scene_warnings(parameters, scene));
   }
@@ -28,6 +30,7 @@ namespace birdstrike
     CaseParameters parameters;
     read_case(parameters, request);
     Scene scene(parameters);
+    require_bounded_run(parameters, scene);
     explain(parameters, scene);
     show(find_scene_warnings(parameters, scene));
     std::cout << request.prm_file << ": valid\n";

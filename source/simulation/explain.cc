@@ -190,10 +190,10 @@ namespace birdstrike
 
   double compute_field_bytes(const CaseParameters &parameters, const Scene &scene)
   {
-    const OutputParameters &output = parameters.output;
-    const double            n_fields =
-      2. + (output.field_interval > 0. ? std::floor(parameters.time.end_time / output.field_interval) : 0.);
-    double bytes = 0.;
+    const OutputParameters &output   = parameters.output;
+    const double            interval = std::max(output.field_interval, scene.last_plan().step); // one a step at most
+    const double n_fields = 2. + (output.field_interval > 0. ? std::floor(parameters.time.end_time / interval) : 0.);
+    double       bytes    = 0.;
     if (scene.blade && output.blade_fields)
       bytes += n_fields * static_cast<double>(compute_field_file_bytes(scene.blade->snapshot()));
     if (scene.bird && output.bird_fields)

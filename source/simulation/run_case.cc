@@ -3,6 +3,7 @@
 #include "simulation/checkpoints.h"
 #include "simulation/explain.h"
 #include "simulation/read_case.h"
+#include "simulation/run_size.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
@@ -157,6 +158,7 @@ namespace birdstrike
                        "or --force to replace it.");
     const auto inputs = list_input_files(parameters);
     Scene      scene(parameters); // refuses a bad case before a folder is touched
+    require_bounded_run(parameters, scene);
     const auto forecast = explain(parameters, scene);
 
     listen_to_signals();
@@ -195,6 +197,7 @@ namespace birdstrike
                  checkpoint.program, program());
 
     Scene scene(now);
+    require_bounded_run(now, scene);
     listen_to_signals();
     folder.go_on();
     folder.write_text("parameters.prm", now.file.as_prm());

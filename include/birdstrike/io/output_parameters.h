@@ -35,6 +35,11 @@ namespace birdstrike
       double       wall_interval = 600.; ///< s, on the clock
       bool         at_the_end    = true;
       unsigned int n_kept        = 2;
+
+      bool are_planned() const
+      {
+        return step_interval > 0 || time_interval > 0. || wall_interval > 0. || at_the_end;
+      }
     } checkpoints;
 
     double channel_class = 1000.; ///< Hz, of the filtered contact force; 0: none
