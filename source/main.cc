@@ -1,6 +1,7 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/report/compare.h>
 #include <birdstrike/simulation/commands.h>

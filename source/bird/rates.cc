@@ -1,7 +1,7 @@
 #include "bird/riemann_rates.h"
 #include "bird/standard_rates.h"
 #include <birdstrike/bird/rates.h>
-#include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 
 #include <algorithm>
 
@@ -27,10 +27,16 @@ namespace birdstrike
     while (p + 1 < std::min(end, particles.size()) && is_sound(particles, Prediction<double>(particles, p, dt), p))
       ++p;
     const Prediction<double> failed(particles, p, dt);
-    throw NumericalFailure(fmt::format("Bird particle {} at ({:.6g}, {:.6g}, {:.6g}) m has lost its state:\n"
-                                       "density over reference density {:.6g}, velocity ({:.6g}, {:.6g}, {:.6g}) m/s.\n"
-                                       "Lower 'Courant number' in section 'Bird', or look at the contact there.",
-                                       particles.id[p], particles.x[0][p], particles.x[1][p], particles.x[2][p],
-                                       1. + failed.mu, failed.velocity[0], failed.velocity[1], failed.velocity[2]));
+    FailureFacts             facts{"A bird particle has lost its state",
+                       "density over reference density",
+                       1. + failed.mu,
+                       "-",
+                       0.,
+                       "allowed: more than"};
+    facts.where   = {"particle", particles.id[p], {{particles.x[0][p], particles.x[1][p], particles.x[2][p]}}};
+    facts.details = fmt::format("Its velocity is ({:.6g}, {:.6g}, {:.6g}) m/s.", failed.velocity[0], failed.velocity[1],
+                                failed.velocity[2]);
+    facts.advice  = "Reduce Bird/Courant number or Time/Bird step scale, and look at the contact there.";
+    throw NumericalFailure(std::move(facts));
   }
 } // namespace birdstrike

@@ -109,8 +109,13 @@ namespace birdstrike
           for (unsigned int d = 0; d < 4; ++d)
             target.node_sums[touch.nodes[k]][d] -= touch.weights[k] * force[d];
         report.stored_energy += stored[t];
-        touch.dissipative  = Point3(dissipative[0][t], dissipative[1][t], dissipative[2][t]);
-        report.penetration = std::max(report.penetration, touch.penetration);
+        touch.dissipative = Point3(dissipative[0][t], dissipative[1][t], dissipative[2][t]);
+        if (touch.penetration > report.penetration)
+          {
+            report.penetration   = touch.penetration;
+            report.deepest_point = i;
+            report.deepest_facet = touch.facet;
+          }
 
         stiffness = tangent[t] + (t > 0 && target.touches[t - 1].point == i ? stiffness : 0.);
         if (const double squared = stiffness / points.mass[i]; squared > report.largest_point.value)

@@ -249,7 +249,12 @@ namespace birdstrike
           last.force[d] += block.force[d];
         last.stored_energy += block.stored_energy;
         last.dissipation_power += block.dissipation_power;
-        last.penetration = std::max(last.penetration, block.penetration);
+        if (block.penetration > last.penetration)
+          {
+            last.penetration   = block.penetration;
+            last.deepest_point = block.deepest_point;
+            last.deepest_facet = block.deepest_facet;
+          }
         last.n_touching += block.n_touching;
         last.pairs_tested += block.n_tested;
         last.points_active += block.n_active;

@@ -31,6 +31,10 @@ namespace birdstrike
                       "Distance in particle spacings by which candidates are collected beyond touch; they serve until "
                       "the relative motion has used it up. [-]",
                       Patterns::Double(0.));
+    prm.add_parameter("Largest penetration", largest_penetration,
+                      "Depth in particle spacings below the surface that it met at which a particle counts as stuck in "
+                      "the blade or through it, and the run ends (LS-DYNA's PENMAX lets go of such nodes). [-]",
+                      Patterns::Double(0.));
     prm.add_parameter("Pressure patches", patches,
                       "Discs over which the contact pressure is averaged, given as 'name: x y z radius' and separated "
                       "by semicolons; the pressure is taken where the closest point lies in the disc. [m]");
@@ -46,6 +50,9 @@ namespace birdstrike
     if (is_enabled && !(stiffness_scale > 0.))
       throw InputError("Contact/Stiffness scale is 0, so points would pass through the surface.\n"
                        "Allowed: more than 0.\nGive 1, or set Enabled = false.");
+    if (is_enabled && !(largest_penetration > 0.))
+      throw InputError("Contact/Largest penetration is 0, so the first touch would end the run.\n"
+                       "Allowed: more than 0.\nGive 1, or 1e9 for no limit.");
     pressure_patches();
   }
 

@@ -1,6 +1,6 @@
 #include "core/parsed_formula.h"
 
-#include <birdstrike/core/arithmetic.h>
+#include <birdstrike/core/expression.h>
 
 #include <cmath>
 

@@ -34,7 +34,7 @@ namespace birdstrike
       if (name.ends_with(".part"))
         name.erase(name.size() - 5);
       for (const char *known : {"original.prm", "parameters.prm", "log.txt", "history.csv", "filtered.csv",
-                                "results.h5", "summary.json", "blade.pvd", "bird.pvd"})
+                                "results.h5", "summary.json", "failure.json", "blade.pvd", "bird.pvd"})
         if (name == known)
           return true;
       return is_numbered(name, "blade_", ".vtu") || is_numbered(name, "bird_", ".vtu") ||
@@ -145,7 +145,8 @@ namespace birdstrike
   {
     is_ended = false;
     mark("running");
-    fs::remove(file("summary.json"));
+    for (const char *name : {"summary.json", "failure.json"})
+      fs::remove(file(name));
   }
 
   void RunFolder::mark(const std::string &state) const
@@ -167,7 +168,7 @@ namespace birdstrike
       {
         lock_alone(lock, directory);
         write_state(lock, directory, "failed: it never started");
-        for (const char *name : {"summary.json", "history.csv", "filtered.csv", "results.h5"})
+        for (const char *name : {"summary.json", "failure.json", "history.csv", "filtered.csv", "results.h5"})
           fs::remove(directory / name);
       }
     catch (...)
@@ -218,11 +219,13 @@ namespace birdstrike
     return is_being_written;
   }
 
-  void RunFolder::fail(const std::string &reason) noexcept
+  void RunFolder::fail(const std::string &reason, const std::string &failure_json) noexcept
   {
     is_ended = true;
     try
       {
+        if (!failure_json.empty())
+          write_text("failure.json", failure_json);
         mark("failed: " + reason.substr(0, reason.find('\n')));
       }
     catch (const std::exception &)

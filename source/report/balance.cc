@@ -1,10 +1,11 @@
-#include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/report/balance.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace birdstrike
 {
@@ -130,31 +131,31 @@ namespace birdstrike
   {
     if (std::isinf(limit))
       return; // rows of the history only look
-    const std::string when = fmt::format("at t = {:.6g} s, step {}", time, step);
+    const auto fail = [&](FailureFacts facts, const std::string &details = "", const std::string &advice = "") {
+      facts.time    = time;
+      facts.step    = step;
+      facts.details = describe(last) + details;
+      facts.advice  = advise(last) + advice;
+      throw NumericalFailure(std::move(facts));
+    };
     if (!(std::abs(error.now) <= limit))
       {
         const Origins from = origins();
-        throw NumericalFailure(fmt::format(
-          "The energy balance is lost: {:+.3g} of {:.6g} J {} (Time/Energy error limit {:.3g}).\n{}\n"
-          "The error comes from the blade's elements with {:+.3g} J, the bird's density {:+.3g}, contact {:+.3g}, the "
-          "steps in time {:+.3g}.\n{}",
-          error.now, scale, when, limit, describe(last), from.blade, from.bird, from.contact, from.steps,
-          advise(last) +
-            (from.blade > 0.5 * std::abs(error.now) * scale
-               ? "\nThe elements make it: crushed ones do so, and at strains of some per cent one-point bricks without "
+        fail({fmt::format("The energy balance, of {:.6g} J, is lost", scale), "energy error", error.now, "-", limit,
+              "Time/Energy error limit"},
+             fmt::format("\nThe error comes from the blade's elements with {:+.3g} J, the bird's density {:+.3g}, "
+                         "contact {:+.3g}, the steps in time {:+.3g}.",
+                         from.blade, from.bird, from.contact, from.steps),
+             from.blade > 0.5 * std::abs(error.now) * scale
+               ? " The elements make it: crushed ones do so, and at strains of some per cent one-point bricks without "
                  "Blade/Element/Linear viscosity at steps near the largest stable one."
-               : "")));
+               : "");
       }
     for (const LedgerEntry &entry : ledger)
       if (const double value = entry.value(last); entry.rules().is_positive && !(value >= -negative_limit * scale))
-        throw NumericalFailure(
-          fmt::format("An energy that cannot be negative is: {} = {:.6g} J {} (limit {:.3g} J).\n{}\n{}", entry.column,
-                      value, when, -negative_limit * scale, describe(last), advise(last)));
+        fail({"An energy that cannot be negative is", std::string(entry.column), value, "J", -negative_limit * scale});
     if (fall > negative_limit * scale)
-      throw NumericalFailure(
-        fmt::format("Contact has made energy: contact_dissipated has fallen by {:.6g} J to {:.6g} J "
-                    "{} (limit {:.3g} J).\n{}\n{}",
-                    fall, last.contact.dissipated, when, negative_limit * scale, describe(last), advise(last)));
+      fail({"Contact has made energy", "fall of contact_dissipated", fall, "J", negative_limit * scale});
   }
 
   Balance::Origins Balance::origins() const

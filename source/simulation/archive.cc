@@ -81,4 +81,11 @@ namespace birdstrike
     limiters.archive(archive);
     is_started = true;
   }
+
+  void BirdStrike::require_sound_state() const
+  {
+    const SystemState state = scene.state();
+    guards.check_motion(scene, state.blade.kinetic);
+    Balance(balance).update(state, now, n_steps);
+  }
 } // namespace birdstrike

@@ -4,6 +4,7 @@
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/core/allocation_guard.h>
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/patch_forces.h>
 #include <birdstrike/report/text.h>
@@ -49,6 +50,7 @@ namespace birdstrike
     , stepper(scene, timings, &observed.contact)
     , sections{timings.section("removal of particles"), timings.section("stable time step"),
                timings.section("balance and output")}
+    , guards(parameters, scene)
     , balance(parameters.time.energy_error_limit)
     , row_balance(INFINITY)
     , progress(parameters.time.end_time, parameters.output.console_interval)
@@ -81,19 +83,31 @@ namespace birdstrike
           between_steps(true);
         finish();
       }
+    catch (NumericalFailure &failure)
+      {
+        failure.add_instant(now, n_steps);
+        name_fastest(scene, failure);
+        end_badly();
+        throw;
+      }
     catch (...)
       {
-        progress.finish();
-        try
-          {
-            if (recorder)
-              recorder->flush();
-          }
-        catch (const std::exception &error) // must not hide what ended the run
-          {
-            log().error("{}", error.what());
-          }
+        end_badly();
         throw;
+      }
+  }
+
+  void BirdStrike::end_badly()
+  {
+    progress.finish();
+    try
+      {
+        if (recorder)
+          recorder->flush();
+      }
+    catch (const std::exception &error) // must not hide what ended the run
+      {
+        log().error("{}", error.what());
       }
   }
 
@@ -147,6 +161,7 @@ namespace birdstrike
   void BirdStrike::observe()
   {
     const Timings::Scope scope(timings, sections.output);
+    guards.check_penetration(scene);
     for (const auto &table : scene.histories.tables)
       table->follow();
     if (scene.blade)
@@ -157,6 +172,7 @@ namespace birdstrike
     const SystemState state = scene.state();
     if (is_sample)
       {
+        guards.check_motion(scene, state.blade.kinetic);
         balance.update(state, now, n_steps);
         observed.update_shares(balance, now);
       }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "simulation/guards.h"
 #include "simulation/scene.h"
 #include "simulation/stepper.h"
 #include <birdstrike/core/timing.h>
@@ -46,6 +47,9 @@ namespace birdstrike
     /// not been started.
     void archive(Archive &archive);
 
+    /// Throws NumericalFailure for a state that is no good to go on from: what a step in `observation_stride` is asked.
+    void require_sound_state() const;
+
     /// Asks the loop, running or still to come, to end after its present step, e.g. from a signal handler.
     static void request_stop();
     static void forget_stop_requests();
@@ -66,6 +70,7 @@ namespace birdstrike
     void      retire_particles();
     bool      is_bird_phase_over(double horizon);
     void      finish();
+    void      end_badly();            ///< what is known so far goes to the files
     RunView   view() const;           ///< the present
     RunView   view_whole_run() const; ///< with its costs and what it skipped
     EndReason reason_to_stop() const;
@@ -90,6 +95,7 @@ namespace birdstrike
     {
       std::size_t retirement, votes, output;
     } sections;
+    Guards                  guards;
     Balance                 balance;     ///< judges the run, at a fixed stride of steps
     Balance                 row_balance; ///< what rows show: wherever one is due, so that none moves a maximum
     Observed                observed;

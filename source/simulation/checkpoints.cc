@@ -1,6 +1,7 @@
 #include "simulation/checkpoints.h"
 #include "simulation/bird_strike.h"
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/report/text.h>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -24,6 +26,19 @@ namespace birdstrike
       return fmt::format("{}{:012}.h5", checkpoint_stem, step);
     }
 
+    /// Infinite may be what is not limited yet; NaN is nothing.
+    void require_numbers(const ArchivedState &state)
+    {
+      for (const auto &[name, quantity] : state)
+        for (const double value : quantity.real)
+          if (std::isnan(value))
+            {
+              FailureFacts facts{"The state holds what is no number, and no checkpoint is written of it", name, value};
+              facts.advice = "Reduce Time/Step scale and Time/Bird step scale, and look at the last fields.";
+              throw NumericalFailure(std::move(facts));
+            }
+    }
+
     double seconds_since(const std::chrono::steady_clock::time_point then)
     {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
@@ -35,10 +50,13 @@ namespace birdstrike
     : when(when)
     , folder(run_folder / checkpoint_folder)
     , next(std::move(of_run))
+    , last_file_time(strike.time())
     , last_step(strike.n_steps_done() > 0 ? std::optional(strike.n_steps_done()) : std::nullopt)
     , last_time(strike.time())
     , last_clock(std::chrono::steady_clock::now())
   {
+    if (last_step)
+      last_file = (folder / file_name(*last_step)).string();
   }
 
   void Checkpoints::request()
@@ -46,9 +64,9 @@ namespace birdstrike
     is_requested = true;
   }
 
-  const std::string &Checkpoints::last() const
+  std::string Checkpoints::describe_last() const
   {
-    return written;
+    return last_file + " at t = " + format_quantity(last_file_time, "s");
   }
 
   bool Checkpoints::is_due(const BirdStrike &strike, const bool is_over) const
@@ -69,11 +87,13 @@ namespace birdstrike
 
   void Checkpoints::write(BirdStrike &strike, const bool is_wanted)
   {
+    strike.require_sound_state();
     next.time = strike.time();
     next.step = strike.n_steps_done();
     next.state.clear();
     Archive archive = Archive::writing(next.state);
     strike.archive(archive);
+    require_numbers(next.state);
     last_step           = next.step; // also of one that fails: the next is tried an interval later
     last_time           = next.time;
     last_clock          = std::chrono::steady_clock::now();
@@ -90,8 +110,9 @@ namespace birdstrike
         return;
       }
     next.state.clear();
-    written = file.string() + " at t = " + format_quantity(next.time, "s");
-    log().log(is_wanted ? spdlog::level::info : spdlog::level::debug, "Checkpoint {}, {}", written,
+    last_file      = file.string();
+    last_file_time = next.time;
+    log().log(is_wanted ? spdlog::level::info : spdlog::level::debug, "Checkpoint {}, {}", describe_last(),
               strike.describe_step());
     const auto all = find_checkpoints(folder.parent_path());
     for (std::size_t k = when.n_kept; k < all.size(); ++k)

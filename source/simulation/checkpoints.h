@@ -21,11 +21,17 @@ namespace birdstrike
     Checkpoints(const OutputParameters::Checkpoints &when, const std::filesystem::path &run_folder, Checkpoint of_run,
                 const BirdStrike &strike);
 
-    /// Between two steps: writes one that is due by steps, time or clock, or that a signal has asked for.
+    /// Between two steps: writes one that is due by steps, time or clock, or that a signal has asked for. Of a state
+    /// that is no good there is none: throws NumericalFailure.
     void write_when_due(BirdStrike &strike, bool is_over);
 
-    /// "Last checkpoint: FILE at t = 1 ms"; empty where there is none.
-    const std::string &last() const;
+    /// The newest file, also of the run that this one goes on with; empty where there is none.
+    const std::string &last() const
+    {
+      return last_file;
+    }
+    /// "checkpoints/checkpoint_000000001234.h5 at t = 1 ms"
+    std::string describe_last() const;
 
     /// Asks for one after the present step, e.g. from a signal handler.
     static void request();
@@ -37,7 +43,8 @@ namespace birdstrike
     OutputParameters::Checkpoints         when;
     std::filesystem::path                 folder;
     Checkpoint                            next;
-    std::string                           written;
+    std::string                           last_file;
+    double                                last_file_time;
     std::optional<std::uint64_t>          last_step; ///< that is on the disk
     double                                last_time;
     std::chrono::steady_clock::time_point last_clock;

@@ -7,13 +7,16 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/run_folder.h>
 #include <birdstrike/io/telling_entries.h>
+#include <birdstrike/report/failure_record.h>
 #include <birdstrike/report/summary.h>
 #include <birdstrike/report/text.h>
 
+#include <fmt/format.h>
 #include <spdlog/logger.h>
 
 #include <csignal>
@@ -23,10 +26,10 @@ namespace birdstrike
 {
   namespace
   {
-    /// What a run that goes on may change: how long it goes and what it tells, not what it computes.
+    /// What a run that goes on may change: how long it goes, what it tells and in which steps; not what it computes.
     const EntryNames may_change =
       telling_entries_and({"Time/End time", "Time/Threads", "Time/Maximum wall time", "Time/Energy error limit",
-                           "Time/Stop at tip peak", "Time/Tip peak wait"});
+                           "Time/Stop at tip peak", "Time/Tip peak wait", "Time/Step scale", "Time/Bird step scale"});
 
     void stop_on_signal(int)
     {
@@ -67,8 +70,18 @@ namespace birdstrike
       return of_inputs;
     }
 
+    /// The last line of what a lost run says.
+    std::string describe_way_on(const Checkpoints &checkpoints, const RunFolder &folder, const TimeParameters &time)
+    {
+      if (checkpoints.last().empty())
+        return "No checkpoint was written (Output/Checkpoint/Time interval writes them).";
+      return fmt::format("Last good checkpoint: {}. Go on from it: birdstrike resume {}, in smaller steps with --set "
+                         "\"Time/Step scale={:.2g}\"",
+                         checkpoints.describe_last(), folder.path().string(), 0.5 * time.step_scale);
+    }
+
     /// To its end, and its results into the folder.
-    void finish_run(BirdStrike &strike, Checkpoints &checkpoints, RunFolder &folder,
+    void finish_run(BirdStrike &strike, Checkpoints &checkpoints, RunFolder &folder, const CaseParameters &parameters,
                     const std::vector<InputFile> &inputs)
     {
       try
@@ -80,12 +93,11 @@ namespace birdstrike
           show(summary.warnings()); // those of the beginning once more: they are far up by now
           folder.finish(to_text(summary));
         }
-      catch (const NumericalFailure &error)
+      catch (NumericalFailure &failure)
         {
-          folder.fail(error.what());
-          if (checkpoints.last().empty())
-            throw;
-          throw NumericalFailure(std::string(error.what()) + "\nLast checkpoint: " + checkpoints.last() + ".");
+          failure.add_checkpoint(checkpoints.last(), describe_way_on(checkpoints, folder, parameters.time));
+          folder.fail(failure.what(), make_failure_record(failure.facts()));
+          throw;
         }
       catch (const std::exception &error)
         {
@@ -131,8 +143,8 @@ namespace birdstrike
     {
       if (const std::string entry = first_difference(then, now, may_change); !entry.empty())
         throw InputError(entry + " is another one than when the run began.\n  A run that goes on may change Time/End "
-                                 "time, Threads, Maximum wall time, Energy error limit, Stop at tip peak, and "
-                                 "intervals of Output.\n  Action: run the changed case anew.");
+                                 "time, Threads, Maximum wall time, Energy error limit, Stop at tip peak, Step scale "
+                                 "and Bird step scale, and intervals of Output.\n  Action: run the changed case anew.");
       const std::vector<InputFile> inputs = list_input_files(now);
       for (const InputFile &input : checkpoint.inputs)
         if (!std::filesystem::exists(input.name))
@@ -171,7 +183,7 @@ namespace birdstrike
     BirdStrike     strike(parameters, scene, folder.path(), warnings);
     Checkpoints    checkpoints(parameters.output.checkpoints, folder.path(),
                                {parameters.file.as_prm(), without_included(inputs), program(), 0., 0, {}}, strike);
-    finish_run(strike, checkpoints, folder, inputs);
+    finish_run(strike, checkpoints, folder, parameters, inputs);
   }
 
   void resume_run(const ResumeRequest &request)
@@ -209,6 +221,6 @@ namespace birdstrike
     archive.finish();
     Checkpoints checkpoints(now.output.checkpoints, folder.path(),
                             {now.file.as_prm(), checkpoint.inputs, program(), 0., 0, {}}, strike);
-    finish_run(strike, checkpoints, folder, checkpoint.inputs);
+    finish_run(strike, checkpoints, folder, now, checkpoint.inputs);
   }
 } // namespace birdstrike

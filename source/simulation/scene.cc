@@ -42,7 +42,7 @@ namespace birdstrike
       if (can_fail)
         return "Look at the last fields; Material/Smallest step of the metal that fails takes elements away earlier.";
       return "An element is crushed, or the mesh has one that is far too small. A metal that fails "
-             "(Blade/Material/Failure; Blade/Element/Formulation\nother than solid-shell) lets it go at "
+             "(Blade/Material/Failure; Blade/Element/Formulation other than solid-shell) lets it go at "
              "Blade/Material/Smallest step; else change loads or mesh.";
     }
   } // namespace
@@ -120,7 +120,6 @@ namespace birdstrike
 
   Schedule Scene::plan(const double remaining)
   {
-    const double            now = parameters.time.end_time - remaining;
     std::optional<StepVote> bird_vote, blade_vote;
     if (bird)
       {
@@ -129,7 +128,7 @@ namespace birdstrike
         if (const StepLimit in_touch = contact ? contact->step_limit() : StepLimit();
             in_touch.value < bird_vote->limit.value)
           bird_vote->limit = in_touch;
-        smallest_bird_step.check(bird_vote->limit, now, remaining,
+        smallest_bird_step.check(bird_vote->limit, remaining,
                                  "Reduce Bird/Courant number or Time/Bird step scale, and look at the last fields.");
         if (largest_bird_step < bird_vote->limit.value)
           bird_vote->limit = {largest_bird_step, "bird, smooth growth of the step", {}};
@@ -138,7 +137,7 @@ namespace birdstrike
       {
         blade_vote = StepVote{blade->step_limit(), blade->prices().of_step};
         blade_vote->limit.value *= parameters.time.step_scale;
-        smallest_blade_step.check(blade_vote->limit, now, remaining, advice_on_crushed_elements);
+        smallest_blade_step.check(blade_vote->limit, remaining, advice_on_crushed_elements);
         if (contact && largest_step_in_contact < blade_vote->limit.value)
           blade_vote->limit = {largest_step_in_contact, "contact, particles on light facets", {}};
       }

@@ -1,4 +1,4 @@
-#include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/time_control/schedule.h>
 
 #include <algorithm>
@@ -11,8 +11,17 @@ namespace birdstrike
     void check(const std::optional<StepVote> &vote, const char *part)
     {
       if (vote && !(vote->limit.value > 0.))
-        throw NumericalFailure(std::string("The stable step of the ") + part + " is " +
-                               std::to_string(vote->limit.value) + " s.\nLimited by: " + vote->limit.text());
+        {
+          FailureFacts facts{std::string("The ") + part + " has no stable step",
+                             "stable step",
+                             vote->limit.value,
+                             "s",
+                             0.,
+                             "allowed: more than"};
+          facts.where   = vote->limit.where;
+          facts.details = std::string("Limited by: ") + vote->limit.reason + ".";
+          throw NumericalFailure(std::move(facts));
+        }
     }
 
     Schedule cheapest(const StepVote &bird, const StepVote &blade, const unsigned int max_ratio)

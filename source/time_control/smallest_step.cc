@@ -1,26 +1,17 @@
-#include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/time_control/smallest_step.h>
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace birdstrike
 {
-  namespace
-  {
-    std::string text(const double value)
-    {
-      char buffer[32];
-      std::snprintf(buffer, sizeof buffer, "%.3g", value);
-      return buffer;
-    }
-  } // namespace
-
   SmallestStep::SmallestStep(std::string part, const double share) : part(std::move(part)), share(share)
   {
   }
 
-  void SmallestStep::check(const StepLimit &limit, const double time, const double remaining, const char *advice)
+  void SmallestStep::check(const StepLimit &limit, const double remaining, const char *advice)
   {
     if (first == 0.)
       first = smallest = limit.value;
@@ -29,13 +20,23 @@ namespace birdstrike
     const bool is_collapsing = limit.value<share * first, is_endless = remaining> most_steps * limit.value;
     if (!is_collapsing && !is_endless)
       return;
-    const std::string what = "The stable step of the " + part + " is " + text(limit.value) + " s at t = " + text(time) +
-                             " s, " + text(limit.value / first) + " of its first value";
-    throw NumericalFailure(what +
-                           (is_collapsing
-                              ? ": less than Time/Smallest step = " + text(share) + "."
-                              : "; " + text(remaining / limit.value) + " steps are left to Time/End time.") +
-                           "\nLimited by: " + limit.text() + ".\n" + advice);
+    FailureFacts facts =
+      is_collapsing ? FailureFacts{"The stable step of the " + part + " has collapsed",
+                                   "stable step over its first value",
+                                   limit.value / first,
+                                   "-",
+                                   share,
+                                   "Time/Smallest step"}
+                    : FailureFacts{"The stable step of the " + part + " leaves more steps than anybody waits for",
+                                   "steps to Time/End time",
+                                   remaining / limit.value,
+                                   "-",
+                                   most_steps,
+                                   "at most"};
+    facts.where   = limit.where;
+    facts.details = fmt::format("The step is {:.3g} s, limited by: {}.", limit.value, limit.reason);
+    facts.advice  = advice;
+    throw NumericalFailure(std::move(facts));
   }
 
   double SmallestStep::smallest_share() const

@@ -22,6 +22,7 @@ TEXTS = {
     "source/structure/histories/axes.cc": "reads entries that are numbers or names",
     "source/structure/histories/gauge_table.cc": "reads entries that are numbers or names",
     "source/report/comparison/run_reuse.cc": "reads a folder's mark",
+    "source/core/numerical_failure.cc": "units",
     "source/report/text.cc": "units",
     "source/report/closing.cc": "units",
     "source/report/comparison/comparison_print.cc": "units",

@@ -23,14 +23,15 @@ namespace birdstrike
   /// How points and facets push one another. Section `Contact`. Raises InputError from check() and pressure_patches().
   struct ContactParameters
   {
-    bool        is_enabled      = true;
-    bool        self_contact    = true;
-    double      stiffness_scale = 1.;  ///< -, on rho0 c0^2 V^(1/3)
-    double      damping_scale   = 1.;  ///< -, on A rho c
-    double      stability_share = 0.4; ///< -, N dt^2 of a full layer on a light blade (contact.h)
-    double      friction        = 0.;  ///< -, Coulomb
-    double      search_margin   = 1.;  ///< -, in initial particle spacings
-    std::string patches;               ///< "name: x y z radius; name: ..."
+    bool        is_enabled          = true;
+    bool        self_contact        = true;
+    double      stiffness_scale     = 1.;  ///< -, on rho0 c0^2 V^(1/3)
+    double      damping_scale       = 1.;  ///< -, on A rho c
+    double      stability_share     = 0.4; ///< -, N dt^2 of a full layer on a light blade (contact.h)
+    double      friction            = 0.;  ///< -, Coulomb
+    double      search_margin       = 1.;  ///< -, in initial particle spacings
+    double      largest_penetration = 1.;  ///< -, in initial particle spacings: a particle deeper ends the run
+    std::string patches;                   ///< "name: x y z radius; name: ..."
 
     void declare(dealii::ParameterHandler &prm);
     void check() const;

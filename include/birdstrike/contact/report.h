@@ -18,7 +18,8 @@ namespace birdstrike
     double                largest_frequency = 0.; ///< 1/s, bound of the springs' largest angular frequency
     std::size_t           n_touching        = 0;  ///< pairs of point and facet
     double                penetration       = 0.; ///< m, largest now
-    std::vector<double>   patch_pressures;        ///< Pa, in the order of the parameter
+    std::uint32_t         deepest_point = 0, deepest_facet = 0; ///< of that, as the views count them
+    std::vector<double>   patch_pressures;                      ///< Pa, in the order of the parameter
 
     double peak_force                   = 0.; ///< N, largest norm
     double peak_force_time              = 0.; ///< s
@@ -58,6 +59,7 @@ namespace birdstrike
     std::size_t           n_touching = 0, n_tested = 0, n_active = 0;
     std::vector<double>   patch_pressures;
     LargestPoint          largest_point;
+    std::uint32_t         deepest_point = 0, deepest_facet = 0; ///< of `penetration`
 
     void clear(const std::size_t n_patches)
     {

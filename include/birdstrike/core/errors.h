@@ -20,11 +20,4 @@ namespace birdstrike
   public:
     using std::runtime_error::runtime_error;
   };
-
-  /// The computation left the valid range: says time, step, quantity, entity and position (at most six lines).
-  class NumericalFailure : public std::runtime_error
-  {
-  public:
-    using std::runtime_error::runtime_error;
-  };
 } // namespace birdstrike

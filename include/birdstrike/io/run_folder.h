@@ -21,7 +21,7 @@ namespace birdstrike
     /// has been.
     static RunFolder of_resumed_run(const std::filesystem::path &directory);
 
-    /// Marks it as running and removes summary.json, for it is no complete run any more.
+    /// Marks it as running and removes summary.json and failure.json, for it is neither complete nor lost any more.
     void go_on();
 
     ~RunFolder(); ///< a run that was neither finished nor failed is marked "failed: interrupted"
@@ -38,8 +38,9 @@ namespace birdstrike
     /// Writes summary.json and marks the run as done: the last act of a run.
     void finish(const std::string &summary_json);
 
-    /// Marks the run as failed; the folder keeps its histories but gets no summary.
-    void fail(const std::string &reason) noexcept;
+    /// Marks the run as failed, by the first line of the reason; the folder keeps its histories and gets no summary,
+    /// but failure.json where there is a record.
+    void fail(const std::string &reason, const std::string &failure_json = "") noexcept;
 
   private:
     std::filesystem::path directory;

@@ -18,9 +18,9 @@ namespace birdstrike
     /// `part`: "blade", "bird"; `share`: Time/Smallest step.
     SmallestStep(std::string part, double share);
 
-    /// The first call sets the scale. `time`, `remaining`: s; `advice`: what helps, one sentence or two.
+    /// The first call sets the scale. `remaining`: s to the end of the run; `advice`: what helps, one sentence or two.
     /// @throws NumericalFailure naming the step, what limits it and where, and the advice.
-    void check(const StepLimit &limit, double time, double remaining, const char *advice);
+    void check(const StepLimit &limit, double remaining, const char *advice);
 
     double smallest_share() const; ///< of the first value, so far
 

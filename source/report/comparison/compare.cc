@@ -6,6 +6,7 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/io/comparison_folder.h>
 
 #include <spdlog/logger.h>

@@ -3,6 +3,7 @@
 
 #include "structure/elements/solid/law.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/simd/records.h>
 
 #include <algorithm>

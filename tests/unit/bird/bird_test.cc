@@ -1,6 +1,7 @@
 #include "bird_case.h"
 
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 
 #include <cmath>
 #include <cstring>

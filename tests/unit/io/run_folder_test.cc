@@ -1,4 +1,5 @@
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/io/run_folder.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/report/balance.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/symmetry_plane.h>
 #include <birdstrike/report/balance.h>
 

@@ -1,6 +1,7 @@
 #include "shell_harness.h"
 
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 
 #include <gtest/gtest.h>
 
@@ -248,6 +249,25 @@ TEST(ShellElements, RefusesWhatCannotBe)
       Eigen::VectorXd u = Eigen::VectorXd::Zero(24);
       u[7]              = std::nan("");
       EXPECT_THROW(model.move(u), NumericalFailure) << name_of(formulation);
+    }
+  // a corner of the middle one of nine beyond its opposite: the area, of a normal of its own, is positive
+  const Mesh nine = make_grid(3, 3, [](const double x, const double y) { return Point3(x, y, 0.); });
+  for (const auto formulation : all_formulations)
+    {
+      Model           turned(nine, 0.01, make_section(1., 0.3, formulation));
+      Eigen::VectorXd u = Eigen::VectorXd::Zero(6 * 16);
+      u[6 * 5] = u[6 * 5 + 1] = 0.5;
+      try
+        {
+          turned.move(u);
+          ADD_FAILURE() << name_of(formulation);
+        }
+      catch (const NumericalFailure &failure)
+        {
+          EXPECT_NE(std::string(failure.what()).find("turned inside out"), std::string::npos) << failure.what();
+          if (formulation != ShellFormulation::fully_integrated) // which sees the arrow beside it
+            EXPECT_EQ(failure.facts().where.id, 4u);
+        }
     }
   Model           folded(square, 0.1, whole);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(24);

@@ -1,7 +1,7 @@
 #include "shell_harness.h"
 
 #include "structure/elements/shell/failure.h"
-#include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 
 #include <gtest/gtest.h>
 

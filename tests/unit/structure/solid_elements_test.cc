@@ -1,6 +1,7 @@
 #include "solid_harness.h"
 
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/time_control/schedule.h>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+#include "structure/elements/element_failure.h"
 #include "structure/elements/shell/group.h"
 #include "structure/elements/shell/plane_points.h"
 #include "structure/elements/shell/step_bound.h"
@@ -67,16 +68,28 @@ namespace birdstrike
     mass.push_back(section.material.density * thickness * g.area);
   }
 
-  ShellGeometry<double> ShellGroup::geometry(const std::size_t element) const
+  void ShellGroup::get_corners(const std::size_t element, Vector3<double> (&x)[4], Vector3<double> (&n)[4]) const
   {
-    Vector3<double> x[4], n[4];
     for (int i = 0; i < 4; ++i)
       for (int c = 0; c < 3; ++c)
         {
           x[i][c] = place.records[place.cells[element][i]].position[c];
           n[i][c] = place.records[place.cells[element][i]].normal[c];
         }
+  }
+
+  ShellGeometry<double> ShellGroup::geometry(const std::size_t element) const
+  {
+    Vector3<double> x[4], n[4];
+    get_corners(element, x, n);
     return ShellGeometry<double>::of_corners(x, n);
+  }
+
+  bool ShellGroup::looks_along_normals(const std::size_t element) const
+  {
+    Vector3<double> x[4], n[4];
+    get_corners(element, x, n);
+    return looks_along(n, ShellGeometry<double>::of_corners(x, n).e3);
   }
 
   double ShellGroup::smallest_area(const std::size_t element) const
@@ -102,18 +115,16 @@ namespace birdstrike
       for (const auto &corner : batches[element / n_lanes].corner)
         for (const double f : place.corner_force[corner[element % n_lanes]].value)
           sum += f;
-      return std::isfinite(sum) && smallest_area(element) > 0.;
+      return std::isfinite(sum) && smallest_area(element) > 0. && looks_along_normals(element);
     };
     for (std::size_t k = 0; k < n_elements_of(b); ++k)
       if (const std::size_t e = b * n_lanes + k; !is_failed(e) && !is_sound(e))
         {
           // of a state that is finite only the geometry of the end can be to blame
           if (!can_collapse() || !has_finite_state(e))
-            throw NumericalFailure("Shell " + where(e).text() + ": force is not finite or area not positive (area " +
-                                   text_of(smallest_area(e)) +
-                                   " m^2, fully integrated four times that at the worst point).\n"
-                                   "The step was too large or the element collapsed: reduce Time/Step scale" +
-                                   (erosion ? ", or let it erode (Material/Smallest step of its metal)." : "."));
+            throw make_element_failure("shell", where(e), "area by its worst point",
+                                       looks_along_normals(e) ? smallest_area(e) : -std::abs(smallest_area(e)), "m^2",
+                                       bool(erosion));
           erosion->batches[b].collapsed |= 1u << k;
         }
     // copies do as the last element, and write nowhere

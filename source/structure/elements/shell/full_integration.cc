@@ -77,7 +77,8 @@ namespace birdstrike
       force[1][i] = end.director[i].cross(director[i]);
     store_corner_forces(force, batch.corner, place.corner_force);
 
-    if (!all(is_finite(force, batch.bound) && (end.area > Lanes(0.)) && (plane.smallest_jacobian > Lanes(0.))))
+    if (!all(is_finite(force, batch.bound) && (end.area > Lanes(0.)) && looks_along(nodes.normal, end.e3) &&
+             (plane.smallest_jacobian > Lanes(0.))))
       report_failure(b);
   }
 } // namespace birdstrike

@@ -126,4 +126,13 @@ namespace birdstrike
       d_gamma     = d.m3 - alpha * d.m1 - beta * d.m2;
     }
   };
+
+  /// Whether an element looks the way its nodes' normals, averaged over their elements, do on the mean. One that is
+  /// turned inside out in its plane, amid others, does not, while its area, of a normal of its own, is positive again.
+  template <class Number>
+  [[gnu::always_inline]] inline auto looks_along(const Vector3<Number> (&normal)[4], const Vector3<Number> &e3)
+  {
+    const Vector3<Number> sum = (normal[0] + normal[1]) + (normal[2] + normal[3]);
+    return sum.dot(e3) > Number(0.);
+  }
 } // namespace birdstrike

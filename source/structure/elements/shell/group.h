@@ -53,7 +53,9 @@ namespace birdstrike
     void   archive_points(Archive &archive);
     void   promote(std::size_t section);             ///< number in `points`
     double smallest_area(std::size_t element) const; ///< m^2; at the points of a fully integrated one four times theirs
+    bool   looks_along_normals(std::size_t element) const;
     double eigenvalue_bound(std::size_t element, double inverse_mass) const;
+    void   get_corners(std::size_t element, Vector3<double> (&position)[4], Vector3<double> (&normal)[4]) const;
 
     template <bool physical>
     void             update_batch(std::size_t batch, double dt, ElementChunk &chunk);

@@ -88,7 +88,7 @@ namespace birdstrike
     chunk.plastic += area * work.plastic;
     chunk.hourglass += area * work.hourglass;
 
-    if (!all(is_finite(force, batch.bound) && (end.area > Lanes(0.))))
+    if (!all(is_finite(force, batch.bound) && (end.area > Lanes(0.)) && looks_along(nodes.normal, end.e3)))
       report_failure(b);
   }
 

@@ -1,3 +1,4 @@
+#include "structure/elements/element_failure.h"
 #include "structure/elements/solid/b_bar.h"
 #include "structure/elements/solid/group.h"
 #include <birdstrike/core/errors.h>
@@ -152,9 +153,7 @@ namespace birdstrike
     for (std::size_t k = n_elements_of(b); k-- > 0;)
       if (!is_failed(b * n_lanes + k) && !is_sound(b * n_lanes + k))
         e = b * n_lanes + k;
-    throw NumericalFailure("Solid " + where(e).text() + ": turned inside out, or its force is not finite (volume " +
-                           text_of(smallest_volume(e)) +
-                           " m^3).\nThe step was too large or the element collapsed: reduce Time/Step scale" +
-                           (erosion ? ", or let it erode (Material/Smallest step of its metal)." : "."));
+    throw make_element_failure("brick", where(e), "volume by its worst point", smallest_volume(e), "m^3",
+                               bool(erosion));
   }
 } // namespace birdstrike
