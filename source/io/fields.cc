@@ -1,15 +1,64 @@
 #include "io/vtu.h"
+#include <birdstrike/core/fields.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/io/fields.h>
 #include <birdstrike/io/whole_file.h>
 
 #include <deal.II/base/data_out_base.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
+#include <utility>
 
 namespace birdstrike
 {
   namespace fs = std::filesystem;
+
+  namespace
+  {
+    /// The entity of a value, by its own number where the snapshot has one.
+    EntityPlace find_entity(const FieldSnapshot &snapshot, const bool on_cells, const std::size_t k)
+    {
+      const char       *kind      = on_cells ? "element" : snapshot.dim == 0 ? "particle" : "node";
+      const auto        number    = std::ranges::find_if(snapshot.fields, [&](const Field &field) {
+        return field.is_number && field.on_cells == on_cells && field.name == (snapshot.dim == 0 ? "id" : kind);
+      });
+      const std::size_t n_corners = on_cells ? std::size_t(1) << snapshot.dim : 1;
+      EntityPlace       entity{kind, number == snapshot.fields.end() ? k : std::size_t(number->values[k]), {}};
+      for (std::size_t c = 0; c < n_corners; ++c)
+        for (std::size_t d = 0; d < 3; ++d)
+          entity.position[d] +=
+            snapshot.points[3 * (on_cells ? snapshot.cells[n_corners * k + c] : k) + d] / double(n_corners);
+      return entity;
+    }
+
+    /// As the file would hold it: what single precision has no number for is none either.
+    bool is_number(const double value)
+    {
+      return std::isfinite(static_cast<float>(value));
+    }
+
+    void require_numbers(const FieldSnapshot &snapshot, const std::string &file, const double time)
+    {
+      const auto fail = [&](const std::string &field, const std::string &unit, const double value, const bool on_cells,
+                            const std::size_t entity) {
+        FailureFacts facts{"A field holds what is no number, and '" + file + "' is not written", field, value, unit};
+        facts.time   = time;
+        facts.where  = find_entity(snapshot, on_cells, entity);
+        facts.advice = "Reduce Time/Step scale and Time/Bird step scale, and look at the file before.";
+        throw NumericalFailure(std::move(facts));
+      };
+      for (std::size_t k = 0; k < snapshot.points.size(); ++k)
+        if (!is_number(snapshot.points[k]))
+          fail("position", "m", snapshot.points[k], false, k / 3);
+      for (const Field &field : snapshot.fields)
+        for (std::size_t k = 0; k < field.values.size(); ++k)
+          if (!is_number(field.values[k]))
+            fail(field.name, field.unit, field.values[k], field.on_cells, k / field.n_components);
+    }
+  } // namespace
 
   FieldSeries::FieldSeries(const fs::path &folder, const std::string &name) : folder(folder), name(name)
   {
@@ -18,7 +67,8 @@ namespace birdstrike
 
   void FieldSeries::write(const FieldSnapshot &snapshot, const double time)
   {
-    const std::string  file = file_name(times_and_names.size());
+    const std::string file = file_name(times_and_names.size());
+    require_numbers(snapshot, file, time);
     std::ostringstream out, list;
     write_vtu(snapshot, time, out);
     write_whole_file(folder / file, {out.view()});

@@ -15,8 +15,8 @@ namespace birdstrike
   /// A series of field files for ParaView: <folder>/<name>.pvd lists <folder>/fields/<name>_0000.vtu, ... with their
   /// times. The list is rewritten after every file, so that an unfinished run can be looked at.
   ///
-  /// Raises std::logic_error for a snapshot whose arrays do not fit together, std::runtime_error where the disk
-  /// refuses.
+  /// Raises NumericalFailure for a snapshot with a value that is no number, and leaves files and list as they are;
+  /// std::logic_error for one whose arrays do not fit together, std::runtime_error where the disk refuses.
   class FieldSeries
   {
   public:

@@ -44,7 +44,8 @@ namespace birdstrike
     /// Columns of another table (without profiles), which outlives this one, go to results.h5 too: its own group.
     void add_group(const History &other);
 
-    /// Asks every column and profile for its present value.
+    /// Asks every column and profile for its present value. Throws NumericalFailure where one is no number: there is
+    /// no such row.
     void append_row();
 
     /// Brings history.csv up to date: writes the new rows only, so that its cost does not grow with the run.

@@ -1,11 +1,14 @@
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/report/history.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <exception>
 #include <spdlog/spdlog.h>
 #include <stdexcept>
+#include <utility>
 
 #include "report/histories/history_hdf5.h"
 
@@ -19,6 +22,17 @@ namespace birdstrike
       for (const History::Axis &axis : axes)
         size *= axis.values.size();
       return size;
+    }
+
+    /// The value, if it is one.
+    double require_number(const std::filesystem::path &table, const Column &what, const double value)
+    {
+      if (std::isfinite(value))
+        return value;
+      FailureFacts facts{"A row holds what is no number, and is not written to '" + table.filename().string() + "'",
+                         what.name, value, what.unit};
+      facts.advice = "Reduce Time/Step scale and Time/Bird step scale, and look at the rows and fields before.";
+      throw NumericalFailure(std::move(facts));
     }
 
     /// The shortest digits that read back as the same number.
@@ -97,19 +111,29 @@ namespace birdstrike
     if (size != values.size() || what.name == group())
       throw std::logic_error("History: '" + what.name + "' has " + std::to_string(values.size()) + " values for " +
                              std::to_string(size) + " places.");
+    for (const double value : values)
+      require_number(table, what, value);
     if (size > 0)
       constants[what.name] = {what, std::move(axes), size, {}, std::move(values)};
   }
 
   void History::append_row()
   {
-    for (Curve &column : columns)
-      column.rows.push_back(column.value());
-    for (Profile &profile : profiles)
+    std::vector<double>              row;
+    std::vector<std::vector<double>> of_profiles;
+    for (const Curve &column : columns)
+      row.push_back(require_number(table, column.what, column.value()));
+    for (const Profile &profile : profiles)
       {
-        profile.rows.resize(profile.rows.size() + profile.size);
-        profile.fill(std::span<double>(profile.rows).last(profile.size));
+        of_profiles.emplace_back(profile.size);
+        profile.fill(of_profiles.back());
+        for (const double value : of_profiles.back())
+          require_number(table, profile.what, value);
       }
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      columns[k].rows.push_back(row[k]);
+    for (std::size_t k = 0; k < profiles.size(); ++k)
+      profiles[k].rows.insert(profiles[k].rows.end(), of_profiles[k].begin(), of_profiles[k].end());
     ++rows;
   }
 

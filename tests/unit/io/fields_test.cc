@@ -1,10 +1,13 @@
 #include <birdstrike/core/fields.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/io/fields.h>
 
 #include <gtest/gtest.h>
 
 #include <boost/property_tree/xml_parser.hpp>
 
+#include <cmath>
+#include <limits>
 #include <map>
 #include <zlib.h>
 
@@ -235,4 +238,58 @@ TEST(FieldSeries, ForecastIsTheSizeOfTheArrays)
 {
   // 6 nodes with 3 + 3 floats; 2 cells with 1 + 6 + 1 values, 4 nodes and an offset of 4 bytes each and a 1-byte type.
   EXPECT_EQ(birdstrike::compute_field_file_bytes(make_plate()), 6u * 6 * 4 + 2u * ((8 + 5) * 4 + 1));
+}
+
+// 1e39 has no number in single precision, which the file is in.
+TEST(FieldSeries, RefusesWhatIsNoNumberAndKeepsWhatIsThere)
+{
+  const ScratchFolder scratch;
+  FieldSeries         series(scratch.path(), "bird");
+  FieldSnapshot       bird;
+  bird.points = {0., 0., 0., 0.1, 0.2, 0.3};
+  bird.fields = {{"velocity", "m/s", false, 3, std::vector<double>(6, 1.)}, {"id", "", false, 1, {5., 7.}, true}};
+  series.write(bird, 0.);
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e39})
+    {
+      FieldSnapshot lost           = bird;
+      lost.fields[0].values[3 + 1] = bad;
+      try
+        {
+          series.write(lost, 1e-3);
+          ADD_FAILURE() << bad << " was written";
+        }
+      catch (const birdstrike::NumericalFailure &failure)
+        {
+          EXPECT_EQ(failure.facts().quantity, "velocity");
+          EXPECT_EQ(failure.facts().time, 1e-3);
+          EXPECT_STREQ(failure.facts().where.kind, "particle");
+          EXPECT_EQ(failure.facts().where.id, 7u);
+          EXPECT_EQ(failure.facts().where.position[2], 0.3);
+        }
+    }
+  EXPECT_TRUE(std::filesystem::exists(scratch.path() / "fields/bird_0000.vtu"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / "fields/bird_0001.vtu"));
+  EXPECT_EQ(read_xml(scratch.path() / "bird.pvd").get_child("VTKFile.Collection").count("DataSet"), 1u);
+}
+
+TEST(FieldSeries, NamesTheElementOfAValueThatIsNone)
+{
+  const ScratchFolder scratch;
+  FieldSeries         series(scratch.path(), "blade");
+  FieldSnapshot       blade;
+  blade.dim    = 2;
+  blade.points = {0., 0., 0., 1., 0., 0., 0., 1., 0., 1., 1., 0.};
+  blade.cells  = {0, 1, 2, 3};
+  blade.fields = {{"element", "", true, 1, {12.}, true}, {"damage", "-", true, 1, {std::nan("")}}};
+  try
+    {
+      series.write(blade, 0.);
+      FAIL();
+    }
+  catch (const birdstrike::NumericalFailure &failure)
+    {
+      EXPECT_STREQ(failure.facts().where.kind, "element");
+      EXPECT_EQ(failure.facts().where.id, 12u);
+      EXPECT_EQ(failure.facts().where.position[0], 0.5);
+    }
 }

@@ -1,3 +1,4 @@
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/report/history.h>
 
 #include <gtest/gtest.h>
@@ -123,4 +124,31 @@ TEST(History, FailingRunKeepsItsTable)
 TEST(History, RefusesAFolderThatDoesNotExist)
 {
   EXPECT_THROW(History("/no/such/folder", false), std::runtime_error);
+}
+
+TEST(History, RefusesARowThatHoldsWhatIsNoNumber)
+{
+  const ScratchFolder scratch;
+  double              time = 0., stress = 1.;
+  {
+    History history(scratch.path(), true);
+    history.add_column({"time", "s"}, [&time] { return time; });
+    history.add_column({"deflection", "m"}, [&time] { return 1. / (1. - time); });
+    history.add_profile({"root_stress", "Pa"}, {{{"chord", "m"}, {0., 1.}}},
+                        [&stress](const std::span<double> values) { values[0] = values[1] = stress; });
+    history.append_row();
+    time = 1.;
+    EXPECT_THROW(history.append_row(), birdstrike::NumericalFailure);
+    time   = 2.;
+    stress = std::nan("");
+    EXPECT_THROW(history.append_row(), birdstrike::NumericalFailure);
+    stress = 1.;
+    history.append_row();
+  }
+  std::ifstream in(scratch.path() / "history.csv");
+  std::string   text((std::istreambuf_iterator<char>(in)), {});
+  EXPECT_TRUE(text.ends_with("\n0,1\n2,-1\n")) << text;
+  dealii::HDF5::File results((scratch.path() / "results.h5").string(), dealii::HDF5::File::FileAccessMode::open);
+  EXPECT_EQ(results.open_dataset("/history/deflection").get_dimensions()[0], 2u);
+  EXPECT_EQ(results.open_dataset("/root_stress/values").get_dimensions()[0], 2u);
 }
