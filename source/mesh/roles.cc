@@ -120,6 +120,8 @@ namespace birdstrike
       }
   }
 
+  template BladeEnd::BladeEnd(const BladeMesh<2> &, SpanEnd, const std::vector<unsigned int> &);
+  template BladeEnd::BladeEnd(const BladeMesh<3> &, SpanEnd, const std::vector<unsigned int> &);
   template BladeRoles::BladeRoles(const BladeMesh<2> &, const std::vector<unsigned int> &,
                                   const std::vector<unsigned int> &, const Point3 &);
   template BladeRoles::BladeRoles(const BladeMesh<3> &, const std::vector<unsigned int> &,

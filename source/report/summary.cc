@@ -124,9 +124,14 @@ namespace birdstrike
   Warnings Summary::warnings() const
   {
     Warnings all;
-    for (const Json &each : json.value("warnings", Json::array()))
-      all.push_back({each.at("code"), each.at("text")});
-    return all;
+    for (std::size_t k = 0;; ++k)
+      {
+        const std::string key  = "warnings/" + std::to_string(k);
+        const std::string code = text(key + "/code");
+        if (code.empty())
+          return all;
+        all.push_back({code, text(key + "/text")});
+      }
   }
 
   void Summary::set_inputs(const std::vector<InputFile> &files)

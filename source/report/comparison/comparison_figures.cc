@@ -130,10 +130,16 @@ namespace birdstrike
     {
       std::map<double, std::string> metals;
       for (const ComparedRun &run : runs)
-        if (run.record.is_complete() && run.record.summary().json.at("blade").contains("materials"))
-          for (const auto &metal : run.record.summary().json.at("blade").at("materials"))
-            if (metal.contains("yield_stress"))
-              metals.emplace(metal.at("yield_stress"), metal.at("name"));
+        for (std::size_t k = 0;; ++k)
+          {
+            const std::string metal  = "blade/materials/" + std::to_string(k);
+            const std::string name   = run.record.summary().text(metal + "/name");
+            const double      stress = run.record.summary().number(metal + "/yield_stress");
+            if (name.empty())
+              break;
+            if (!std::isnan(stress))
+              metals.emplace(stress, name);
+          }
       std::vector<FigureLevel> levels;
       for (const auto &[stress, name] : metals)
         {

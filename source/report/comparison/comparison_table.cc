@@ -48,9 +48,13 @@ namespace birdstrike
         if (const auto &column = run.column(std::string(entry.column));
             entry.part == &SystemState::blade && entry.rules().account == Account::held && !column.empty())
           initial += column.front();
-      for (const auto &[part, energy] : run.summary().json.at("energy").at("parts").items())
-        if (part.starts_with("blade_") && energy.is_number())
-          final += energy.get<double>();
+      std::set<std::string> parts; // by name, as summary.json has them
+      for (const Quantity &each : quantities())
+        if (each.key.starts_with("energy/parts/blade_"))
+          parts.insert(each.key);
+      for (const std::string &part : parts)
+        if (const double energy = run.summary().number(part); !std::isnan(energy))
+          final += energy;
       return final - initial;
     }
   } // namespace
