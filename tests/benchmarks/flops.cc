@@ -101,7 +101,7 @@ namespace birdstrike::benchmarks
       fd.sum_at_corners(director);
       for (int i = 0; i < 4; ++i)
         moment[i] = end.director[i].cross(director[i]);
-      compute_eigenvalue_bound<false>(end, stress.thickness, Counted(1. / 4.7e-4), law);
+      compute_eigenvalue_bound<false>(end, stress.thickness, Counted(1. / 4.7e-4), Counted(3.1e-6), law);
     }
 
     /// The same fully integrated (source/structure/elements/shell/full_integration.cc); points of one section after the
@@ -139,7 +139,7 @@ namespace birdstrike::benchmarks
       fd.sum_at_corners(director);
       for (int i = 0; i < 4; ++i)
         moment[i] = end.director[i].cross(director[i]);
-      compute_eigenvalue_bound<true>(end, stress[0].thickness, Counted(1. / 4.7e-4), law);
+      compute_eigenvalue_bound<true>(end, stress[0].thickness, Counted(1. / 4.7e-4), Counted(3.1e-6), law);
     }
 
     ShellSectionLaw make_law(const unsigned int n_points)

@@ -26,7 +26,8 @@ namespace
 
 // A sheet that vibrates at two elements a wave, the fastest motion there is: at 0.8 of the stable step leapfrog's
 // kinetic energy at whole steps and its half-step product differ by half of all energy. The last step is short, which
-// changes the product at once: a third of the energy seemed lost.
+// changes the product at once: a third of the energy seemed lost. The step follows the sheet's own strain, in phase
+// with it, which takes 0.01 % of the energy a step at 1 m/s: half of that speed leaves room for what is tested.
 TEST(Ledger, AShortLastStepLosesNothing)
 {
   const Strike run = run_text(blade_alone(
@@ -34,7 +35,7 @@ TEST(Ledger, AShortLastStepLosesNothing)
     " set Elements along chord = 2\n end\n subsection Thickness\n set Value = 0.001\n end\n" +
       elastic +
       " subsection Supports\n set Clamped =\n set Free = 0,1,2,3\n end\n subsection Loads\n"
-      " set Initial velocity = cos(628.3185307179585*x); 0; 0\n end\n",
+      " set Initial velocity = 0.5*cos(628.3185307179585*x); 0; 0\n end\n",
     " set End time = 2.031e-05"));
   EXPECT_LT(run.summary.number("energy/max_relative_error"), 2e-3)
     << "a thousandth by which the reference lags behind the step";

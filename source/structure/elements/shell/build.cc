@@ -30,6 +30,11 @@ namespace birdstrike
         }
     for (std::size_t e = 0; e < n_elements(); ++e)
       check_shape(e, thickness[e]);
+    for (std::size_t slot = 0; slot < batches.size() * n_lanes; ++slot)
+      {
+        const double t                                  = thickness[element_of(slot)];
+        batches[slot / n_lanes].radius2[slot % n_lanes] = std::max(t * t / 12., geometry(element_of(slot)).area / 8.);
+      }
     if (section.material.failure.can_fail())
       build_erosion();
   }
@@ -39,7 +44,7 @@ namespace birdstrike
     update_bounds([this](const std::size_t b) {
       Lanes bound;
       for (std::size_t k = 0; k < n_lanes; ++k)
-        bound[k] = eigenvalue_bound(element_of(b * n_lanes + k), batches[b].inverse_mass[k]);
+        bound[k] = eigenvalue_bound(element_of(b * n_lanes + k));
       if (erosion)
         erosion->batches[b].allowed =
           bound / (section.material.failure.smallest_step * section.material.failure.smallest_step);
@@ -100,12 +105,15 @@ namespace birdstrike
     return g.area * min(1., full_integration::PlaneGeometry<double>(g, law.elasticity.poisson).smallest_jacobian);
   }
 
-  double ShellGroup::eigenvalue_bound(const std::size_t element, const double inverse_mass) const
+  double ShellGroup::eigenvalue_bound(const std::size_t element) const
   {
-    const ShellGeometry<double> g = geometry(element);
-    const double                t = largest_thickness(element);
-    return n_in_plane == 1 ? compute_eigenvalue_bound<false>(g, t, inverse_mass, law)
-                           : compute_eigenvalue_bound<true>(g, t, inverse_mass, law);
+    const ShellGeometry<double> g            = geometry(element);
+    const double                t            = largest_thickness(element);
+    const ShellBatch           &batch        = batches[element / n_lanes];
+    const double                inverse_mass = lane(batch.inverse_mass, element % n_lanes),
+                 radius2                     = lane(batch.radius2, element % n_lanes);
+    return n_in_plane == 1 ? compute_eigenvalue_bound<false>(g, t, inverse_mass, radius2, law)
+                           : compute_eigenvalue_bound<true>(g, t, inverse_mass, radius2, law);
   }
 
   void ShellGroup::report_failure(const std::size_t b)

@@ -34,8 +34,7 @@ namespace birdstrike
     for (std::size_t e = 0; e < n_elements(); ++e)
       {
         const auto [group, k] = find(e);
-        const double t        = group.largest_thickness(k);
-        const double r        = std::max(t * t / 12., group.geometry(k).area / 8.);
+        const double r        = lane(group.batches[k / n_lanes].radius2, k % n_lanes);
         for (const auto n : group.place.cells[k])
           inertia[n] += 0.25 * r * group.mass[k];
       }

@@ -40,7 +40,8 @@ namespace birdstrike
     /// other half of the shell in place. May be called for several planes, before the first step.
     void add_symmetry_plane(std::span<const std::uint32_t> nodes, const Point3 &plane_normal);
 
-    /// Rotary inertia (kg m^2) per node, a quarter of m max(t^2/12, A/8) of each element: bending never sets the step.
+    /// Rotary inertia (kg m^2) per node, a quarter of m max(t^2/12, A/8) of each element at rest: bending never sets
+    /// the step.
     std::vector<double> compute_rotary_inertias() const;
 
     double elastic_energy() const; ///< J

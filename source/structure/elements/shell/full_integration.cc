@@ -66,7 +66,7 @@ namespace birdstrike
 
     const auto end = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
     plane          = PlaneGeometry<Lanes>(end, poisson);
-    batch.bound    = compute_eigenvalue_bound<true>(end, thickness, batch.inverse_mass, law);
+    batch.bound    = compute_eigenvalue_bound<true>(end, thickness, batch.inverse_mass, batch.radius2, law);
     chunk.bound    = max(chunk.bound, Lanes(batch.owned * batch.bound));
     ShellModes<Lanes> f, fd;
     Corners           force[2];

@@ -6,8 +6,13 @@
 
 namespace birdstrike
 {
+  struct ShellBatch : ElementBatch<4>
+  {
+    Lanes radius2; ///< m^2, max(t^2/12, A/8) at rest: the rotary inertia over the mass
+  };
+
   /// Shells of one section: their state and kernels.
-  class ShellGroup : public ElementGroup<ElementBatch<4>, ShellRecord, Row, Erosion>
+  class ShellGroup : public ElementGroup<ShellBatch, ShellRecord, Row, Erosion>
   {
   public:
     using Section                               = ShellSection;
@@ -54,7 +59,7 @@ namespace birdstrike
     void   promote(std::size_t section);             ///< number in `points`
     double smallest_area(std::size_t element) const; ///< m^2; at the points of a fully integrated one four times theirs
     bool   looks_along_normals(std::size_t element) const;
-    double eigenvalue_bound(std::size_t element, double inverse_mass) const;
+    double eigenvalue_bound(std::size_t element) const;
     void   get_corners(std::size_t element, Vector3<double> (&position)[4], Vector3<double> (&normal)[4]) const;
 
     template <bool physical>

@@ -78,7 +78,7 @@ namespace birdstrike
       work = update_points(b, strain, area, dt);
 
     const auto end = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
-    batch.bound    = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, law);
+    batch.bound    = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, batch.radius2, law);
     chunk.bound    = max(chunk.bound, Lanes(batch.owned * batch.bound));
     Corners force[2];
     compute_corner_forces<physical>(end, state, section.hourglass_coefficient, nodes.normal, force);
