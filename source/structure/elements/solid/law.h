@@ -66,14 +66,16 @@ namespace birdstrike
 
     /// Artificial pressure (Pa) against dilatation at a rate (1/s): rho l (b1 c |rate| + b2^2 l rate^2), the square in
     /// compression only (von Neumann & Richtmyer 1950; Landshoff 1955), with the height l of the element (m). `drag`
-    /// (m^2/s) is the pressure over -rho rate.
+    /// (m^2/s) is its tangent, -dp/d(rate)/rho, which a disturbance of the motion meets: of the square twice the
+    /// secant.
     template <class Number>
     [[gnu::always_inline]] Number compute_viscous_pressure(const Number &rate, const Number &height, Number &drag) const
     {
       const Number compression = max(Number(-rate), Number(0.));
-      drag =
-        height * (linear_viscosity * wave_speed + (quadratic_viscosity * quadratic_viscosity) * height * compression);
-      return -density * drag * rate;
+      const Number linear      = height * (linear_viscosity * wave_speed),
+                   square      = (quadratic_viscosity * quadratic_viscosity) * height * height * compression;
+      drag                     = linear + 2. * square;
+      return -density * (linear + square) * rate;
     }
 
     /// 1 - T*^m after a plastic work (J/m^3).

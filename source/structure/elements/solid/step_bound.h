@@ -39,7 +39,12 @@ namespace birdstrike
   /// takes each mode w_m times (measured: none of 800 bricks, random as before, with factors up to 400, was below).
   ///
   /// With a drag on the dilatation (see SolidLaw::compute_viscous_pressure), which acts half a step late, dt solves
-  /// omega^2 dt^2 + 2 beta dt = 4. `inverse_mass`: 1/(least mass that the nodes carry for the element, kg). `rest_det`
+  /// omega^2 dt^2 + 2 beta dt = 4.
+  ///
+  /// Of stresses nothing is counted: a compressive principal Kirchhoff stress s adds s to lambda + 2 G, 0.3 % of the
+  /// step where titanium yields, 1.7 % where a thin brick has lost 5 % of its volume.
+  ///
+  /// `inverse_mass`: 1/(least mass that the nodes carry for the element, kg). `rest_det`
   /// (m^3) is 64 times the volume that the moduli belong to: the undeformed one.
   template <class Number, class Scaling = Unscaled>
   [[gnu::always_inline]] inline Number compute_frequency_bound(const SolidGeometry<Number> &g, const Number &rest_det,
