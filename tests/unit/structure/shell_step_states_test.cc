@@ -161,3 +161,23 @@ TEST(ShellStepStates, TwoMetalsAndThicknesses)
       EXPECT_GT(ratio, 0.85);
     }
 }
+
+// In time: a plate stays bounded 1 % below the exact step and grows without limit 2 % above it, so that what the
+// entry Time/Step scale may be raised to is exact over estimated step; recorded for the table of tests/stress.
+TEST(ShellStepStates, GrowthBeginsWhereTheTangentSays)
+{
+  for (const auto formulation : all_formulations)
+    for (const unsigned int n : {1u, 3u})
+      {
+        Model        model(squares(n), 0.02, hardening_titanium(formulation));
+        const auto   mass     = compute_masses(model.elements);
+        const double estimate = model.elements.largest_stable_step(),
+                     exact =
+                       exact_step::compute_step(exact_step::compute_tangent(model.elements, model.position), mass);
+        EXPECT_LT(exact_step::compute_growth(model.elements, model.position, mass, 0.99 * exact), 100.);
+        EXPECT_GT(exact_step::compute_growth(model.elements, model.position, mass, 1.02 * exact), 1e10);
+        RecordProperty("largest_scale_of_formulation_" + std::to_string(int(formulation)) + "_of_" + std::to_string(n),
+                       std::to_string(exact / estimate));
+        EXPECT_GE(exact / estimate, 1. - 1e-6);
+      }
+}
