@@ -120,10 +120,29 @@ namespace birdstrike
         combinations.name(mesh.groups, &Group::material_number, is_material, labels.materials);
       }
 
+      /// deal.II's invert_cells_with_negative_measure() measures from the origin, where the sign of a cell's volume drowns
+      /// in round-off 1000 m away; here from the cell's first corner.
+      void turn_inverted_cells()
+      {
+        for (auto &cell : cells)
+          {
+            std::vector<dealii::Point<dim>>     corners(n_corners);
+            std::array<unsigned int, n_corners> as_numbered;
+            for (unsigned int v = 0; v < n_corners; ++v)
+              {
+                corners[v]     = dealii::Point<dim>(vertices[cell.vertices[v]] - vertices[cell.vertices[0]]);
+                as_numbered[v] = v;
+              }
+            if (dealii::GridTools::cell_measure(corners, as_numbered) < 0.)
+              for (const unsigned int v : {0, 1, 4, 5})
+                std::swap(cell.vertices[v], cell.vertices[v + 2]);
+          }
+      }
+
       void create()
       {
-        if (dim == 3)
-          dealii::GridTools::invert_cells_with_negative_measure(vertices, cells);
+        if constexpr (dim == 3)
+          turn_inverted_cells();
         dealii::GridTools::consistently_order_cells(cells);
         try
           {

@@ -27,6 +27,7 @@ namespace birdstrike::test
     TemporaryMesh(const Places &nodes, const Cells &cells, const int dim = 2) : TemporaryMesh(".msh", "")
     {
       std::ofstream out(path);
+      out.precision(17);
       out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << nodes.size() << '\n';
       for (std::size_t n = 0; n < nodes.size(); ++n)
         out << n + 1 << ' ' << nodes[n][0] << ' ' << nodes[n][1] << ' ' << nodes[n][2] << '\n';
