@@ -35,6 +35,13 @@ namespace birdstrike
       return {vector(points.position), vector(points.velocity), 0.5 * std::cbrt(points.volume[i])};
     }
 
+    bool is_plane(const std::array<Point3, 4> &x)
+    {
+      const Point3 twice_area = compute_area_vector(x);
+      return std::abs((x[1] - x[0]).dot(twice_area)) + std::abs((x[3] - x[0]).dot(twice_area)) <=
+             1e-9 * twice_area.norm() * std::sqrt(twice_area.norm());
+    }
+
     class Surface
     {
     public:
@@ -46,6 +53,8 @@ namespace birdstrike
           largest = std::max(largest, std::cbrt(points.volume[i]));
         topology.update_slowly(facets, largest);
         boxes.resize(facets.n_facets);
+        for (std::size_t f = 0; f < facets.n_facets; ++f)
+          is_flat.push_back(is_plane(facet_nodes(facets, f)));
         for (std::size_t f = 0; f < facets.n_facets; ++f)
           for (const std::uint32_t node : facets.nodes[f])
             {
@@ -69,21 +78,8 @@ namespace birdstrike
       /// First touch of one facet within the interval, or never.
       double touch(const Ray &ray, const std::size_t f, const TimeSpan &interval) const
       {
-        const double tolerance =
-          1e-13 * (ray.half_size + topology.max_half_thickness() + (ray.at(interval.first) - ray.origin).norm());
-        double time = interval.first;
-        for (unsigned int iteration = 0; iteration < 1000 && time <= interval.last; ++iteration)
-          {
-            Point3       normal;
-            const double gap = -overlap(ray.at(time), f, ray.half_size, normal);
-            if (gap <= tolerance)
-              return time;
-            const double closing = -ray.velocity.dot(normal);
-            if (closing <= 0.)
-              return never;
-            time += gap / closing;
-          }
-        return never;
+        return enter(ray, interval.first, interval.last, is_flat[f],
+                     [&](const Point3 &p, Point3 &normal) { return overlap(p, f, ray.half_size, normal); });
       }
 
       /// Where the nearest facet's edges let the point in, or past: the offset surface is inside that without edges, so
@@ -126,8 +122,11 @@ namespace birdstrike
         return std::min(result.limit, result.overlap);
       }
 
-      /// From a time at which the point is outside on. Newton's step, exact on planes; where it oversteps, bisection.
-      double enter(const Ray &ray, double time, const double last) const
+      /// When the ray first comes where `depth(place, normal)` is positive, from a time at which it is outside on, or
+      /// never. Newton's step, exact on planes; where it oversteps, bisection. What is around a convex body does not
+      /// come back once it is left behind.
+      template <class Depth>
+      double enter(const Ray &ray, double time, const double last, const bool is_convex, const Depth &depth) const
       {
         const double size = ray.half_size + topology.max_half_thickness(), speed = ray.velocity.norm();
         const double tolerance = 1e-13 * (size + (ray.at(time) - ray.origin).norm());
@@ -135,23 +134,27 @@ namespace birdstrike
         for (unsigned int iteration = 0; iteration < 1000 && time <= last; ++iteration)
           {
             Point3       normal = Point3::Zero();
-            const double gap    = -depth(ray.at(time), ray.half_size, normal);
+            const double gap    = -depth(ray.at(time), normal);
             if (gap <= tolerance)
-              return gap >= -tolerance || outside == time ? time : bisect(ray, outside, time);
+              return gap >= -tolerance || outside == time ? time : bisect(ray, outside, time, depth);
             outside              = time;
             const double closing = -ray.velocity.dot(normal);
-            time += std::min(closing > 0. ? gap / closing : never, std::max(gap, 0.02 * size) / speed);
+            if (closing <= 0. && is_convex)
+              return never;
+            const double newton = closing > 0. ? gap / closing : never;
+            time += is_convex ? newton : std::min(newton, std::max(gap, 0.02 * size) / speed);
           }
         return never;
       }
 
-      double bisect(const Ray &ray, double outside, double inside) const
+      template <class Depth>
+      double bisect(const Ray &ray, double outside, double inside, const Depth &depth) const
       {
         for (unsigned int iteration = 0; iteration < 60; ++iteration)
           {
             const double middle = 0.5 * (outside + inside);
             Point3       normal;
-            (depth(ray.at(middle), ray.half_size, normal) > 0. ? inside : outside) = middle;
+            (depth(ray.at(middle), normal) > 0. ? inside : outside) = middle;
           }
         return inside;
       }
@@ -170,7 +173,9 @@ namespace birdstrike
             if (interval.first <= interval.last)
               first = std::min(first, touch(ray, f, interval));
           }
-        return first < limit ? std::min(limit, enter(ray, first, std::min(whole.last, limit))) : limit;
+        const auto beside_edges = [&](const Point3 &p, Point3 &normal) { return depth(p, ray.half_size, normal); };
+        return first < limit ? std::min(limit, enter(ray, first, std::min(whole.last, limit), false, beside_edges))
+                             : limit;
       }
 
       Overlap deepest(const Ray &ray, const std::uint32_t id) const
@@ -188,6 +193,7 @@ namespace birdstrike
       const FacetsView &facets;
       SurfaceTopology   topology;
       std::vector<Box>  boxes;
+      std::vector<bool> is_flat; // and so convex: a warped facet is four triangles
       Box               all;
     };
   } // namespace

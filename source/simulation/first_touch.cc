@@ -12,6 +12,10 @@ namespace birdstrike
 {
   namespace
   {
+    /// Gap in particle spacings that is left before the first touch: on the touch itself round-off would say which of
+    /// the particles that come at once push in the first step.
+    constexpr double clearance = 1e-6;
+
     /// Velocity (m/s) of the surface where the bird aims: of the node nearest to that point.
     Point3 find_velocity_at_aim(const BirdParameters &bird, const FacetsView &facets)
     {
@@ -84,11 +88,12 @@ namespace birdstrike
     if (touch.closing_speed == 0.)
       throw InputError("The bird does not close in on the blade: Bird/Velocity is that of the blade where it aims.\n"
                        "Set Bird/Velocity, in m/s, to what carries it to the blade.");
-    const bool is_free_to_start = parameters.stand_off == 0. && parameters.shape != BirdShape::slab;
+    const double before           = clearance * parameters.spacing / touch.closing_speed; // s
+    const bool   is_free_to_start = parameters.stand_off == 0. && parameters.shape != BirdShape::slab;
     if (is_free_to_start)
       if (const double earlier = find_earlier_touch(bird.points(), facets, velocity); earlier > 0.)
         {
-          bird.advance_in_flight(-earlier, frame);
+          bird.advance_in_flight(-earlier - before, frame);
           return touch;
         }
     if (const Overlap overlap = initial_overlap(bird.points(), facets); overlap.depth > 0.)
@@ -101,6 +106,7 @@ namespace birdstrike
     if (!std::isfinite(touch.flight_time))
       throw InputError("The bird misses the blade: no particle meets it along Bird/Velocity.\n"
                        "Change Bird/Aim point, Bird/Chordwise offset or Bird/Velocity.");
+    touch.flight_time = std::max(0., touch.flight_time - before);
     bird.advance_in_flight(touch.flight_time, frame);
     return touch;
   }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <random>
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
@@ -85,4 +86,34 @@ TEST(Flight, AnOverlapIsFoundWithItsPlace)
   clear.add_plate(6, 4, 0.01, 2e-3);
   clear.add_point({Point3(0.021, 0.011, 1.001 * g)});
   EXPECT_EQ(initial_overlap(clear.points(), clear.facets()).depth, 0.);
+}
+
+// A warped facet is four triangles: the gap along a path is no convex function, and Newton's step may land behind the
+// first touch. Nothing may overlap before it, whatever the path.
+TEST(Flight, NothingOverlapsBeforeTheFirstTouchOfAWarpedSurface)
+{
+  std::mt19937                           random(1);
+  std::uniform_real_distribution<double> draw(-1., 1.);
+  unsigned int                           n_touched = 0;
+  for (unsigned int path = 0; path < 300; ++path)
+    {
+      FreeMasses scene;
+      scene.add_patch(4, 4, 2e-3, [](const unsigned int i, const unsigned int j) {
+        return Point3(2e-3 * i, 2e-3 * j, (i + j) % 2 == 0 ? 1.2e-3 : -1.2e-3);
+      });
+      const Point3 target(4e-3 + 3e-3 * draw(random), 4e-3 + 3e-3 * draw(random), 0.);
+      const Point3 velocity = 100. * Point3(draw(random), draw(random), -0.2).normalized();
+      scene.add_point({Point3(target - 2e-4 * velocity), velocity});
+      const Point3 start = scene.position(0);
+      const double time  = time_to_first_touch(scene.points(), scene.facets());
+      if (!std::isfinite(time))
+        continue;
+      ++n_touched;
+      for (unsigned int k = 0; k < 200; ++k)
+        {
+          scene.place(0, Point3(start + k / 200. * time * velocity));
+          ASSERT_EQ(initial_overlap(scene.points(), scene.facets()).depth, 0.) << "path " << path << ", " << k;
+        }
+    }
+  EXPECT_GT(n_touched, 200u);
 }
