@@ -17,6 +17,10 @@ namespace birdstrike
     /// forces and for dampers.
     constexpr double largest_squared_phase = 2.;
 
+    /// Calls from one update of thickness and sharp edges to the next; when a search comes, which the axes have a part
+    /// in, must not matter.
+    constexpr std::uint64_t slow_stride = 16;
+
     /// Kept by each thread from call to call, so that it stays in that core's cache.
     struct Workspace
     {
@@ -95,6 +99,8 @@ namespace birdstrike
     if (is_changed && change == SurfaceTopology::Change::surface)
       memory.forget_sides();
     memory.update(points);
+    if (last.calls % slow_stride == 0 || change != SurfaceTopology::Change::none)
+      topology.update_slowly(facets, memory.max_size());
     if (change != SurfaceTopology::Change::none)
       areal_flexibility = compute_areal_flexibility(facets, memory.max_size());
     search.update(points, facets, topology.max_half_thickness() + 0.5 * memory.max_size(),
@@ -104,7 +110,6 @@ namespace birdstrike
     if (search.counts().searches > last.searches)
       {
         last.searches = search.counts().searches;
-        topology.update_slowly(facets, memory.max_size());
         node_sums.set_nodes(search.blocks(), facets.n_nodes);
         size_touches();
       }
@@ -119,7 +124,11 @@ namespace birdstrike
     touches.resize(search.blocks().size());
     // at most two facets a point: steps without a search allocate nothing
     for (std::size_t b = 0; b < touches.size(); ++b)
-      touches[b].reserve(2 * search.blocks()[b].points.size());
+      {
+        CandidateBlock &block = search.blocks()[b];
+        touches[b].reserve(2 * block.points.size());
+        block.has_passed.reserve(block.points.size());
+      }
   }
 
   void Contact::find_touches(const ContactScene &scene, ThreadPool &pool)

@@ -44,8 +44,9 @@ namespace birdstrike
   class SharpEdges
   {
   public:
-    /// Finds the edges within `reach` of each facet. Done again when facets come and go, and for the angles of
-    /// a skin with every call: with every search is often enough.
+    /// Finds the edges within `reach` of each facet. Done again when facets come and go, and for a skin, whose ridges
+    /// sharpen, with every call: every few steps are often enough, for how sharp they are is seen when a point is
+    /// there.
     void update(const FacetsView &facets, double reach);
 
     void archive(Archive &archive);
@@ -62,13 +63,13 @@ namespace birdstrike
     {
       std::array<std::uint32_t, 2> nodes;
       std::array<std::int32_t, 2>  facets; // the second is -1 at a free edge
-      double                       angle;  // between their normals
     };
     struct Foot; // of a perpendicular on an edge
 
     void find_edges(const FacetsView &facets);
     void add_ridge(const FacetsView &facets, std::uint32_t facet, unsigned int side);
     void spread(const FacetsView &facets, double reach);
+    bool is_sharp(const FacetsView &facets, const Edge &edge) const; // now
     void cut_rim(const FacetsView &facets, const Foot &foot, EdgeTouch &touch) const;
     void cut_ridge(const FacetsView &facets, const Foot &foot, EdgeTouch &touch) const;
 
@@ -77,5 +78,10 @@ namespace birdstrike
     std::vector<Edge>          edges;
     std::vector<std::uint32_t> first, near; // edges near facet f: near[first[f]] ...
     std::vector<Point3>        normals;     // [n_facets], unit
+
+    // of spread(), kept so that it allocates nothing
+    std::vector<std::array<std::uint32_t, 2>> found; // facet, edge
+    std::vector<std::int32_t>                 front;
+    std::vector<std::uint32_t>                seen; // [n_facets]
   };
 } // namespace birdstrike

@@ -12,8 +12,9 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr double blunt = std::numbers::pi / 6.; // ridges below have no chamfer
-    constexpr double at_it = 1e-9;                  // of the size: closer to an edge than this is on it
+    constexpr double blunt   = std::numbers::pi / 6.; // ridges below have no chamfer
+    constexpr double watched = 0.5 * blunt;           // from here on their angle is looked at in every step
+    constexpr double at_it   = 1e-9;                  // of the size: closer to an edge than this is on it
 
     Point3 node_at(const FacetsView &facets, const std::uint32_t node)
     {
@@ -86,7 +87,7 @@ namespace birdstrike
             const std::int32_t g = facets.neighbor[f][k];
             if (g == FacetsView::free_edge)
               edges.push_back(
-                {{{facets.nodes[f][k], facets.nodes[f][(k + 1) % 4]}}, {{static_cast<std::int32_t>(f), -1}}, 0.});
+                {{{facets.nodes[f][k], facets.nodes[f][(k + 1) % 4]}}, {{static_cast<std::int32_t>(f), -1}}});
             else if (!facets.two_sided && g > static_cast<std::int32_t>(f))
               add_ridge(facets, f, k);
           }
@@ -97,19 +98,18 @@ namespace birdstrike
     const std::int32_t                 g = facets.neighbor[f][k];
     const std::array<std::uint32_t, 2> nodes{{facets.nodes[f][k], facets.nodes[f][(k + 1) % 4]}};
     const double                       cosine = normals[f].dot(normals[static_cast<std::size_t>(g)]);
-    if (cosine > std::cos(blunt))
+    if (cosine > std::cos(watched))
       return;
     const Point3 centre = centre_of(facet_nodes(facets, static_cast<std::size_t>(g)));
     if ((centre - node_at(facets, nodes[0])).dot(normals[f]) >= 0.)
       return; // hollow
-    edges.push_back({nodes, {{static_cast<std::int32_t>(f), g}}, std::acos(std::max(cosine, -1.))});
+    edges.push_back({nodes, {{static_cast<std::int32_t>(f), g}}});
   }
 
   void SharpEdges::spread(const FacetsView &facets, const double reach)
   {
-    std::vector<std::array<std::uint32_t, 2>> found; // facet, edge
-    std::vector<std::int32_t>                 front;
-    std::vector<std::uint32_t>                seen(facets.n_facets, 0);
+    found.clear();
+    seen.assign(facets.n_facets, 0);
     for (std::uint32_t e = 0; e < edges.size(); ++e)
       {
         const Point3 a = node_at(facets, edges[e].nodes[0]), b = node_at(facets, edges[e].nodes[1]);
@@ -151,19 +151,28 @@ namespace birdstrike
       first[f + 1] += first[f];
   }
 
+  bool SharpEdges::is_sharp(const FacetsView &facets, const Edge &edge) const
+  {
+    if (edge.facets[1] < 0)
+      return true;
+    const Point3 a = node_at(facets, edge.nodes[0]), b = node_at(facets, edge.nodes[1]);
+    const Frame  one = frame_at(facets, edge.facets[0], a, b), other = frame_at(facets, edge.facets[1], b, a);
+    return one.normal.dot(other.normal) <= std::cos(blunt) && one.normal.dot(other.outward) > 0.;
+  }
+
   void SharpEdges::cut(const FacetsView &facets, const std::uint32_t facet, const Point3 &closest,
                        EdgeTouch &touch) const
   {
     // the nearest edge; on a corner all that meet there
+    const auto to_foot = [&](const Edge &edge) {
+      return Point3(closest_on_segment(closest, node_at(facets, edge.nodes[0]), node_at(facets, edge.nodes[1])) -
+                    closest);
+    };
     double smallest = edge_reach(touch.size);
     for (std::uint32_t n = first[facet]; n < first[facet + 1]; ++n)
-      {
-        const Edge &edge = edges[near[n]];
-        smallest         = std::min(
-                  smallest,
-                  (closest_on_segment(closest, node_at(facets, edge.nodes[0]), node_at(facets, edge.nodes[1])) - closest)
-                    .norm());
-      }
+      if (const Edge &edge = edges[near[n]];
+          to_foot(edge).squaredNorm() < smallest * smallest && is_sharp(facets, edge))
+        smallest = to_foot(edge).norm();
     if (smallest >= edge_reach(touch.size))
       return;
     const EdgeTouch smooth = touch;
@@ -172,11 +181,10 @@ namespace birdstrike
       {
         const Edge &edge = edges[near[n]];
         Foot        foot;
-        foot.edge = &edge;
-        foot.from_closest =
-          closest_on_segment(closest, node_at(facets, edge.nodes[0]), node_at(facets, edge.nodes[1])) - closest;
-        foot.distance = foot.from_closest.norm();
-        if (foot.distance > smallest + at_it * touch.size)
+        foot.edge         = &edge;
+        foot.from_closest = to_foot(edge);
+        foot.distance     = foot.from_closest.norm();
+        if (foot.distance > smallest + at_it * touch.size || !is_sharp(facets, edge))
           continue;
         EdgeTouch here = smooth;
         if (edge.facets[1] < 0)
@@ -229,7 +237,8 @@ namespace birdstrike
     const Point3 a = node_at(facets, edge.nodes[0]), b = node_at(facets, edge.nodes[1]);
     const Point3 first_normal  = frame_at(facets, edge.facets[0], a, b).normal,
                  second_normal = frame_at(facets, edge.facets[1], b, a).normal;
-    const double round         = 0.5 * touch.size * round_share(edge.angle);
+    const double angle         = std::acos(std::clamp(first_normal.dot(second_normal), -1., 1.));
+    const double round         = 0.5 * touch.size * round_share(angle);
     const Point3 bisector      = (first_normal + second_normal).normalized();
     touch.limit                = round - bisector.dot(touch.offset - foot.from_closest);
     touch.limit_normal         = bisector;
