@@ -31,6 +31,7 @@ namespace birdstrike
       row("was beyond", a.was_beyond, b.was_beyond);
       row("reference", a.reference, b.reference);
       row("overlap", a.overlap, b.overlap);
+      row("depth", a.depth, b.depth);
       row("outward", a.outward, b.outward);
     });
   }
@@ -60,7 +61,6 @@ namespace birdstrike
     archive.records("edges", edges, [](Archive::Row &row, Edge &edge) {
       row("nodes", edge.nodes);
       row("facets", edge.facets);
-      row("angle", edge.angle);
     });
     archive.list("first of facet", first);
     archive.list("near facet", near);

@@ -29,6 +29,7 @@ namespace birdstrike
       bool                         was_beyond      = false; ///< an edge's plane, where nothing is in the way
       double                       reference       = 0.;    ///< m, penetration when the facet was new: carries no force
       double                       overlap         = 0.;    ///< m, in the last call
+      double                       depth           = 0.;    ///< m, in the last call; 0 without a force
       std::array<float, 3> outward{}; ///< of a one-sided surface: the direction away from it when last seen outside
     };
 

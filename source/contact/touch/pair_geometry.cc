@@ -36,7 +36,9 @@ namespace birdstrike
                              CandidateBlock &block)
   {
     const std::size_t n_padded = (n_awake + n_lanes - 1) / n_lanes * n_lanes;
-    const auto        grow     = [&](AlignedVector<double> &array) { array.resize(std::max(array.size(), n_padded)); };
+    // for all pairs of the block, awake or not: steps without a search allocate nothing
+    const std::size_t n_most = block.pair_bound.size() + n_lanes;
+    const auto        grow   = [&](AlignedVector<double> &array) { array.resize(std::max(array.size(), n_most)); };
     for (auto *array : {&distance, &height, &half_thickness, &inverse_mass})
       grow(*array);
     for (auto *arrays : {&offset, &velocity})

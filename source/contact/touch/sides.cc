@@ -14,6 +14,8 @@ namespace birdstrike
     // slopes below, of thickness that strains have changed, do no work worth their couples
     constexpr double no_slope = 1e-3;
 
+    constexpr double leap = 1e-3; // of the size: what a depth may change by besides the way of the point, in a step
+
     // below this share of the size the direction p - q is round-off, and the facet's normal takes its place
     constexpr double no_distance = 1e-6;
 
@@ -109,6 +111,7 @@ namespace birdstrike
     taken = before.last_call + 1 == scene.call ? find_remembered(before, nodes, piece, is_other_sheet, taken) : -1;
     side  = taken < 0 ? PointRecord::Side() : before.sides[taken];
     const bool is_elsewhere = taken >= 0 && count_common_nodes(side.nodes, nodes) == 0;
+    const bool is_next      = taken >= 0 && side.nodes != nodes; // another facet than in the last call
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
@@ -149,19 +152,25 @@ namespace birdstrike
     if (const SharpEdges &edges = scene.topology.sharp_edges(); edges.are_near(facet))
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
-    const double approach   = std::max(0., -velocity.dot(edge.normal - edge.slope)) * scene.step;
-    const bool   is_inside  = edge.overlap > 0. && edge.limit > 0.;
-    const bool   is_new     = scene.is_changed || is_other_sheet;
-    side.reference          = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, approach), 0.);
-    side.is_touching        = is_inside;
-    side.is_through         = is_inside && sign < 0.;
-    side.was_beyond         = edge.feature == EdgeTouch::Feature::beyond;
-    side.is_on_edge_face    = edge.feature == EdgeTouch::Feature::edge_face;
+    const double approach  = std::max(0., -velocity.dot(edge.normal - edge.slope)) * scene.step;
+    const bool   is_inside = edge.overlap > 0. && edge.limit > 0.;
+    const bool   is_new    = scene.is_changed || is_other_sheet;
+    side.reference         = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, approach), 0.);
+    side.is_touching       = is_inside;
+    side.is_through        = is_inside && sign < 0.;
+    side.was_beyond        = edge.feature == EdgeTouch::Feature::beyond;
+    side.is_on_edge_face   = edge.feature == EdgeTouch::Feature::edge_face;
+    // from facet to facet a depth comes by the point's own way; what leaps there, as an overlap does where jagged edges
+    // meet, carries no force
+    const double own_way = 2. * velocity.norm() * scene.step + leap * before.size;
+    if (is_next && std::min(edge.overlap - side.reference, edge.limit) > side.depth + own_way)
+      side.reference = edge.overlap - (side.depth + approach);
     const double depth      = edge.overlap - side.reference;
     const bool   is_limited = edge.limit < depth;
     side.overlap            = edge.overlap;
     result.place            = place;
     result.penetration      = is_limited ? edge.limit : depth;
+    side.depth              = std::max(result.penetration, 0.);
     if (side.is_on_edge_face)
       edge.slope.setZero(); // its place does not depend on the thickness
     result.normal     = is_limited ? edge.limit_normal : Point3(edge.normal - edge.slope);
