@@ -135,7 +135,8 @@ namespace birdstrike
   {
     const auto group = archive.group("report");
     archive("force", last.force);
-    archive("energies", last.stored_energy, last.dissipation_power, last.dissipated_energy, last.dissipation_fall);
+    archive("energies", last.stored_energy, last.dissipation_power, last.dissipated_energy, last.staggering,
+            last.dissipation_fall);
     archive("largest frequency", last.largest_frequency);
     archive("touching", last.n_touching);
     archive("penetration", last.penetration, last.max_penetration, last.max_penetration_over_spacing);

@@ -274,6 +274,7 @@ namespace birdstrike
     last.stored_energy     = plane.whole(last.stored_energy);
     last.dissipation_power = plane.whole(last.dissipation_power);
     last.dissipated_energy = plane.whole(dissipation.energy());
+    last.staggering        = plane.whole(dissipation.to_be_given_back());
     last.dissipation_fall  = plane.whole(dissipation.fall());
     last.n_touching        = plane.whole(last.n_touching);
     for (std::size_t k = 0; k < patches.size(); ++k)

@@ -163,7 +163,7 @@ namespace birdstrike
     Origins from{};
     from.blade   = made_by(last.blade, last.blade.internal);
     from.bird    = made_by(last.bird, last.bird.internal);
-    from.contact = made_by(last.contact, contact_energy());
+    from.contact = made_by(last.contact, contact_energy()) + last.contact.staggering;
     from.steps   = current_energy - reference_energy - from.blade - from.bird - from.contact;
     return from;
   }

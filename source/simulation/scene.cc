@@ -167,6 +167,7 @@ namespace birdstrike
     const ContactReport &of_contact = contact ? contact->report() : gone_contact;
     state.contact.elastic           = of_contact.stored_energy;
     state.contact.dissipated        = of_contact.dissipated_energy;
+    state.contact.staggering        = of_contact.staggering;
     state.contact_dissipation_fall  = of_contact.dissipation_fall;
     if (self_contact)
       {

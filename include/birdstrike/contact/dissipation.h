@@ -46,6 +46,11 @@ namespace birdstrike
     {
       return reported;
     }
+    /// J, at most 0: what of energy() the second half of the present and the next forces will have given back.
+    double to_be_given_back() const
+    {
+      return booked + under_way - reported;
+    }
     double fall() const ///< J, largest
     {
       return largest_fall;

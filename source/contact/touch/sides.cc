@@ -111,7 +111,7 @@ namespace birdstrike
     taken = before.last_call + 1 == scene.call ? find_remembered(before, nodes, piece, is_other_sheet, taken) : -1;
     side  = taken < 0 ? PointRecord::Side() : before.sides[taken];
     const bool is_elsewhere = taken >= 0 && count_common_nodes(side.nodes, nodes) == 0;
-    const bool is_next      = taken >= 0 && side.nodes != nodes; // another facet than in the last call
+    const bool is_next      = side.nodes != nodes; // another facet than in the last call, or none
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
@@ -163,7 +163,8 @@ namespace birdstrike
     // from facet to facet a depth comes by the point's own way; what leaps there, as an overlap does where jagged edges
     // meet, carries no force
     const double own_way = 2. * velocity.norm() * scene.step + leap * before.size;
-    if (is_next && std::min(edge.overlap - side.reference, edge.limit) > side.depth + own_way)
+    if (is_next && before.last_call + 1 == scene.call &&
+        std::min(edge.overlap - side.reference, edge.limit) > side.depth + own_way)
       side.reference = edge.overlap - (side.depth + approach);
     const double depth      = edge.overlap - side.reference;
     const bool   is_limited = edge.limit < depth;
