@@ -152,18 +152,20 @@ namespace birdstrike
     if (const SharpEdges &edges = scene.topology.sharp_edges(); edges.are_near(facet))
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
-    const double approach  = std::max(0., -velocity.dot(edge.normal - edge.slope)) * scene.step;
-    const bool   is_inside = edge.overlap > 0. && edge.limit > 0.;
-    const bool   is_new    = scene.is_changed || is_other_sheet;
-    side.reference         = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, approach), 0.);
-    side.is_touching       = is_inside;
-    side.is_through        = is_inside && sign < 0.;
-    side.was_beyond        = edge.feature == EdgeTouch::Feature::beyond;
-    side.is_on_edge_face   = edge.feature == EdgeTouch::Feature::edge_face;
-    // from facet to facet a depth comes by the point's own way; what leaps there, as an overlap does where jagged edges
-    // meet, carries no force
-    const double own_way = 2. * velocity.norm() * scene.step + leap * before.size;
-    if (is_next && before.last_call + 1 == scene.call &&
+    const bool   was_limited = side.is_touching && side.depth < side.overlap - side.reference;
+    const double approach    = std::max(0., -velocity.dot(edge.normal - edge.slope)) * scene.step;
+    const bool   is_inside   = edge.overlap > 0. && edge.limit > 0.;
+    const bool   is_new      = scene.is_changed || is_other_sheet;
+    side.reference           = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, approach), 0.);
+    side.is_touching         = is_inside;
+    side.is_through          = is_inside && sign < 0.;
+    side.was_beyond          = edge.feature == EdgeTouch::Feature::beyond;
+    side.is_on_edge_face     = edge.feature == EdgeTouch::Feature::edge_face;
+    // from facet to facet and below an edge's plane a depth comes by the point's own way; what leaps there, where
+    // jagged edges meet or a ridge goes flat, carries no force
+    const double own_way  = 2. * velocity.norm() * scene.step + leap * before.size;
+    const bool   can_leap = is_next || was_limited;
+    if (can_leap && before.last_call + 1 == scene.call &&
         std::min(edge.overlap - side.reference, edge.limit) > side.depth + own_way)
       side.reference = edge.overlap - (side.depth + approach);
     const double depth      = edge.overlap - side.reference;
