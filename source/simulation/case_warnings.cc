@@ -3,6 +3,7 @@
 #include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/contact/mass_in_the_way.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/text.h>
@@ -114,6 +115,35 @@ namespace birdstrike
         }
     }
 
+    /// Of a shell: how many facets are thicker than `thickest` times their shortest side.
+    std::size_t count_thick(const FacetsView &facets, const double thickest)
+    {
+      std::size_t n = 0;
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        {
+          double     shortest = INFINITY;
+          const auto x        = facet_nodes(facets, f);
+          for (unsigned int k = 0; k < 4; ++k)
+            if (const double side = (x[(k + 1) % 4] - x[k]).norm(); side > 0.)
+              shortest = std::min(shortest, side);
+          n += 2. * facets.half_thickness[f] > thickest * shortest;
+        }
+      return n;
+    }
+
+    void check_thick_shells(const Scene &scene, Warnings &warnings)
+    {
+      if (scene.blade->kind() != BladeKind::shell)
+        return;
+      const FacetsView facets = scene.blade->facets();
+      if (const std::size_t n = count_thick(facets, 2.); n > 0)
+        warnings.push_back(
+          {"blade/thick_shell",
+           fmt::format("{} of {} shell elements are thicker than twice their shortest side: they are no shells there, "
+                       "and contact on their faces loses couples. Take larger elements, or Blade/Kind = solid.",
+                       n, facets.n_facets)});
+    }
+
     void check_aim(const Scene &scene, const BirdParameters &bird, Warnings &warnings)
     {
       if (!scene.contact)
@@ -179,6 +209,7 @@ namespace birdstrike
         if (census.n_held_dofs == 0)
           warnings.push_back({"blade/free", "Nothing holds the blade: it flies off (Blade/Supports)."});
         check_layers(blade, warnings);
+        check_thick_shells(scene, warnings);
       }
     if (scene.bird)
       {

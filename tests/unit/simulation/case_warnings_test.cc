@@ -76,7 +76,7 @@ TEST(CaseWarnings, LooksAtTheParts)
   using Codes = std::vector<std::string>;
   EXPECT_EQ(of_scene({"Blade/Supports/Clamped=", "Blade/Supports/Free=0"}), Codes{"blade/free"});
   EXPECT_EQ(of_scene({"Bird/Chordwise offset=-0.04445"}), Codes{"bird/misses_in_part"});
-  EXPECT_EQ(of_scene({"Output/Field interval=1e-9"}), Codes{"output/large"});
+  EXPECT_EQ(of_scene({"Output/Field interval=1e-9", "Time/End time=0.4"}), Codes{"output/large"});
   EXPECT_EQ(of_scene({"Blade/Supports/Tip=0"}), Codes{"blade/tip_is_root"});
   EXPECT_EQ(of_scene({"Blade/Kind=solid"}), Codes{}) << "one layer of solid-shells";
   EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Mesh/Layers=2"}), Codes{"blade/layers"});
@@ -91,4 +91,14 @@ TEST(CaseWarnings, ABirdOfFewParticlesIsCoarse)
   parameters.read(frontal, {"Bird/Particle spacing=0.006"});
   const Scene scene(parameters);
   EXPECT_EQ(codes(find_scene_warnings(parameters, scene)), std::vector<std::string>{"bird/coarse"});
+}
+
+TEST(CaseWarnings, AShellThickerThanItsElementsIsNone)
+{
+  const auto warns = [](const std::string &thickness) {
+    const auto all = of_scene({"Blade/Thickness/Value=" + thickness});
+    return std::count(all.begin(), all.end(), "blade/thick_shell") == 1;
+  };
+  EXPECT_FALSE(warns("0.006"));
+  EXPECT_TRUE(warns("0.0223"));
 }
