@@ -90,8 +90,7 @@ def contact_without_damper(check):
 
 
 def folded_sheet(check):
-    points, cells = meshes.folded_sheet(0.1, 0.06, 0.02, 20, 8, 4)
-    meshes.write(os.path.join(check.folder, "folded.msh"), points, cells, meshes.edges(44, 8))
+    meshes.folded_sheet(0.1, 0.06, 0.02, 20, 8, 4).write(os.path.join(check.folder, "folded.msh"))
     result = check.run("folded-sheet", codes=(0, 3))
     if result and result.code == 0:
         check.sound(result, 0.02)
@@ -148,12 +147,12 @@ def oblique_edge(check):
 def tip_peak(check):
     """The built-in plate, the same from the other side, and from files in three orders."""
     reference = check.run("tip-peak")
-    points, cells = meshes.plate(0.3112, 0.0889, 20, 6)
+    plate = meshes.plate(0.3112, 0.0889, 20, 6)
     file = ("Blade/Mesh/Generator=file", "Blade/Supports/Clamped=", "Blade/Supports/Hub=10", "Blade/Supports/Tip=11")
     variants = {"other side": ("Bird/Velocity=0, 0, -177.4",)}
     for name, turned, seed in (("as built in", False, None), ("turned cells", True, None), ("drawn order", False, 1)):
         mesh = os.path.join(check.folder, name.replace(" ", "-") + ".msh")
-        meshes.write(mesh, points, cells, meshes.edges(20, 6), turned, seed)
+        plate.listed(turned, seed).write(mesh)
         variants[name] = (*file, f"Blade/Mesh/File={os.path.basename(mesh)}")
     if reference:
         check.between("tip peak", reference["tip/peak"], 0.25, 0.33)

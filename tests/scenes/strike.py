@@ -63,8 +63,9 @@ class Run:
         return " ".join(self.text.strip().split("\n\n")[-1].split())
 
     def stop(self):
-        """The message alone, without a program's tables: the last lines in which it speaks."""
-        return self.message()[:300]
+        """The message alone, without a program's tables and warnings: the last lines in which it speaks."""
+        lines = self.text.strip().split("\n\n")[-1].splitlines()
+        return " ".join(" ".join(l for l in lines if not l.startswith("Warning:")).split())[:300]
 
 
 def run(program, prm, folder, settings=(), limit=120.):

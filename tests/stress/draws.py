@@ -1,10 +1,9 @@
-"""Random scenes: a strike as a small table of numbers, and its parameter file. All random numbers come from the seed."""
+"""Random scenes of special kinds, on built-in plates for the most part. All random numbers come from the seed."""
 
 import math
-import os
-import random
 
 import meshes
+from scene import log_uniform, round_figures
 
 # (rho0 c0^2 over rho0)^(1/2) and more is the program's; here only what a time step is guessed by (m/s)
 LIQUIDS = {"linear": 1522., "murnaghan": 1037., "polynomial": 1473., "us-up": 1483.}
@@ -12,65 +11,10 @@ SHELLS = ("physical", "Belytschko-Tsay", "fully integrated")
 BRICKS = ("one point", "solid-shell", "B-bar")
 
 
-def log_uniform(draw, low, high):
-    return math.exp(draw.uniform(math.log(low), math.log(high)))
-
-
-def round_figures(value):
-    return float(f"{value:.4g}")
-
-
-class Scene:
-    """`settings`: entries of the parameter file by path. `info`: what the judge and the table need."""
-
-    def __init__(self, kind, seed):
-        self.kind, self.seed = kind, seed
-        self.settings, self.info, self.mesh = {}, {}, None
-
-    def set(self, path, value):
-        if isinstance(value, (list, tuple)):
-            value = ", ".join(repr(v) for v in value)
-        self.settings[path] = str(value)
-
-    def copy(self):
-        twin = Scene(self.kind, self.seed)
-        twin.settings, twin.info, twin.mesh = dict(self.settings), dict(self.info), self.mesh
-        return twin
-
-    def write(self, folder, name):
-        """Writes the parameter file (and mesh) into the folder and returns its path."""
-        if self.mesh:
-            points, cells, lines, turned, order = self.mesh
-            meshes.write(os.path.join(folder, name + ".msh"), points, cells, lines, turned, order)
-            self.settings["Blade/Mesh/File"] = name + ".msh"
-        path = os.path.join(folder, name + ".prm")
-        tree = {}
-        for entry, value in self.settings.items():
-            *sections, key = entry.split("/")
-            node = tree
-            for section in sections:
-                node = node.setdefault(section, {})
-            node[key] = value
-        with open(path, "w") as file:
-            file.write(f"# Drawn at random: draw.py --seed {self.seed} --only {self.kind}\n")
-            write_section(file, tree, "")
-        return path
-
-
-def write_section(file, node, indent):
-    for key, value in node.items():
-        if isinstance(value, dict):
-            file.write(f"{indent}subsection {key}\n")
-            write_section(file, value, indent + "  ")
-            file.write(f"{indent}end\n")
-        else:
-            file.write(f"{indent}set {key} = {value}\n")
-
-
 def draw_bird(scene, draw, speed, direction=(0., 0., 1.), n=None):
     """A bird of some hundred particles; its diameter D, spacing and velocity go to `info`."""
     spacing = round_figures(log_uniform(draw, 2e-3, 8e-3))
-    n = n or draw.randint(250, 900)
+    n = n or draw.randint(100, 400)
     density = draw.choice((950., 950., 1000., 600.))
     law = draw.choice(sorted(LIQUIDS))
     mass = round_figures(n * density * spacing**3)
@@ -87,7 +31,7 @@ def draw_bird(scene, draw, speed, direction=(0., 0., 1.), n=None):
                       law=law, sound=LIQUIDS[law])
 
 
-def set_end(scene, blade_step, steps=1500):
+def set_end(scene, blade_step, steps=600):
     """To the bird's end, but no longer than a few seconds of work."""
     info = scene.info
     bird_step = 0.4 * info["spacing"] / (info["sound"] + 1.2 * info["speed"])
@@ -117,8 +61,10 @@ def draw_plate(scene, draw, thickness, kind="shell", facet=None):
     info = scene.info
     element = facet or info["spacing"] * log_uniform(draw, 0.2, 10.)
     length, chord = (round_figures(info["diameter"] * draw.uniform(1.5, 3.)) for _ in range(2))
-    most = 26 if kind == "shell" else 16
+    most = 20 if kind == "shell" else 12
     n_span, n_chord = (max(2, min(most, round(side / element))) for side in (length, chord))
+    if kind == "shell":  # as in strikes.py
+        thickness = min(thickness, 2. * min(length / n_span, chord / n_chord))
     thickness = round_figures(thickness)
     scene.set("Blade/Kind", kind)
     scene.set("Blade/Mesh/Length", length)
@@ -222,7 +168,7 @@ def edge(scene, draw):
     x, y = scene.info["length_x"], 0.5 * scene.info["chord"]
     place = draw.choice(((0.6 * x, -y), (0.6 * x, y), (x, 0.), (x, y), (x, -y), (0., 0.), (0.05 * x, -y)))
     aim(scene, *(place if not into_rim else (0.7 * x, 0.)))
-    set_end(scene, step, 1000)
+    set_end(scene, step, 500)
 
 
 def brick(scene, draw):
@@ -232,7 +178,7 @@ def brick(scene, draw):
     step = draw_plate(scene, draw, scene.info["spacing"] * log_uniform(draw, 0.2, 10.), "solid")
     set_supports(scene, draw, draw.choice(("0, 1, 2, 3", "0", "")))
     aim(scene, 0.5 * scene.info["length_x"], 0.)
-    set_end(scene, step, 1000)
+    set_end(scene, step, 500)
 
 
 def frame(scene, draw):
@@ -242,7 +188,7 @@ def frame(scene, draw):
     step = draw_plate(scene, draw, scene.info["spacing"] * log_uniform(draw, 0.2, 2.), draw.choice(("shell", "solid")))
     set_supports(scene, draw, "")
     aim(scene, draw.uniform(0.4, 0.9) * scene.info["length_x"], 0.)
-    set_end(scene, step, 1000)
+    set_end(scene, step, 500)
 
 
 def order(scene, draw):
@@ -251,8 +197,7 @@ def order(scene, draw):
     draw_metal(scene, draw, log_uniform(draw, 1e9, 2e11), log_uniform(draw, 1000., 8000.))
     step = draw_plate(scene, draw, scene.info["spacing"] * log_uniform(draw, 0.2, 2.))
     info = scene.info
-    scene.mesh = (*meshes.plate(info["length_x"], info["chord"], info["n_span"], info["n_chord"]),
-                  meshes.edges(info["n_span"], info["n_chord"]), False, None)
+    scene.mesh = meshes.plate(info["length_x"], info["chord"], info["n_span"], info["n_chord"])
     for entry in ("Length", "Chord", "Elements along span", "Elements along chord"):
         del scene.settings["Blade/Mesh/" + entry]
     scene.set("Blade/Mesh/Generator", "file")
@@ -270,7 +215,7 @@ def fold(scene, draw):
     size, gap = info["diameter"], round_figures(info["diameter"] * draw.uniform(0.15, 0.6))
     thickness = round_figures(min(0.3 * gap, info["spacing"] * log_uniform(draw, 0.1, 1.)))
     n_length, n_gap = draw.randint(10, 20), draw.randint(2, 4)
-    scene.mesh = (*meshes.folded_sheet(2.5 * size, 1.5 * size, gap, n_length, 8, n_gap), meshes.edges(2 * n_length + n_gap, 8), False, None)
+    scene.mesh = meshes.folded_sheet(2.5 * size, 1.5 * size, gap, n_length, 8, n_gap)
     for entry, value in {"Kind": "shell", "Mesh/Generator": "file", "Supports/Clamped": "", "Supports/Hub": "10", "Supports/Tip": "11",
                          "Supports/Free": "12, 13", "Thickness/Value": thickness, "Element/Formulation": draw.choice(SHELLS)}.items():
         scene.set("Blade/" + entry, value)
@@ -279,7 +224,7 @@ def fold(scene, draw):
     line = [2.5 * size * k / n_length for k in range(1, n_length + 1)]  # nodes of both leaves at y = 0
     scene.set("Blade/Probes", "; ".join(f"{name}{k}: {x!r} 0 {z!r}" for name, z in (("upper", gap), ("lower", 0.)) for k, x in enumerate(line)))
     info["line"] = line
-    set_end(scene, 0.5 * min(2.5 * size / n_length, gap / n_gap) / info["wave"], 2000)
+    set_end(scene, 0.5 * min(2.5 * size / n_length, gap / n_gap) / info["wave"], 1000)
 
 
 def torn(scene, draw):
@@ -293,14 +238,45 @@ def torn(scene, draw):
         scene.set("Blade/Element/Formulation", "one point")
     set_supports(scene, draw, "0, 1, 2, 3")
     aim(scene, 0.5 * scene.info["length_x"], 0.)
-    set_end(scene, step, 1000)
+    set_end(scene, step, 500)
+
+
+def half(scene, draw):
+    """Half a scene and its mirror image; its twin is the whole."""
+    angle = math.radians(draw.choice((90., draw.uniform(30., 90.))))
+    draw_bird(scene, draw, log_uniform(draw, 20., 500.), (draw.choice((1., -1.)) * math.cos(angle), 0., math.sin(angle) * side(draw)))
+    for entry, value in {"Packing": "cubic", "Formulation": "riemann"}.items():
+        scene.set("Bird/" + entry, value)
+    scene.info["closing"] = scene.info["speed"] * math.sin(angle)
+    draw_metal(scene, draw, log_uniform(draw, 1e9, 2e11), log_uniform(draw, 1000., 8000.))
+    step = draw_plate(scene, draw, scene.info["spacing"] * log_uniform(draw, 0.2, 2.), draw.choice(("shell", "solid")))
+    scene.set("Blade/Mesh/Elements along chord", 2 * ((scene.info["n_chord"] + 1) // 2))
+    scene.set("Case/Symmetry plane", "y")
+    set_supports(scene, draw, draw.choice(("0", "0, 1")))
+    aim(scene, draw.uniform(0.4, 0.9) * scene.info["length_x"], 0.)
+    set_end(scene, step, 500)
+
+
+def blade(scene, draw):
+    """The built-in blade, staggered, twisted, cambered and tapered, struck where shares of span and chord say."""
+    draw_bird(scene, draw, log_uniform(draw, 50., 500.))
+    info = scene.info
+    draw_metal(scene, draw, 1.1e11, 4430.)
+    step = draw_plate(scene, draw, info["spacing"] * log_uniform(draw, 0.3, 1.5), draw.choice(("shell", "solid")))
+    thickness = float(scene.settings.pop("Blade/Thickness/Value"))
+    for path, value in {"Mesh/Generator": "blade", "Mesh/Profile/Root radius": round_figures(info["length_x"] * draw.uniform(0., 1.)),
+                        "Mesh/Profile/Chord law": f"1 + {draw.uniform(-0.3, 0.3):.3g}*s",
+                        "Mesh/Profile/Stagger": f"{draw.uniform(-30., 30.):.3g} + {draw.uniform(-40., 40.):.3g}*s",
+                        "Mesh/Profile/Camber": f"{draw.uniform(0., 0.12):.3g}",
+                        "Thickness/Maximum": f"{thickness:.4g}*(1 - {draw.uniform(0., 0.5):.3g}*s)"}.items():
+        scene.set("Blade/" + path, value)
+    del scene.settings["Bird/Velocity"]
+    for path, value in {"Speed": info["speed"], "Angle to surface": round_figures(draw.uniform(20., 90.)),
+                        "Aim span fraction": draw.choice((0.5, 0.7, 0.95)), "Aim chord fraction": draw.choice((0.03, 0.5, 0.6, 0.97))}.items():
+        scene.set("Bird/" + path, value)
+    set_supports(scene, draw, "0")
+    set_end(scene, step, 500)
 
 
 KINDS = {"foil": foil, "soft": soft, "rigid": rigid, "graze": graze, "edge": edge, "brick": brick, "frame": frame, "order": order,
-         "fold": fold, "torn": torn}
-
-
-def draw_scene(kind, seed):
-    scene = Scene(kind, seed)
-    KINDS[kind](scene, random.Random(f"{kind} {seed}"))
-    return scene
+         "fold": fold, "torn": torn, "half": half, "blade": blade}

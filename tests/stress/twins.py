@@ -2,6 +2,9 @@
 
 import math
 
+import numpy as np
+import placing
+
 # Relative differences that are let pass, of impulse and energies, and of the peak force: round-off, which grows while the flow bounces (pairs
 # are in single precision), in single peaks the more. Scaling by a power of two changes no mantissa, but a cube root differs in its last digit
 # sometimes, which 1600 steps made 7e-5.
@@ -9,8 +12,9 @@ import math
 # lines of nodes, which in a hollow go to either facet.
 ROUND_OFF, SINGLE_PEAK = 2e-3, 2e-2
 MIRRORED, MIRRORED_PEAK = 2e-2, 0.3
+WHOLE = 2e-2  # a frontal bird has particles exactly above lines of nodes here too
 LENGTHS = ("Bird/Particle spacing", "Bird/Aim point", "Blade/Mesh/Length", "Blade/Mesh/Chord", "Blade/Thickness/Value",
-           "Blade/Rigid/Length", "Blade/Rigid/Width", "Blade/Rigid/Half thickness", "Time/End time", "Blade/Probes")
+           "Blade/Mesh/Profile/Root radius", "Blade/Rigid/Length", "Blade/Rigid/Width", "Blade/Rigid/Half thickness", "Time/End time", "Blade/Probes")
 MASSES = ("Bird/Mass", "Blade/Rigid/Mass")
 SECTIONS = ("end", "tip", "root", "contact", "plastic", "energy", "steps")
 
@@ -25,9 +29,10 @@ def scaled(scene, factor):
         elif power:
             text = ", ".join(repr(float(x) * factor**power) for x in text.split(","))
         twin.settings[path] = text
+    if "Blade/Thickness/Maximum" in twin.settings:
+        twin.set("Blade/Thickness/Maximum", f"{factor!r}*({twin.settings['Blade/Thickness/Maximum']})")
     if twin.mesh:
-        points, *rest = twin.mesh
-        twin.mesh = ([tuple(x * factor for x in point) for point in points], *rest)
+        twin.mesh = twin.mesh.moved(lambda p: tuple(factor * x for x in p))
     return twin, factor**3, ROUND_OFF
 
 
@@ -52,9 +57,14 @@ def moving(scene, draw):
 
 def reordered(scene, draw):
     twin = scene.copy()
-    points, cells, lines, _, _ = twin.mesh
-    twin.mesh = (points, cells, lines, draw.random() < 0.5, draw.randrange(1000))
+    twin.mesh = twin.mesh.listed(draw.random() < 0.5, draw.randrange(1000))
     return twin, 1., ROUND_OFF
+
+
+def whole(scene):
+    twin = scene.copy()
+    del twin.settings["Case/Symmetry plane"]
+    return twin, 1., WHOLE
 
 
 def choose(scene, draw):
@@ -63,6 +73,8 @@ def choose(scene, draw):
         return "order", reordered(scene, draw)
     if scene.kind == "frame":
         return "frame", moving(scene, draw)
+    if scene.kind == "half":
+        return "whole", whole(scene)
     if scene.kind in ("graze", "edge", "torn") or (scene.kind in ("foil", "soft", "brick") and draw.random() < 0.3):
         z = float(scene.settings["Bird/Velocity"].split(",")[2])
         return ("mirror", mirrored(scene)) if z != 0. else ("scale", scaled(scene, 2.**10))
@@ -93,3 +105,58 @@ def difference(name, one, two, factor, tolerance):
 def summary_difference(one, two):
     """Sections of two summaries of one run that are not the same to the last digit."""
     return [section for section in SECTIONS if repr(one.summary.get(section)) != repr(two.summary.get(section))]
+
+
+# Of a scene elsewhere: what its answer may differ by, as so many times what a change of aim and speed by the relative precision of a
+# float pair changes it, besides round-off of a few hundred steps (positions at 1000 m: 1e-13 m, 1e-10 spacings).
+FLOAT, GROWTH, PLACED = 1.2e-7, 30., 1e-4
+
+
+def nudged(scene, draw):
+    """The scene with aim and speed changed by a float's precision of a spacing and of themselves."""
+    twin = scene.copy()
+    for path, scale in (("Bird/Aim point", scene.info["spacing"]), ("Bird/Velocity", scene.info["speed"])):
+        twin.set(path, [float(x) + scale * FLOAT * draw.uniform(-1., 1.) for x in scene.settings[path].split(",")])
+    return twin
+
+
+def placed_figures(result, closing_energy):
+    """What does not depend on who looks, over the momentum or the energy with which the bird comes; a peak over itself."""
+    columns = result.columns
+    momentum = result["bird/mass"] * math.sqrt(2. * closing_energy / result["bird/mass"])
+    figures = {"impulse": np.array(result["contact/impulse"]) / momentum, "peak": np.array([result["contact/peak_force"]])}
+    for name in ("blade_plastic", "blade_elastic", "contact_dissipated", "bird_dissipated"):
+        figures[name] = np.array([columns.get(name, [0.])[-1] / closing_energy])
+    return figures
+
+
+def placed_difference(one, two, turn=np.eye(3)):
+    """Largest difference, the peak's as a share of it and a tenth of it counted: a single evaluation of contact."""
+    peak = max(one["peak"][0], two["peak"][0], 1e-300)
+    return max(0.1 * abs(one["peak"][0] - two["peak"][0]) / peak if name == "peak" else
+               float(np.abs((turn @ one[name] if name == "impulse" else one[name]) - two[name]).max()) for name in one)
+
+
+def compare_places(scene, first, draw, run):
+    """Faults, the place's name and the difference. Where all at once (turned, mirrored, shifted, moving) differs, each alone says more."""
+    energy = 0.5 * scene.info["mass"] * scene.info["speed"]**2
+    reference, faults = placed_figures(first, energy), []
+
+    def differ(place, name):
+        result = run(place.apply(scene), name)
+        if result.code != 0:
+            return f"exit {result.code}: {result.stop()}"
+        return placed_difference(reference, placed_figures(result, energy), place.turn)
+
+    place = placing.draw_place(scene, draw)
+    largest = differ(place, "placed")
+    if not isinstance(largest, str) and largest <= PLACED:
+        return [], place.name, largest
+    nudges = [run(nudged(scene, draw), f"nudged{k}") for k in range(4)]
+    grown = max((placed_difference(reference, placed_figures(n, energy)) if n.code == 0 else 0.) for n in nudges)
+    tolerance = PLACED + GROWTH * grown
+    if isinstance(largest, str) or largest > tolerance:
+        faults.append(f"{place.name}: {largest if isinstance(largest, str) else f'{largest:.2g}'}, tolerance {tolerance:.2g}")
+        for alone in placing.apart(scene, draw, place):
+            faults.append(f"{alone.name} alone: {differ(alone, alone.name)}")
+    return faults, place.name, largest if not isinstance(largest, str) else math.inf

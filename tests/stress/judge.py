@@ -1,0 +1,121 @@
+"""What is said of a finished run from outside: sums of its own over the columns of history.csv, and what a strike cannot do."""
+
+import math
+
+import strike
+
+# Shares of the energy at the start, of the largest momentum, of a particle's spacing.
+NEGATIVE, ENERGY, MOMENTUM, DEEP = 1e-4, 1e-2, 1e-9, 0.5
+# Elastic foils of foam and rubber: stresses follow rates of strain, so that the energy they can give back, taken as sigma^2/2E, is not
+# the work done at strains of tens of per cent (a bar without lateral contraction: 8 % of it at 0.25, 17 % at 0.5).
+SOFT, ENERGY_OF_SOFT = 1e9, 5e-2
+
+# Pairs of the standard formulation, and of riemann's without its correction of gradients, push along the line between them (what float
+# rounds off: 6e-8 a pair). Corrected gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the
+# offset of a touch a part of its couple is lost (block_forces.cc); forces in a warped element of Belytschko and Tsay leave one.
+ANGULAR, ANGULAR_OF_METHOD, ANGULAR_OF_WARPED = 1e-6, 1e-2, 1e-1
+
+
+def angular_limit(scene):
+    info, settings = scene.info, scene.settings
+    if info["formulation"] == "Belytschko-Tsay":
+        return ANGULAR_OF_WARPED
+    is_corrected = settings["Bird/Formulation"] == "riemann" and settings.get("Bird/Gradient correction", "true") == "true"
+    has_couples = info.get("element", math.inf) < info["spacing"] + info["thickness"]
+    return ANGULAR_OF_METHOD if is_corrected or has_couples else ANGULAR
+
+
+def energy_residual(result):
+    """Largest sum of all energies less what there was and came from outside, over the energy at the start."""
+    columns = result.columns
+    internal = ("bird_elastic", "bird_dissipated") if "bird_elastic" in columns else ("bird_internal",)
+    names = [n for n in (*strike.NOT_NEGATIVE, *internal) if n in columns and not n.startswith(("bird_elastic", "bird_dissipated"))]
+    names += [n for n in (*internal, "staggering") if n in columns]
+    total = [sum(columns[n][k] for n in names) - columns.get("blade_external_work", [0.] * (k + 1))[k]
+             for k in range(len(columns["time"]))]
+    return max(abs(value - total[0]) for value in total) / total[0]
+
+
+def momentum_residual(result):
+    """Of the bird against contact's impulse, and of the blade and its supports against the same."""
+    columns, largest, scale = result.columns, 0., 1e-300
+    for axis in "xyz":
+        bird, blade, held, given = (columns[f"{name}_{axis}"] for name in ("bird_momentum", "blade_momentum", "support_impulse",
+                                                                          "contact_impulse"))
+        scale = max(scale, max(map(abs, bird)), max(map(abs, blade)), max(map(abs, given)))
+        for k in range(len(given)):
+            largest = max(largest, abs(bird[k] - bird[0] + given[k]), abs(blade[k] - blade[0] + held[k] - given[k]))
+    return largest / scale
+
+
+def do_cross(a, b, c, d):
+    """Whether the segments a-b and c-d of a plane do."""
+    def side(p, q, r):
+        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    return side(a, b, c) * side(a, b, d) < 0. and side(c, d, a) * side(c, d, b) < 0.
+
+
+def share_of_crossed_rows(scene, columns):
+    """Of a hundred rows, in how many the middle lines of the leaves (y = 0) cut one another."""
+    line, gap, rows = scene.info["line"], scene.info["gap"], len(columns["time"])
+    chosen = range(0, rows, max(1, rows // 100))
+
+    def leaf(name, height, row):
+        return [(x + columns[f"probe_{name}{k}_ux"][row], height + columns[f"probe_{name}{k}_uz"][row]) for k, x in enumerate(line)]
+    n_crossed = 0
+    for row in chosen:
+        upper, lower = leaf("upper", gap, row), leaf("lower", 0., row)
+        n_crossed += any(do_cross(*upper[i:i + 2], *lower[j:j + 2]) for i in range(len(line) - 1) for j in range(len(line) - 1))
+    return n_crossed / len(chosen)
+
+
+def judge(scene, result):
+    """Figures of the row, and faults."""
+    columns, scale, faults = result.columns, result.initial_energy(), []
+    if any(not math.isfinite(v) for values in columns.values() for v in values):
+        return {}, ["a number of history.csv is not finite"]
+    fall = result.largest_fall("contact_dissipated") / scale
+    figures = {"taken": columns["contact_dissipated"][-1] / scale, "error": result["energy/max_relative_error"],
+               "sum": energy_residual(result), "momentum": momentum_residual(result),
+               "angular": result["angular_momentum/max_relative_error"],
+               "depth": result["contact/max_penetration_over_spacing"]}
+    if fall > 1e-9:
+        faults.append(f"contact_dissipated falls by {fall:.2g} E0")
+    for name in strike.NOT_NEGATIVE:
+        if result.least(name) < -NEGATIVE * scale:
+            faults.append(f"{name} {result.least(name) / scale:.2g} E0")
+    energy = ENERGY_OF_SOFT if scene.info.get("young", math.inf) < SOFT else ENERGY
+    for name, limit in (("error", energy), ("sum", energy), ("momentum", MOMENTUM), ("depth", DEEP),
+                        ("angular", angular_limit(scene))):
+        if not figures[name] < limit:
+            faults.append(f"{name} {figures[name]:.2g} above {limit:g}")
+    origins = dict(result["energy/error_origins"])
+    origins["contact"] += origins.pop("steps")  # with subcycles the works of contact's two sides are booked in steps of their own
+    for name, made in origins.items():
+        if abs(made) > (energy if name == "blade" else ENERGY) * scale:
+            faults.append(f"made by {name}: {made / scale:.2g} E0")
+    if result.most("blade_kinetic") + result.least("bird_kinetic") > 1.01 * scale:
+        faults.append(f"blade_kinetic {result.most('blade_kinetic') / scale:.3g} E0")
+    if scene.info.get("fold"):
+        figures["crossed"] = share_of_crossed_rows(scene, columns)
+        if figures["crossed"] > 0.05:
+            faults.append(f"leaves go through one another in {figures['crossed']:.2g} of the rows")
+    judge_impulse(scene, result, figures, faults)
+    return figures, faults
+
+
+def judge_impulse(scene, result, figures, faults):
+    """A plate in whose way the bird is gets m v, more by restitution: 5 % and what some hundred particles make of it from a rigid
+    plate that stands; from an elastic or a free one up to as much again."""
+    info = scene.info
+    velocity = result["aim/velocity"]
+    flight = [v / info["speed"] for v in velocity]
+    along = info.get("normal", flight if scene.kind in ("strike", "edge", "blade") else (0., 0., 1.))
+    brought = abs(sum(v * n for v, n in zip(velocity, along))) * info["mass"]
+    given = abs(sum(v * n for v, n in zip(result["contact/impulse"], along)))
+    figures["impulse"] = given / brought
+    if figures["impulse"] > (1.15 if scene.kind == "rigid" and not info.get("free") else 2.05):
+        faults.append(f"impulse {figures['impulse']:.3g} m v")
+    wide = scene.kind == "rigid" and not info.get("free") and float(scene.settings["Blade/Rigid/Length"]) > 10. * info["diameter"]
+    if wide and info["end"] * info["speed"] > 1.19 * info["length"] and figures["impulse"] < 0.85:
+        faults.append(f"impulse only {figures['impulse']:.3g} m v: particles pass the plate")
