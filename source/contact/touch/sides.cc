@@ -89,6 +89,24 @@ namespace birdstrike
         return edge.overlap - approach;
       return kept;
     }
+    /// The depth that carries a force, and its direction. It comes by the point's own way, `most` at most in this step
+    /// (m): what leaps from facet to facet, where jagged edges meet, or below an edge's plane, where a ridge goes flat,
+    /// carries none.
+    void settle_depth(EdgeTouch &edge, const double approach, const double most, PointRecord::Side &side,
+                      TouchingPair &result)
+    {
+      if (std::min(edge.overlap - side.reference, edge.limit) > side.depth + most)
+        side.reference = edge.overlap - (side.depth + approach);
+      const double depth      = edge.overlap - side.reference;
+      const bool   is_limited = edge.limit < depth;
+      side.overlap            = edge.overlap;
+      result.penetration      = is_limited ? edge.limit : depth;
+      side.depth              = std::max(result.penetration, 0.);
+      if (side.is_on_edge_face)
+        edge.slope.setZero(); // its place does not depend on the thickness
+      result.normal     = is_limited ? edge.limit_normal : Point3(edge.normal - edge.slope);
+      result.is_oblique = is_limited || edge.is_oblique || !edge.slope.isZero(0.);
+    }
   } // namespace
 
   bool NarrowPhase::touch(const ContactScene &scene, const std::uint32_t place, const PointRecord &before,
@@ -161,23 +179,10 @@ namespace birdstrike
     side.is_through          = is_inside && sign < 0.;
     side.was_beyond          = edge.feature == EdgeTouch::Feature::beyond;
     side.is_on_edge_face     = edge.feature == EdgeTouch::Feature::edge_face;
-    // from facet to facet and below an edge's plane a depth comes by the point's own way; what leaps there, where
-    // jagged edges meet or a ridge goes flat, carries no force
-    const double own_way  = 2. * velocity.norm() * scene.step + leap * before.size;
-    const bool   can_leap = is_next || was_limited;
-    if (can_leap && before.last_call + 1 == scene.call &&
-        std::min(edge.overlap - side.reference, edge.limit) > side.depth + own_way)
-      side.reference = edge.overlap - (side.depth + approach);
-    const double depth      = edge.overlap - side.reference;
-    const bool   is_limited = edge.limit < depth;
-    side.overlap            = edge.overlap;
-    result.place            = place;
-    result.penetration      = is_limited ? edge.limit : depth;
-    side.depth              = std::max(result.penetration, 0.);
-    if (side.is_on_edge_face)
-      edge.slope.setZero(); // its place does not depend on the thickness
-    result.normal     = is_limited ? edge.limit_normal : Point3(edge.normal - edge.slope);
-    result.is_oblique = is_limited || edge.is_oblique || !edge.slope.isZero(0.);
+    const bool   can_leap    = (is_next || was_limited) && before.last_call + 1 == scene.call;
+    const double own_way     = 2. * velocity.norm() * scene.step + leap * before.size;
+    settle_depth(edge, approach, can_leap ? own_way : INFINITY, side, result);
+    result.place = place;
     return result.penetration > 0.;
   }
 } // namespace birdstrike

@@ -120,8 +120,8 @@ namespace birdstrike
         combinations.name(mesh.groups, &Group::material_number, is_material, labels.materials);
       }
 
-      /// deal.II's invert_cells_with_negative_measure() measures from the origin, where the sign of a cell's volume drowns
-      /// in round-off 1000 m away; here from the cell's first corner.
+      /// deal.II's invert_cells_with_negative_measure() measures from the origin, where the sign of a cell's volume
+      /// drowns in round-off 1000 m away; here from the cell's first corner.
       void turn_inverted_cells()
       {
         for (auto &cell : cells)

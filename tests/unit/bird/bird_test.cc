@@ -238,7 +238,7 @@ TEST(Bird, ALostStateIsReportedWithItsParticle)
         }
       catch (const NumericalFailure &failure)
         {
-          EXPECT_NE(std::string(failure.what()).find("Bird particle"), std::string::npos);
+          EXPECT_NE(std::string(failure.what()).find("bird particle"), std::string::npos);
         }
     }
 }
