@@ -108,8 +108,9 @@ def summary_difference(one, two):
 
 
 # Of a scene elsewhere: what its answer may differ by, as so many times what a change of aim and speed by the relative precision of a
-# float pair changes it, besides round-off of a few hundred steps (positions at 1000 m: 1e-13 m, 1e-10 spacings).
-FLOAT, GROWTH, PLACED = 1.2e-7, 30., 1e-4
+# float pair changes it, besides a thousandth: what one other decision makes where two are as good (three steps of the blade or four within
+# one of the bird). Round-off of positions at 1000 m is 1e-13 m, 1e-10 spacings; most scenes differ by less than 1e-8.
+FLOAT, GROWTH, PLACED = 1.2e-7, 30., 1e-3
 
 
 def nudged(scene, draw):

@@ -90,8 +90,8 @@ namespace birdstrike
       return kept;
     }
     /// The depth that carries a force, and its direction. It comes by the point's own way, `most` at most in this step
-    /// (m): what leaps from facet to facet, where jagged edges meet, or below an edge's plane, where a ridge goes flat,
-    /// carries none.
+    /// (m): what leaps from facet to facet and along an edge face, where jagged edges meet, or below an edge's plane,
+    /// where a ridge goes flat, carries none.
     void settle_depth(EdgeTouch &edge, const double approach, const double most, PointRecord::Side &side,
                       TouchingPair &result)
     {
@@ -179,7 +179,7 @@ namespace birdstrike
     side.is_through          = is_inside && sign < 0.;
     side.was_beyond          = edge.feature == EdgeTouch::Feature::beyond;
     side.is_on_edge_face     = edge.feature == EdgeTouch::Feature::edge_face;
-    const bool   can_leap    = (is_next || was_limited) && before.last_call + 1 == scene.call;
+    const bool   can_leap    = (is_next || was_limited || side.is_on_edge_face) && before.last_call + 1 == scene.call;
     const double own_way     = 2. * velocity.norm() * scene.step + leap * before.size;
     settle_depth(edge, approach, can_leap ? own_way : INFINITY, side, result);
     result.place = place;
