@@ -7,8 +7,8 @@
 Three of four scenes are of the kind 'strike': any bird on any blade (strikes.py); the others take a corner of the range each (draws.py).
 Each runs with one thread and two (every number the same), and once more elsewhere: turned, mirrored, 1000 m away, seen by somebody who
 moves (placing.py), or scaled, or with another order of its mesh (twins.py). Some run with another interval of output (the same
-summary). A row a scene, then the worst figures; exit code 1 if one fails. A stop (exit 3) or refusal (2) in words is no failure, but
-counted and listed.
+summary). A row a scene, then the worst figures; exit code 1 if one fails that open.txt does not name. A stop (exit 3) or refusal (2) in
+words is no failure, but counted and listed.
 """
 
 import argparse
@@ -32,6 +32,13 @@ from scene import Scene  # noqa: E402
 KINDS = {"strike": strikes.strike, **draws.KINDS}
 ORDER = [kind for special in draws.KINDS for kind in ("strike", "strike", "strike", special)]
 FIELDS = 40
+OPEN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "open.txt")
+
+
+def known_to_fail():
+    """'kind seed' of the scenes that are known to fail and still do: named in every table, and no news."""
+    with open(OPEN) as file:
+        return {" ".join(line.split()[:2]) for line in file if line.strip() and not line.startswith("#")}
 
 
 def draw_scene(kind, seed):
@@ -134,16 +141,17 @@ def main():
     options = parser.parse_args()
     program, verdicts, worst = os.path.abspath(options.program), [], {}
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
+        known = known_to_fail()
         seeds = options.frozen or range(options.seed, options.seed + options.count)
         jobs = [(program, options.only or (ORDER[seed % len(ORDER)] if isinstance(seed, int) else "frozen"), seed, options.limit, options.keep)
                 for seed in seeds]
         for (_, kind, seed, *_), (text, verdict, figures) in zip(jobs, pool.map(judge_scene, *zip(*jobs))):
             print(text, flush=True)
-            verdicts.append(verdict)
+            verdicts.append("open" if verdict == "FAILED" and f"{kind} {seed}" in known else verdict)
             for name, value in figures.items():
                 if value > worst.get(name, (-1.,))[0]:
                     worst[name] = (value, kind, seed)
-    print(f"{len(verdicts)} scenes: " + ", ".join(f"{verdicts.count(v)} {v}" for v in ("passed", "FAILED", "stopped", "refused")))
+    print(f"{len(verdicts)} scenes: " + ", ".join(f"{verdicts.count(v)} {v}" for v in ("passed", "FAILED", "open", "stopped", "refused")))
     print("worst: " + ", ".join(f"{name} {value:.2g} ({kind} {seed})" for name, (value, kind, seed) in worst.items()))
     return 1 if "FAILED" in verdicts else 0
 
