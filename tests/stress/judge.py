@@ -21,7 +21,7 @@ def angular_limit(scene):
     if info["formulation"] == "Belytschko-Tsay":
         return ANGULAR_OF_WARPED
     is_corrected = settings["Bird/Formulation"] == "riemann" and settings.get("Bird/Gradient correction", "true") == "true"
-    has_couples = info.get("element", math.inf) < info["spacing"] + info["thickness"]
+    has_couples = info.get("element", math.inf) < 1.5 * (info["spacing"] + info["thickness"])  # of a touch, half of both above its facet
     return ANGULAR_OF_METHOD if is_corrected or has_couples else ANGULAR
 
 
