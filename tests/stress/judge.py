@@ -6,10 +6,6 @@ import strike
 
 # Shares of the energy at the start, of the largest momentum, of a particle's spacing.
 NEGATIVE, ENERGY, MOMENTUM, DEEP = 1e-4, 1e-2, 1e-9, 0.5
-# Elastic foils of foam and rubber: stresses follow rates of strain, so that the energy they can give back, taken as sigma^2/2E, is not
-# the work done at strains of tens of per cent (a bar without lateral contraction: 8 % of it at 0.25, 17 % at 0.5).
-SOFT, ENERGY_OF_SOFT = 1e9, 5e-2
-
 # Pairs of the standard formulation, and of riemann's without its correction of gradients, push along the line between them (what float
 # rounds off: 6e-8 a pair). Corrected gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the
 # offset of a touch a part of its couple is lost (block_forces.cc); forces in a warped element of Belytschko and Tsay leave one.
@@ -21,7 +17,7 @@ def angular_limit(scene):
     if info["formulation"] == "Belytschko-Tsay":
         return ANGULAR_OF_WARPED
     is_corrected = settings["Bird/Formulation"] == "riemann" and settings.get("Bird/Gradient correction", "true") == "true"
-    has_couples = info.get("element", math.inf) < 1.5 * (info["spacing"] + info["thickness"])  # of a touch, half of both above its facet
+    has_couples = info.get("element", math.inf) < info["spacing"] + info["thickness"]
     return ANGULAR_OF_METHOD if is_corrected or has_couples else ANGULAR
 
 
@@ -84,15 +80,14 @@ def judge(scene, result):
     for name in strike.NOT_NEGATIVE:
         if result.least(name) < -NEGATIVE * scale:
             faults.append(f"{name} {result.least(name) / scale:.2g} E0")
-    energy = ENERGY_OF_SOFT if scene.info.get("young", math.inf) < SOFT else ENERGY
-    for name, limit in (("error", energy), ("sum", energy), ("momentum", MOMENTUM), ("depth", DEEP),
+    for name, limit in (("error", ENERGY), ("sum", ENERGY), ("momentum", MOMENTUM), ("depth", DEEP),
                         ("angular", angular_limit(scene))):
         if not figures[name] < limit:
             faults.append(f"{name} {figures[name]:.2g} above {limit:g}")
     origins = dict(result["energy/error_origins"])
     origins["contact"] += origins.pop("steps")  # with subcycles the works of contact's two sides are booked in steps of their own
     for name, made in origins.items():
-        if abs(made) > (energy if name == "blade" else ENERGY) * scale:
+        if abs(made) > ENERGY * scale:
             faults.append(f"made by {name}: {made / scale:.2g} E0")
     if result.most("blade_kinetic") + result.least("bird_kinetic") > 1.01 * scale:
         faults.append(f"blade_kinetic {result.most('blade_kinetic') / scale:.3g} E0")

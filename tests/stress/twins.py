@@ -12,7 +12,7 @@ import placing
 # lines of nodes, which in a hollow go to either facet.
 ROUND_OFF, SINGLE_PEAK = 2e-3, 2e-2
 MIRRORED, MIRRORED_PEAK = 2e-2, 0.3
-WHOLE = 2e-2  # a frontal bird has particles exactly above lines of nodes here too
+WHOLE = 1e-2  # a frontal bird has particles exactly above lines of nodes here too
 LENGTHS = ("Bird/Particle spacing", "Bird/Aim point", "Blade/Mesh/Length", "Blade/Mesh/Chord", "Blade/Thickness/Value",
            "Blade/Mesh/Profile/Root radius", "Blade/Rigid/Length", "Blade/Rigid/Width", "Blade/Rigid/Half thickness", "Time/End time", "Blade/Probes")
 MASSES = ("Bird/Mass", "Blade/Rigid/Mass")
@@ -108,9 +108,8 @@ def summary_difference(one, two):
 
 
 # Of a scene elsewhere: what its answer may differ by, as so many times what a change of aim and speed by the relative precision of a
-# float pair changes it, besides a thousandth: what one other decision makes where two are as good (three steps of the blade or four within
-# one of the bird). Round-off of positions at 1000 m is 1e-13 m, 1e-10 spacings; most scenes differ by less than 1e-8.
-FLOAT, GROWTH, PLACED = 1.2e-7, 30., 1e-3
+# float pair changes it, besides round-off of a few hundred steps (positions at 1000 m: 1e-13 m, 1e-10 spacings).
+FLOAT, GROWTH, PLACED = 1.2e-7, 30., 1e-5
 
 
 def nudged(scene, draw):
