@@ -46,7 +46,7 @@ namespace birdstrike
       static const std::regex number(R"(^\[(Double|Integer)(?: range)? ?(.*)\.\.\.(.*) \(inclusive\)\]$)");
       static const std::regex list(
         R"(^\[List of <(.*)> of length (\d+)\.\.\.(\d+) \(inclusive\)(?: separated by <(.*)>)?\]$)");
-      static const std::regex choice(R"(^\[(?:Multiple)?Selection (.*?) ?\]$)");
+      static const std::regex bar(R"(\s*\|\s*)"), choice(R"(^\[(?:Multiple)?Selection (.*?) ?\]$)");
       std::smatch             match;
       if (pattern == "[Bool]")
         return "true or false";
@@ -59,7 +59,7 @@ namespace birdstrike
       if (std::regex_match(pattern, match, number))
         return describe_interval(match[1] == "Double" ? "a number" : "an integer", match[2], match[3]);
       if (std::regex_match(pattern, match, choice))
-        return "one of " + std::regex_replace(match[1].str(), std::regex(R"(\s*\|\s*)"), ", ");
+        return "one of " + std::regex_replace(match[1].str(), bar, ", ");
       if (std::regex_match(pattern, match, list))
         {
           if (match[2] == "0" && match[3] == "1")

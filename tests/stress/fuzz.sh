@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Everything that reads a file, under libFuzzer with the address and undefined-behaviour sanitizers:
-#   [SEED=1] bash tests/stress/fuzz.sh [SECONDS a target, 20] [TARGET...]
+#   [SEED=1] bash tests/stress/fuzz.sh [SECONDS a target, 20 | counted] [TARGET...]
+# `counted`: a number of inputs instead of seconds, from the shipped files only: the same inputs on every machine, as CI needs them.
 # An input may only be accepted or refused in words: no crash, no other exception, 20 s on the clock and 2 GiB at most. Builds with
 # clang into build-fuzz, begins with the shipped files and what earlier runs have found (build-fuzz/corpus), prints a line
 # a target, and leaves what fails in build-fuzz/failures.
@@ -41,12 +42,16 @@ cp "$top"/tests/fuzz/seeds/run_folder/* "$seeds/run_folder"
 # Their dictionary: the words of the readers' sources.
 grep -rhoE '"[^"\\]{2,40}"' "$top"/source/{io,mesh,bird,contact,structure,time_control,report}/ --include='*.cc' | sort -u >"$scratch/words"
 
+declare -A counts=([parameter_file]=300 [mesh_file]=12000 [checkpoint]=1500 [run_folder]=25000) # some 15 s each
+
 fuzz() # TARGET: its closing lines
 {
-  mkdir -p "$build/corpus/$1"
+  local corpus=$build/corpus/$1 bound=-max_total_time=$seconds
+  [ "$seconds" != counted ] || { corpus=$scratch/corpus/$1; bound=-runs=${counts[$1]}; }
+  mkdir -p "$corpus"
   cd "$build/failures"
-  "$build/bin/fuzz_$1" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=2048 -dict="$scratch/words" \
-    -seed="${SEED:-1}" -print_final_stats=1 -artifact_prefix="$1-" "$build/corpus/$1" "$seeds/$1" >"$scratch/$1.log" 2>&1
+  "$build/bin/fuzz_$1" "$bound" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=2048 -dict="$scratch/words" \
+    -seed="${SEED:-1}" -print_final_stats=1 -artifact_prefix="$1-" "$corpus" "$seeds/$1" >"$scratch/$1.log" 2>&1
 }
 running=()
 for target in "${targets[@]}"; do

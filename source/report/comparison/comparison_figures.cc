@@ -11,11 +11,13 @@ namespace birdstrike
   {
     const FigureAxis time_axis{"time since first touch", "s", "ms", 1e3};
 
-    /// sqrt(x^2 + y^2 + z^2) of three columns "<name>_x", ...; empty if the run has none.
+    /// sqrt(x^2 + y^2 + z^2) of three columns "<name>_x", ...; empty if one of them is absent.
     std::vector<double> norm_of(const RunRecord &run, const std::string &name)
     {
       const auto         &x = run.column(name + "_x"), &y = run.column(name + "_y"), &z = run.column(name + "_z");
       std::vector<double> norm;
+      if (y.size() != x.size() || z.size() != x.size())
+        return norm;
       for (std::size_t k = 0; k < x.size(); ++k)
         norm.push_back(std::hypot(x[k], y[k], z[k]));
       return norm;
@@ -30,7 +32,7 @@ namespace birdstrike
         {
           const RunRecord &run    = runs[k].record;
           auto             values = is_vector ? norm_of(run, column) : run.column(column);
-          if (!values.empty())
+          if (!values.empty() && run.column("time").size() == values.size())
             panel.lines.push_back({runs[k].name, run.column("time"), std::move(values), static_cast<unsigned int>(k)});
         }
       const auto is_zero = [](const FigureLine &line) {
@@ -63,7 +65,7 @@ namespace birdstrike
       for (const ComparedRun &run : runs)
         {
           const std::vector<double> impulse = norm_of(run.record, "contact_impulse"), &time = run.record.column("time");
-          for (std::size_t k = 0; k < impulse.size(); ++k)
+          for (std::size_t k = 0; k < std::min(impulse.size(), time.size()); ++k)
             if (std::abs(impulse[k] - impulse.back()) > little * impulse.back())
               end = std::max(end, 1.1 * time[k]);
         }
@@ -89,7 +91,8 @@ namespace birdstrike
           // the filter looks ahead: its rise begins before first touch
           const double peak  = *std::ranges::max_element(norm);
           const auto   first = std::ranges::find_if(norm, [&](const double force) { return force > 0.01 * peak; });
-          panel.x_begin      = std::min(panel.x_begin, time[static_cast<std::size_t>(first - norm.begin())]);
+          if (first != norm.end())
+            panel.x_begin = std::min(panel.x_begin, time[static_cast<std::size_t>(first - norm.begin())]);
           const std::string of_class = runs[k].record.summary().text("contact/filtered/class");
           panel.lines.push_back({runs[k].name + (of_class.empty() ? "" : ", " + of_class), time, std::move(norm),
                                  static_cast<unsigned int>(k)});

@@ -203,6 +203,21 @@ TEST_F(Comparison, ContactIsDrawnUntilItsImpulseIsGiven)
   EXPECT_NEAR(contact->panels[0].x_end, 1.1 * 4e-3, 1e-12) << "the last row that has not the last impulse";
 }
 
+TEST_F(Comparison, AVectorOfWhichAColumnIsAbsentIsNotDrawn)
+{
+  for (ComparedRun &run : runs)
+    {
+      std::ofstream(run.record.folder() / "history.csv")
+        << "time,contact_force_peak,contact_impulse_x,contact_impulse_z\n0,1,0,0\n0.004,2,4,0\n";
+      run.record = RunRecord(run.record.folder());
+    }
+  const auto figures = make_comparison_figures(runs);
+  const auto contact = std::ranges::find(figures, "contact", &Figure::stem);
+  ASSERT_NE(contact, figures.end());
+  for (const FigurePanel &panel : contact->panels)
+    EXPECT_NE(panel.title, "Contact impulse");
+}
+
 TEST_F(Comparison, DrawsTheYieldStressOfEachMetalOnce)
 {
   RecordedRun run;
