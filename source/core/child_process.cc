@@ -3,6 +3,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -10,6 +11,8 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <memory>
+#include <poll.h>
 #include <spawn.h>
 #include <stdexcept>
 #include <unistd.h>
@@ -21,26 +24,28 @@ namespace birdstrike
   namespace
   {
     // What a signal handler may touch: atomics without locks.
-    std::atomic<int> child_pid{0}, received{0};
+    std::array<std::atomic<int>, most_children> children{};
+    std::atomic<int>                            received{0};
     static_assert(std::atomic<int>::is_always_lock_free);
 
     void hand_on(const int signal)
     {
       const int error = errno;
       received        = signal;
-      if (const int child = child_pid; child > 0)
-        ::kill(child, signal);
+      for (const std::atomic<int> &child : children)
+        if (const int pid = child; pid > 0)
+          ::kill(pid, signal);
       errno = error;
     }
 
-    /// Signals of the terminal and of a batch system go to the child while this lives; those that this process was
+    /// Signals of the terminal and of a batch system go to the children while this lives; those that this process was
     /// told to ignore (a job in the background) stay ignored.
-    class SignalsForChild
+    class SignalsForChildren
     {
     public:
-      SignalsForChild()
+      SignalsForChildren()
       {
-        child_pid = received    = 0;
+        received                = 0;
         struct sigaction action = {};
         action.sa_handler       = hand_on;
         action.sa_flags         = SA_RESTART;
@@ -51,14 +56,13 @@ namespace birdstrike
               ::sigaction(signals[k], &action, nullptr);
           }
       }
-      ~SignalsForChild()
+      ~SignalsForChildren()
       {
         for (std::size_t k = 0; k < signals.size(); ++k)
           ::sigaction(signals[k], &before[k], nullptr);
-        child_pid = 0;
       }
-      SignalsForChild(const SignalsForChild &)            = delete;
-      SignalsForChild &operator=(const SignalsForChild &) = delete;
+      SignalsForChildren(const SignalsForChildren &)            = delete;
+      SignalsForChildren &operator=(const SignalsForChildren &) = delete;
 
     private:
       static constexpr std::array<int, 2> signals{{SIGINT, SIGTERM}};
@@ -92,17 +96,18 @@ namespace birdstrike
           ::close(ends[1]);
         ends[1] = -1;
       }
-      std::string read_all()
+      int reading_end() const
       {
-        close_writing_end();
-        std::string            text;
+        return ends[0];
+      }
+      /// Waits for some of it; false at its end.
+      bool read_some(std::string &text)
+      {
         std::array<char, 4096> buffer;
-        for (ssize_t n; (n = ::read(ends[0], buffer.data(), buffer.size())) != 0;)
-          if (n > 0)
-            text.append(buffer.data(), static_cast<std::size_t>(n));
-          else if (errno != EINTR)
-            break;
-        return text;
+        const ssize_t          n = ::read(ends[0], buffer.data(), buffer.size());
+        if (n > 0)
+          text.append(buffer.data(), static_cast<std::size_t>(n));
+        return n > 0 || (n < 0 && errno == EINTR);
       }
 
     private:
@@ -132,19 +137,6 @@ namespace birdstrike
       return kept;
     }
 
-    /// Returns the exit code. No signal is handed on to a child that is no more: its number may be another's by then.
-    int wait_for(const pid_t pid)
-    {
-      siginfo_t info{};
-      while (::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOWAIT) < 0 && errno == EINTR)
-        ;
-      child_pid  = 0;
-      int status = 0;
-      while (::waitpid(pid, &status, 0) < 0 && errno == EINTR)
-        ;
-      return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-    }
-
     /// Returns the error number of the attempt, 0 if the child runs.
     int spawn(const ChildRequest &request, const Pipe &pipe, pid_t &pid)
     {
@@ -162,6 +154,91 @@ namespace birdstrike
       posix_spawn_file_actions_destroy(&actions);
       return error;
     }
+
+    /// A child from its start to its end, in a place of its own among those that signals are handed on to.
+    class Child
+    {
+    public:
+      Child(const ChildRequest &request, const std::size_t number) : place(children.at(number))
+      {
+        const int error = spawn(request, pipe, pid);
+        is_found        = error != ENOENT;
+        if (error != 0 && is_found)
+          throw std::runtime_error("Cannot start '" + request.arguments.front() + "': " + std::strerror(error));
+        if (error != 0)
+          return;
+        pipe.close_writing_end();
+        place = pid;
+        if (received != 0) // between the handler's first moment and the child's
+          ::kill(pid, received);
+      }
+
+      /// Returns the exit code. No signal is handed on to a child that is no more: its number may be another's by then.
+      int wait()
+      {
+        siginfo_t info{};
+        while (::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOWAIT) < 0 && errno == EINTR)
+          ;
+        place      = 0;
+        int status = 0;
+        while (::waitpid(pid, &status, 0) < 0 && errno == EINTR)
+          ;
+        return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+      }
+
+      Pipe pipe;
+      bool is_found = true;
+
+    private:
+      std::atomic<int> &place;
+      pid_t             pid = 0;
+    };
+
+    struct RunningChild
+    {
+      std::size_t            request;
+      std::unique_ptr<Child> child;
+      std::string            output;
+    };
+
+    /// Waits until some of them have said something or ended.
+    std::vector<bool> find_ready(const std::vector<RunningChild> &running)
+    {
+      std::vector<pollfd> ends;
+      for (const RunningChild &each : running)
+        ends.push_back({each.child->pipe.reading_end(), POLLIN, 0});
+      while (::poll(ends.data(), ends.size(), -1) < 0 && errno == EINTR)
+        ;
+      std::vector<bool> are_ready;
+      for (const pollfd &end : ends)
+        are_ready.push_back(end.revents != 0);
+      return are_ready;
+    }
+
+    /// Nothing if it cannot be started; then `on_end` has been told.
+    std::optional<RunningChild> start(const std::vector<ChildRequest> &requests, const std::size_t k,
+                                      const std::size_t place, const EndOfChild &on_end)
+    {
+      std::string why = "Cannot start '" + requests[k].arguments.front() + "': there is no such program.";
+      try
+        {
+          auto child = std::make_unique<Child>(requests[k], place);
+          if (child->is_found)
+            return RunningChild{k, std::move(child), ""};
+        }
+      catch (const std::runtime_error &error)
+        {
+          why = error.what();
+        }
+      on_end(k, {127, 0, why}); // as a shell says it
+      return {};
+    }
+
+    std::size_t find_free_place()
+    {
+      return static_cast<std::size_t>(std::ranges::find(children, 0, [](const auto &c) { return c.load(); }) -
+                                      children.begin());
+    }
   } // namespace
 
   std::optional<ChildResult> run_child_if_found(const ChildRequest &request)
@@ -169,22 +246,46 @@ namespace birdstrike
     std::fflush(nullptr); // what was said before stands before what the child says
     ChildResult result;
     {
-      const SignalsForChild signals;
-      Pipe                  pipe;
-      pid_t                 pid = 0;
-      if (const int error = spawn(request, pipe, pid); error == ENOENT)
+      const SignalsForChildren signals;
+      Child                    child(request, 0);
+      if (!child.is_found)
         return {};
-      else if (error != 0)
-        throw std::runtime_error("Cannot start '" + request.arguments.front() + "': " + std::strerror(error));
-      child_pid = pid;
-      if (received != 0) // between the handler's first moment and the child's
-        ::kill(pid, received);
-      if (request.captures_output)
-        result.output = pipe.read_all();
-      result.exit_code = wait_for(pid);
+      while (request.captures_output && child.pipe.read_some(result.output))
+        ;
+      result.exit_code = child.wait();
     }
     result.stopped_by = received; // from here on signals act as before
     return result;
+  }
+
+  int run_children(const std::vector<ChildRequest> &requests, const std::size_t n_at_once, const EndOfChild &on_end)
+  {
+    std::fflush(nullptr);
+    const SignalsForChildren  signals;
+    std::vector<RunningChild> running;
+    const std::size_t         n_places = std::clamp(n_at_once, std::size_t(1), most_children);
+    for (std::size_t next = 0; next < requests.size() || !running.empty();)
+      {
+        if (received != 0)
+          next = requests.size();
+        else if (next < requests.size() && running.size() < n_places)
+          {
+            if (auto started = start(requests, next, find_free_place(), on_end))
+              running.push_back(*std::move(started));
+            ++next;
+            continue;
+          }
+        const std::vector<bool> are_ready = find_ready(running);
+        for (std::size_t k = running.size(); k-- > 0;)
+          if (are_ready[k] && !running[k].child->pipe.read_some(running[k].output))
+            {
+              const ChildResult result{running[k].child->wait(), 0, std::move(running[k].output)};
+              const std::size_t request = running[k].request;
+              running.erase(running.begin() + static_cast<std::ptrdiff_t>(k));
+              on_end(request, result);
+            }
+      }
+    return received;
   }
 
   ChildResult run_child(const ChildRequest &request)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +31,16 @@ namespace birdstrike
 
   /// The same; nothing if there is no such program.
   std::optional<ChildResult> run_child_if_found(const ChildRequest &request);
+
+  inline constexpr std::size_t most_children = 1024; ///< side by side
+
+  using EndOfChild = std::function<void(std::size_t request, const ChildResult &result)>;
+
+  /// Starts programs in this order, at most `n_at_once` side by side, and tells `on_end`, which must not throw, of each
+  /// as it ends, with all that it has said (every request must capture); one that cannot be started ends with exit code
+  /// 127. A signal is handed on to all of them, and no further one is started. Returns that signal, 0 if there was
+  /// none.
+  int run_children(const std::vector<ChildRequest> &requests, std::size_t n_at_once, const EndOfChild &on_end);
 
   /// The file by which a child of the running program starts the same program, that very build, even when a new one has
   /// taken its place on the disk: the kernel resolves it in the child, which still runs its parent's image.

@@ -1,5 +1,5 @@
+#include "report/comparison/case_run.h"
 #include "report/comparison/compare_plan.h"
-
 #include "report/comparison/comparison_figures.h"
 #include "report/comparison/comparison_table.h"
 #include <birdstrike/core/child_process.h>
@@ -7,42 +7,24 @@
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/core/numerical_failure.h>
-#include <birdstrike/io/comparison_folder.h>
 
 #include <spdlog/logger.h>
 
 #include <algorithm>
-#include <csignal>
 #include <stdexcept>
 
 namespace birdstrike
 {
   namespace
   {
-    std::vector<std::string> arguments_for(const char *verb, const PlannedCase &planned)
-    {
-      std::vector<std::string> arguments{"birdstrike", verb, planned.prm_file};
-      for (const std::string &text : planned.overrides)
-        arguments.insert(arguments.end(), {"--set", text});
-      arguments.insert(arguments.end(), {"--output", planned.folder.string()});
-      return arguments;
-    }
-
-    /// Ends this process as the signal would have ended it: whoever called the program sees why.
-    void end_if_stopped(const ChildResult &result)
-    {
-      if (result.stopped_by == 0)
-        return;
-      log().info("The comparison was stopped. Cases that are complete will be reused.");
-      std::signal(result.stopped_by, SIG_DFL);
-      std::raise(result.stopped_by);
-    }
+    constexpr auto stopped = "The comparison was stopped. Cases that are complete will be reused.";
 
     /// A case that cannot be run is refused before any other has taken its hours.
     void validate(const PlannedCase &planned)
     {
-      const ChildResult result = run_child({arguments_for("validate", planned), "", true, this_program});
-      end_if_stopped(result);
+      const ChildResult result = run_child(
+        {case_arguments("validate", planned.prm_file, planned.overrides, planned.folder), "", true, this_program});
+      end_if_stopped(result.stopped_by, stopped);
       const std::string said = result.output.substr(0, result.output.find_last_not_of('\n') + 1);
       if (result.exit_code == static_cast<int>(ExitCode::bad_input))
         throw InputError(said);
@@ -64,40 +46,11 @@ namespace birdstrike
           log().error("{}", error.what());
           return static_cast<int>(ExitCode::bad_input);
         }
-      std::vector<std::string> arguments = arguments_for("run", planned);
-      arguments.emplace_back("--force"); // its checkpoints go as its results have gone
-      const ChildResult result = run_child({arguments, "", false, this_program});
-      end_if_stopped(result);
+      const ChildResult result =
+        run_child({run_arguments(planned.prm_file, planned.overrides, planned.folder), "", false, this_program});
+      end_if_stopped(result.stopped_by, stopped);
       planned.in_use = std::make_unique<RunFolderInUse>(planned.folder);
       return result.exit_code;
-    }
-
-    /// A record that cannot be read is a loss of its own case only.
-    RunRecord read_record(const PlannedCase &planned)
-    {
-      try
-        {
-          RunRecord record(planned.folder);
-          record.dataset("history/time"); // raises if results.h5 is there and damaged
-          return record;
-        }
-      catch (const std::runtime_error &error)
-        {
-          return RunRecord::unreadable(planned.folder, error.what());
-        }
-    }
-
-    void draw(const ComparisonFolder &folder)
-    {
-      const auto result =
-        run_child_if_found({{"gnuplot", "--default-settings", "figures.gp"}, folder.path().string(), true});
-      if (!result)
-        log().info("The curves are not drawn, for gnuplot is not installed: apt-get install gnuplot-nox, then "
-                   "(cd {} && gnuplot figures.gp).",
-                   folder.path().string());
-      else if (result->exit_code != 0)
-        log().warn("gnuplot could not draw {}: {}", (folder.path() / "figures.gp").string(),
-                   result->output.substr(0, 300));
     }
 
     /// What the runs that came to no result ended with.
@@ -159,11 +112,11 @@ namespace birdstrike
       });
     }
 
-    void write(const ComparisonFolder &folder, const std::vector<PlannedCase> &cases)
+    void write(const ReportFolder &folder, const std::vector<PlannedCase> &cases)
     {
       std::vector<ComparedRun> runs;
       for (const PlannedCase &planned : cases)
-        runs.push_back({planned.name, read_record(planned)});
+        runs.push_back({planned.name, read_record(planned.folder)});
       const ComparisonTable table(runs);
       const auto            figures = make_comparison_figures(runs);
       folder.write_text("comparison.csv", table.as_csv());
@@ -174,7 +127,7 @@ namespace birdstrike
       log().info("\n{}", table.as_text());
       if (lacks_profiles(runs))
         log().info("A run without results.h5 is missing in the profiles: Output/HDF5 = true writes it.");
-      draw(folder);
+      draw_figures(folder);
       log().info("Comparison in {}", folder.path().string());
     }
   } // namespace
@@ -190,9 +143,9 @@ namespace birdstrike
       else
         validate(planned);
 
-    const ComparisonFolder folder(request.output); // takes it before hours of computing
-    Losses                 losses;
-    std::size_t            number = 0;
+    const ReportFolder folder(request.output, comparison_kind()); // takes it before hours of computing
+    Losses             losses;
+    std::size_t        number = 0;
     for (PlannedCase &planned : cases)
       if (!planned.is_reused)
         losses.add(planned.name, run(planned, ++number, n_to_run));

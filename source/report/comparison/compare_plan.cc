@@ -2,7 +2,7 @@
 
 #include "report/comparison/run_reuse.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/io/comparison_folder.h>
+#include <birdstrike/io/report_folder.h>
 #include <birdstrike/io/telling_entries.h>
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ namespace birdstrike
       planned.parameters = std::make_unique<CaseParameters>();
       planned.parameters->read(file, planned.overrides);
       planned.name   = planned.parameters->name + (kind.empty() ? "" : " " + kind);
-      planned.folder = ComparisonFolder::run_folder(request.output, planned.name);
+      planned.folder = ReportFolder::run_folder(request.output, planned.name);
       return planned;
     }
 
@@ -72,30 +72,26 @@ namespace birdstrike
     void look_for_run(PlannedCase &planned)
     {
       const fs::path parent = fs::path(planned.prm_file).parent_path(), beside = parent.empty() ? "." : parent;
-      for (const fs::path &candidate : {planned.folder, fs::path(planned.parameters->run_directory()), beside})
-        {
-          if (!fs::exists(candidate / "summary.json"))
-            continue;
-          auto              in_use = std::make_unique<RunFolderInUse>(candidate);
-          const std::string reason = in_use->is_of_a_running_run()
-                                       ? "a run is writing into it"
-                                       : reason_not_to_reuse(candidate, *planned.parameters);
-          if (reason.empty())
-            {
-              planned.folder    = candidate;
-              planned.is_reused = true;
-              planned.in_use    = std::move(in_use);
-              return;
-            }
-          if (planned.why_run.empty())
-            planned.why_run = fmt::format("the one in {} is not reused because {}", candidate.string(), reason);
-        }
+      FoundRun       found =
+        find_run({planned.folder, fs::path(planned.parameters->run_directory()), beside}, *planned.parameters);
+      if (found.in_use)
+        planned.folder = found.folder;
+      planned.is_reused = found.in_use != nullptr;
+      planned.in_use    = std::move(found.in_use);
+      planned.why_run   = found.why_not;
     }
   } // namespace
 
+  const ReportKind &comparison_kind()
+  {
+    static const ReportKind kind{
+      "comparison", {"comparison", "tip_deflection", "contact", "energies", "root_moment", "root_stress", "profiles"}};
+    return kind;
+  }
+
   std::vector<PlannedCase> plan_comparison(const CompareRequest &request)
   {
-    ComparisonFolder::require_usable(request.output);
+    ReportFolder::require_usable(request.output, comparison_kind());
     std::vector<PlannedCase>       cases;
     const std::vector<std::string> as_they_are{""};
     for (const std::string &file : request.prm_files)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/report_folder.h>
 #include <birdstrike/io/run_folder.h>
 #include <birdstrike/report/compare.h>
 
@@ -23,6 +24,8 @@ namespace birdstrike
     std::unique_ptr<RunFolderInUse> in_use;  ///< from when its run is complete until the comparison is written
     std::string                     why_run; ///< where a run of the same name was found that cannot be reused
   };
+
+  const ReportKind &comparison_kind();
 
   /// Reads every case, names it, refuses what cannot be compared (the same case twice, two cases of one name, a folder
   /// of another case) with an InputError, and looks for runs that can be reused. Runs nothing, writes nothing.

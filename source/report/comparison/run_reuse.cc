@@ -91,4 +91,22 @@ namespace birdstrike
         return "its files cannot be read";
       }
   }
+
+  FoundRun find_run(const std::vector<fs::path> &folders, const CaseParameters &wanted)
+  {
+    FoundRun found;
+    for (const fs::path &folder : folders)
+      {
+        if (!fs::exists(folder / "summary.json"))
+          continue;
+        auto              in_use = std::make_unique<RunFolderInUse>(folder);
+        const std::string reason =
+          in_use->is_of_a_running_run() ? "a run is writing into it" : reason_not_to_reuse(folder, wanted);
+        if (reason.empty())
+          return {folder, std::move(in_use), ""};
+        if (found.why_not.empty())
+          found.why_not = "the one in " + folder.string() + " is not reused because " + reason;
+      }
+    return found;
+  }
 } // namespace birdstrike

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <birdstrike/io/run_folder.h>
+
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace birdstrike
 {
@@ -14,4 +18,15 @@ namespace birdstrike
   ///
   /// Empty if so, else why not, in words that follow "because".
   std::string reason_not_to_reuse(const std::filesystem::path &folder, const CaseParameters &wanted);
+
+  /// A run that can be taken for one's own, or why there is none.
+  struct FoundRun
+  {
+    std::filesystem::path           folder;
+    std::unique_ptr<RunFolderInUse> in_use;  ///< while this lives nobody changes it; none: no run was found
+    std::string                     why_not; ///< of the first folder that holds another one; empty: there is none
+  };
+
+  /// Looks into the folders in this order.
+  FoundRun find_run(const std::vector<std::filesystem::path> &folders, const CaseParameters &wanted);
 } // namespace birdstrike

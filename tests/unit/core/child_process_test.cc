@@ -6,7 +6,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
+#include <vector>
+
+#include "../io/scratch_folder.h"
 
 using birdstrike::program_identity;
 using birdstrike::run_child;
@@ -58,6 +62,41 @@ TEST(ChildProcess, HandsSignalsOnAndSaysSo)
                true});
   EXPECT_EQ(result.exit_code, 7);
   EXPECT_EQ(result.stopped_by, SIGTERM);
+}
+
+TEST(ChildProcess, RunsSeveralSideBySideAndTellsEachEnd)
+{
+  // Each but the last waits for the file of the next one: three at once end, two at once would wait for ever.
+  const ScratchFolder scratch;
+  const auto          wait_for = [](const char *file) {
+    return std::string("for i in $(seq 1000); do [ -e ") + file + " ] && break; sleep 0.01; done; [ -e " + file + " ]";
+  };
+  std::vector<birdstrike::ChildRequest> requests{
+    {{"sh", "-c", wait_for("b") + "; echo first $?"}, scratch.path().string(), true},
+    {{"sh", "-c", wait_for("c") + "; echo second $?; touch b"}, scratch.path().string(), true},
+    {{"sh", "-c", "touch c; exit 4"}, scratch.path().string(), true},
+    {{"no-such-program-of-birdstrike"}, "", true}};
+  std::map<std::size_t, birdstrike::ChildResult> results;
+  EXPECT_EQ(run_children(requests, 3, [&](const std::size_t k, const auto &result) { results[k] = result; }), 0);
+  ASSERT_EQ(results.size(), 4u);
+  EXPECT_EQ(results[0].output, "first 0\n");
+  EXPECT_EQ(results[1].output, "second 0\n");
+  EXPECT_EQ(results[2].exit_code, 4);
+  EXPECT_EQ(results[3].exit_code, 127);
+  EXPECT_NE(results[3].output.find("no such program"), std::string::npos);
+}
+
+TEST(ChildProcess, StartsNoFurtherOneAfterASignal)
+{
+  const std::string trap = "trap 'exit 7' TERM; ", waits = "for i in $(seq 3000); do sleep 0.01; done; exit 8";
+  std::vector<birdstrike::ChildRequest> requests{
+    {{"sh", "-c", trap + waits}, "", true},
+    {{"sh", "-c", trap + "sleep 0.3; kill -TERM $PPID; " + waits}, "", true},
+    {{"sh", "-c", "exit 0"}, "", true}};
+  std::map<std::size_t, int> codes;
+  const auto                 on_end = [&](const std::size_t k, const auto &result) { codes[k] = result.exit_code; };
+  EXPECT_EQ(run_children(requests, 2, on_end), SIGTERM);
+  EXPECT_EQ(codes, (std::map<std::size_t, int>{{0, 7}, {1, 7}}));
 }
 
 TEST(ChildProcess, TheChildIsNoRankOfItsParentsJob)

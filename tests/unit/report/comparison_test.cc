@@ -1,7 +1,7 @@
 #include "report/comparison/comparison_figures.h"
 #include "report/comparison/comparison_table.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/io/comparison_folder.h>
+#include <birdstrike/io/report_folder.h>
 
 #include <gtest/gtest.h>
 
@@ -237,18 +237,20 @@ TEST_F(Comparison, DrawsTheYieldStressOfEachMetalOnce)
   EXPECT_EQ(levels[2].title, "yield stress of Ti");
 }
 
-TEST(ComparisonFolder, IsTakenAgainButNeverFromARunOrAStranger)
+TEST(ReportFolder, IsTakenAgainButNeverFromARunOrAStranger)
 {
   const ScratchFolder scratch;
   const auto          own = scratch.path() / "own";
-  ComparisonFolder(own).write_text("tip_deflection.csv", "old");
-  ComparisonFolder(own).write_text("notes.txt", "mine");
-  ComparisonFolder{own};
+  const ReportKind    kind{"comparison", {"tip_deflection"}};
+  ReportFolder(own, kind).write_text("tip_deflection.csv", "old");
+  ReportFolder(own, kind).write_text("notes.txt", "mine");
+  ReportFolder{own, kind};
   EXPECT_FALSE(std::filesystem::exists(own / "tip_deflection.csv")) << "figures of an earlier comparison go";
   EXPECT_EQ(read_text(own / "notes.txt"), "mine");
   RunFolder(scratch.path() / "run").finish("{}");
-  EXPECT_THROW(ComparisonFolder{scratch.path() / "run"}, InputError);
-  EXPECT_THROW(ComparisonFolder{scratch.path()}, InputError);
-  EXPECT_THROW(ComparisonFolder{own / "notes.txt"}, InputError);
-  EXPECT_EQ(ComparisonFolder::run_folder("out", "a b/c"), std::filesystem::path("out/a-b-c"));
+  EXPECT_THROW((ReportFolder{scratch.path() / "run", kind}), InputError);
+  EXPECT_THROW((ReportFolder{scratch.path(), kind}), InputError);
+  EXPECT_THROW((ReportFolder{own / "notes.txt", kind}), InputError);
+  EXPECT_THROW((ReportFolder{own, {"study", {}}}), InputError) << "a study would mix with it";
+  EXPECT_EQ(ReportFolder::run_folder("out", "a b/c"), std::filesystem::path("out/a-b-c"));
 }
