@@ -1,9 +1,11 @@
+#include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/report/compare.h>
+#include <birdstrike/report/study.h>
 #include <birdstrike/simulation/commands.h>
 
 #include <deal.II/base/mpi.h>
@@ -30,6 +32,7 @@ namespace
   using birdstrike::CompareRequest;
   using birdstrike::ExitCode;
   using birdstrike::ResumeRequest;
+  using birdstrike::StudyRequest;
 
   /// What the command line may ask for.
   struct Requests
@@ -37,6 +40,7 @@ namespace
     CaseRequest    of_case;
     CompareRequest of_comparison;
     ResumeRequest  of_resumption;
+    StudyRequest   of_study;
     bool           as_json = false;
   };
 
@@ -44,6 +48,28 @@ namespace
   {
     command->add_option("--set", overrides, "Override an entry: \"Section/Entry=value\" (repeatable)")
       ->allow_extra_args(false);
+  }
+
+  void declare_study(CLI::App &app, StudyRequest &request, std::function<void()> &action)
+  {
+    CLI::App *study = app.add_subcommand("study", "Run a case for each point of a grid of values, side by side");
+    study->add_option("FILE", request.prm_file, "Parameter file")->required();
+    study
+      ->add_option(
+        "--vary", request.vary,
+        "An entry and its values: \"Section/Entry=v1, v2\" or \"Section/Entry=a:b:n\" or \"Section/Entry=v1 | "
+        "v2\" (repeatable: each with each); else section Study of the file")
+      ->allow_extra_args(false);
+    study->add_flag("--pairs", request.are_pairs, "Values go together one by one instead of each with each");
+    declare_overrides(study, request.overrides);
+    study->add_option("--output", request.output, "Folder of the study, instead of runs/study/FILE");
+    study->add_option("--jobs", request.n_jobs, "Points side by side, instead of one a core")
+      ->check(CLI::Range(std::size_t(1), birdstrike::most_children));
+    study->add_option("--launcher", request.launcher, "Words before each run's command: \"srun -n 1\"");
+    study->add_option("--task-list", request.task_list,
+                      "Write a command line for each point that is to run into this file, and run none");
+    study->add_flag("--collect", request.only_collects, "Run nothing: make the table of what is there");
+    study->callback([&] { action = [&] { birdstrike::run_study(request); }; });
   }
 
   /// The command line: every subcommand binds what it will do to `action`.
@@ -83,6 +109,8 @@ namespace
     declare_overrides(compare, request.overrides);
     compare->add_option("--output", request.output, "Folder of the comparison")->capture_default_str();
     compare->callback([&] { action = [&] { birdstrike::compare_cases(requests.of_comparison); }; });
+
+    declare_study(app, requests.of_study, action);
 
     CLI::App *columns = app.add_subcommand("columns", "What every column of the histories is: unit, frame, sign");
     columns->add_option("FILE", requests.of_case.prm_file, "Parameter file: the columns of this case alone");

@@ -95,9 +95,14 @@ namespace birdstrike
   } // namespace
 
   CaseParameters::CaseParameters()
-    : file({describe_case(name, description, has_symmetry_plane), ParameterGroup::of(blade, "Blade"),
-            ParameterGroup::of(bird), ParameterGroup::of(equation_of_state, "Bird"), ParameterGroup::of(contact),
-            ParameterGroup::of(time), ParameterGroup::of(output)})
+    : file({describe_case(name, description, has_symmetry_plane),
+            ParameterGroup::of(blade, "Blade"),
+            ParameterGroup::of(bird),
+            ParameterGroup::of(equation_of_state, "Bird"),
+            ParameterGroup::of(contact),
+            ParameterGroup::of(time),
+            ParameterGroup::of(output),
+            {[this](dealii::ParameterHandler &prm) { study.declare(prm); }, [] {}}})
   {
   }
 

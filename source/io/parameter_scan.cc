@@ -50,12 +50,9 @@ namespace birdstrike
     }
 
     /// One `set Entry = value`.
-    struct Assignment
+    struct Assignment : ScannedValue
     {
-      SectionPath  section;
-      std::string  name, value;
       unsigned int line;
-      bool         is_default; ///< as if nothing had set it
 
       void add_to(ScannedParameters &result) const
       {
@@ -81,12 +78,12 @@ namespace birdstrike
         throw InputError(describe_unknown_entry(where, section, name, known));
       const std::string typed = normalise(statement.substr(equals + 1));
       if (typed == "default" && !entry->allows(typed))
-        return {section, name, entry->default_value, where.line, true};
+        return {{section, name, entry->default_value, true}, where.line};
       const std::string value =
         read_typed_numbers(normalise_value(typed, *entry), *entry, where.text() + ", " + describe_section(section));
       if (!entry->allows(value))
         throw InputError(describe_bad_value(where, *entry, typed == value ? value : typed + " = " + value));
-      return {section, name, value, where.line, false};
+      return {{section, name, value, false}, where.line};
     }
 
     /// One file: the state between its lines.
@@ -231,21 +228,19 @@ namespace birdstrike
     FileScanner(path, {}, known, 0, result).scan();
   }
 
-  void scan_override(const std::string &text, const ParameterTree &known, ScannedParameters &result)
+  ScannedValue scan_value(const std::string &text, const SourceLine &where, const ParameterTree &known)
   {
-    const SourceLine  where{"--set " + quote(text), 0};
     const std::size_t equals = text.find('=');
     const std::size_t slash  = equals == std::string::npos ? equals : text.rfind('/', equals);
     if (equals == std::string::npos || slash == std::string::npos)
       throw InputError(
-        message({where.text() + ": no section or no value.", "  Allowed: --set \"Section/Sub section/Entry=value\""}));
+        message({where.text() + ": no section or no value.", "  Allowed: \"Section/Sub section/Entry=value\""}));
     if (first_not_utf8(text) < text.size())
       throw InputError(message({where.text() + ": the text is not in UTF-8.", "  Action: type it in UTF-8."}));
     if (text.find_first_of("#\n\\") != std::string::npos)
       throw InputError(message(
         {where.text() + ": '#', '\\' and line breaks cannot stand in a parameter file.", "  Action: leave them out."}));
     SectionPath        section;
-    std::string        opening, closing;
     std::istringstream in(text.substr(0, slash));
     for (std::string name; std::getline(in, name, '/');)
       {
@@ -255,11 +250,17 @@ namespace birdstrike
         if (!known.has_section(inner))
           throw InputError(describe_unknown_section(where, section, 0, name, known));
         section = inner;
-        opening += "subsection " + name + "\n";
-        closing += "end\n";
       }
-    result.text += opening;
-    read_assignment(section, text.substr(slash + 1), where, known).add_to(result);
-    result.text += closing;
+    return read_assignment(section, text.substr(slash + 1), where, known);
+  }
+
+  void scan_override(const std::string &text, const ParameterTree &known, ScannedParameters &result)
+  {
+    const ScannedValue value = scan_value(text, {"--set " + quote(text), 0}, known);
+    for (const std::string &name : value.section)
+      result.text += "subsection " + name + "\n";
+    Assignment{value, 0}.add_to(result);
+    for (std::size_t k = 0; k < value.section.size(); ++k)
+      result.text += "end\n";
   }
 } // namespace birdstrike

@@ -37,7 +37,18 @@ namespace birdstrike
   /// may set again what it included.
   void scan_parameter_file(const std::string &path, const ParameterTree &known, ScannedParameters &result);
 
-  /// The same of one override "Section/Sub section/Entry=value"; blanks around '/' and '=' do not count.
+  /// A value of an entry, as deal.II takes it.
+  struct ScannedValue
+  {
+    SectionPath section;
+    std::string name, value;
+    bool        is_default; ///< as if nothing had set it
+  };
+
+  /// Reads "Section/Sub section/Entry=value" of the command line; blanks around '/' and '=' do not count.
+  ScannedValue scan_value(const std::string &text, const SourceLine &where, const ParameterTree &known);
+
+  /// The same of the option --set, as if the line stood in the file.
   void scan_override(const std::string &text, const ParameterTree &known, ScannedParameters &result);
 
   /// Where a text stops to be UTF-8 (RFC 3629: no overlong forms, halves of pairs); its size if nowhere.

@@ -1,3 +1,4 @@
+#include <birdstrike/io/study_parameters.h>
 #include <birdstrike/io/telling_entries.h>
 
 namespace birdstrike
@@ -15,7 +16,8 @@ namespace birdstrike
                                  "Output/Checkpoint/Wall interval",
                                  "Output/Checkpoint/At the end",
                                  "Output/Checkpoint/Keep"};
-    all.insert(all.end(), more.begin(), more.end());
+    for (const auto &further : {study_entries(), more})
+      all.insert(all.end(), further.begin(), further.end());
     return all;
   }
 } // namespace birdstrike

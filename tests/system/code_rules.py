@@ -24,6 +24,7 @@ TEXTS = {
     "source/report/comparison/run_reuse.cc": "reads a folder's mark",
     "source/core/numerical_failure.cc": "units",
     "source/report/text.cc": "units",
+    "source/report/study/study_figures.cc": "units",
     "source/report/closing.cc": "units",
     "source/report/comparison/comparison_print.cc": "units",
     "source/mesh/mesh_file.cc": "endings of files",

@@ -4,6 +4,7 @@
 #include <birdstrike/contact/parameters.h>
 #include <birdstrike/io/output_parameters.h>
 #include <birdstrike/io/parameter_file.h>
+#include <birdstrike/io/study_parameters.h>
 #include <birdstrike/material/equation_of_state.h>
 #include <birdstrike/structure/parameters.h>
 #include <birdstrike/time_control/parameters.h>
@@ -26,6 +27,7 @@ namespace birdstrike
     ContactParameters contact;
     TimeParameters    time;
     OutputParameters  output;
+    StudyParameters   study;
 
     ParameterFile file;
 

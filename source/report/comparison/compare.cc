@@ -2,11 +2,10 @@
 #include "report/comparison/compare_plan.h"
 #include "report/comparison/comparison_figures.h"
 #include "report/comparison/comparison_table.h"
+#include "report/comparison/losses.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
-#include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
-#include <birdstrike/core/numerical_failure.h>
 
 #include <spdlog/logger.h>
 
@@ -52,42 +51,6 @@ namespace birdstrike
       planned.in_use = std::make_unique<RunFolderInUse>(planned.folder);
       return result.exit_code;
     }
-
-    /// What the runs that came to no result ended with.
-    class Losses
-    {
-    public:
-      void add(const std::string &name, const int code)
-      {
-        if (code == 0)
-          return;
-        names += (names.empty() ? "'" : ", '") + name + "' (exit code " + std::to_string(code) + ")";
-        has_refused = has_refused || code == static_cast<int>(ExitCode::bad_input);
-        has_lost    = has_lost || code == static_cast<int>(ExitCode::numerical_failure);
-        are_all_lawful =
-          are_all_lawful && (code == static_cast<int>(ExitCode::bad_input) ||
-                             code == static_cast<int>(ExitCode::numerical_failure) || code == Interrupted::exit_code);
-      }
-
-      /// Throws what gives the comparison the exit code that says most: of a crash before a refusal before a lost
-      /// state before a signal.
-      void raise() const
-      {
-        if (names.empty())
-          return;
-        if (!are_all_lawful)
-          throw std::runtime_error("a case ended as none should: " + names + ".");
-        if (has_refused)
-          throw InputError("Refused or lost: " + names + ". The table holds what the other cases came to.");
-        if (has_lost)
-          throw NumericalFailure("Lost: " + names + ". The table holds what the other cases came to.");
-        throw Interrupted("Interrupted: " + names + ". The table holds what they came to until then.");
-      }
-
-    private:
-      std::string names;
-      bool        has_refused = false, has_lost = false, are_all_lawful = true;
-    };
 
     std::string make_report(const ComparisonTable &table, const std::vector<Figure> &figures,
                             const std::vector<PlannedCase> &cases)
@@ -150,6 +113,6 @@ namespace birdstrike
       if (!planned.is_reused)
         losses.add(planned.name, run(planned, ++number, n_to_run));
     write(folder, cases);
-    losses.raise();
+    losses.raise("cases");
   }
 } // namespace birdstrike

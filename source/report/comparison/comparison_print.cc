@@ -77,6 +77,19 @@ namespace birdstrike
     return quoted + "\"";
   }
 
+  std::string csv_heading(const ComparisonRow &row)
+  {
+    // counts and shares are pure numbers; their own units only say how a reader wants them
+    const bool        is_pure = row.unit == "count" || row.unit == "share";
+    const std::string unit    = row.unit.empty() ? "" : " [" + (is_pure ? "-" : row.unit) + "]";
+    return csv_field(row.group + ": " + row.quantity + unit);
+  }
+
+  std::string csv_cell(const ComparisonRow &row, const std::size_t run)
+  {
+    return row.values.empty() ? csv_field(row.texts[run]) : csv_number(row.values[run]);
+  }
+
   std::string ComparisonTable::as_text() const
   {
     const std::vector<Cells> groups = make_groups(names, all);
@@ -137,12 +150,7 @@ namespace birdstrike
   {
     std::string text = "case";
     for (const ComparisonRow &row : all)
-      {
-        // counts and shares are pure numbers; their own units only say how a reader wants them
-        const bool        is_pure = row.unit == "count" || row.unit == "share";
-        const std::string unit    = row.unit.empty() ? "" : " [" + (is_pure ? "-" : row.unit) + "]";
-        text += "," + csv_field(row.group + ": " + row.quantity + unit);
-      }
+      text += "," + csv_heading(row);
     for (const ComparisonRow &row : all)
       if (!row.values.empty())
         text += "," + csv_field("difference of " + row.group + ": " + row.quantity + " [%]");
@@ -151,7 +159,7 @@ namespace birdstrike
       {
         text += csv_field(names[run]);
         for (const ComparisonRow &row : all)
-          text += "," + (row.values.empty() ? csv_field(row.texts[run]) : csv_number(row.values[run]));
+          text += "," + csv_cell(row, run);
         for (const ComparisonRow &row : all)
           if (!row.values.empty())
             text += "," + csv_number(100. * row.difference(run));

@@ -65,4 +65,8 @@ namespace birdstrike
 
   /// A field of a CSV file: quoted where it holds a comma, a quote or a line's end.
   std::string csv_field(const std::string &text);
+
+  /// "Tip: peak [m]" and the value of a run, with all digits; empty where there is none.
+  std::string csv_heading(const ComparisonRow &row);
+  std::string csv_cell(const ComparisonRow &row, std::size_t run);
 } // namespace birdstrike

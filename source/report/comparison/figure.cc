@@ -33,38 +33,101 @@ namespace birdstrike
       return axis.quantity + " [" + axis.shown_unit + "]";
     }
 
-    std::vector<std::pair<std::string, const std::vector<double> *>> columns_of(const Figure &figure)
+    using DataColumn = std::pair<std::string, const std::vector<double> *>; ///< name and values
+
+    std::vector<DataColumn> columns_of(const FigurePanel &panel, const FigureLine &line)
     {
-      std::vector<std::pair<std::string, const std::vector<double> *>> columns;
+      std::vector<DataColumn> columns;
+      const auto              add = [&](const std::string &quantity, const FigureAxis &axis, const auto &values) {
+        columns.emplace_back(line.title + (line.title.empty() ? "" : ": ") + quantity + " [" + axis.unit + "]",
+                                          &values);
+      };
+      add(panel.x.quantity, panel.x, line.x);
+      add(panel.y.quantity, panel.y, line.y);
+      if (!line.bar.empty())
+        add("error bar of " + panel.y.quantity, panel.y, line.bar);
+      if (!line.colour.empty())
+        add(panel.colour.quantity, panel.colour, line.colour);
+      return columns;
+    }
+
+    std::vector<DataColumn> columns_of(const Figure &figure)
+    {
+      std::vector<DataColumn> columns;
       for (const FigurePanel &panel : figure.panels)
         for (const FigureLine &line : panel.lines)
-          for (const bool is_x : {true, false})
-            {
-              const FigureAxis &axis = is_x ? panel.x : panel.y;
-              columns.emplace_back(line.title + (line.title.empty() ? "" : ": ") + axis.quantity + " [" + axis.unit +
-                                     "]",
-                                   is_x ? &line.x : &line.y);
-            }
+          for (DataColumn &column : columns_of(panel, line))
+            columns.push_back(std::move(column));
       return columns;
+    }
+
+    std::string ticks_of(const char *axis, const FigureAxis &of)
+    {
+      std::string text;
+      for (std::size_t k = 0; k < of.ticks.size(); ++k)
+        text += (k > 0 ? ", " : "") + quote(of.ticks[k]) + " " + std::to_string(k + 1);
+      return std::string("set ") + axis + "tics " + (text.empty() ? "autofreq" : "(" + text + ")") + "\n";
+    }
+
+    std::string range_of(const FigurePanel &panel)
+    {
+      if (!panel.x.ticks.empty())
+        return fmt::format("[0.5:{}.5]", panel.x.ticks.size());
+      return panel.x_end > 0. ? fmt::format("[{}:{}]", panel.x_begin * panel.x.factor, panel.x_end * panel.x.factor)
+                              : "[*:*]";
+    }
+
+    std::string head_of(const FigurePanel &panel)
+    {
+      std::string text = "set title " + quote(panel.title) + "\nset xlabel " + quote(label(panel.x)) + "\nset ylabel " +
+                         quote(label(panel.y)) + "\nset xrange " + range_of(panel) + "\n";
+      text += "set yrange [" +
+              (panel.y.ticks.empty() ? std::string("*:*") : fmt::format("0.5:{}.5", panel.y.ticks.size())) + "]\n";
+      return text + ticks_of("x", panel.x) + ticks_of("y", panel.y);
+    }
+
+    /// From dark to light, S. van der Walt's and N. Smith's viridis (matplotlib, 2015), as far as white letters can be
+    /// read on it.
+    constexpr auto map_colours = "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#35b779')\n";
+
+    /// `column`: number of x in the file.
+    std::string plot_map(const FigurePanel &panel, const FigureLine &line, const std::string &file,
+                         const unsigned int column)
+    {
+      constexpr std::size_t most_written = 200; // beyond, numbers would overlap
+      const std::string     place        = fmt::format("{} using {}:{}", quote(file), column, column + 1),
+                        value            = fmt::format("(${}*{})", column + 2, panel.colour.factor);
+      std::string text                   = head_of(panel) + map_colours + "set cblabel " + quote(label(panel.colour)) +
+                         " noenhanced\nplot " + place + ":" + value + " with image pixels notitle";
+      if (line.x.size() <= most_written)
+        text += ", \\\n     " + place + ":(sprintf('%.4g'," + value +
+                ")) with labels font ',11' textcolor rgb 'white' notitle";
+      return text + "\n";
     }
 
     /// `column`: number of the first line's x in the file.
     std::string plot_of(const FigurePanel &panel, const std::string &file, unsigned int column)
     {
-      std::string text =
-        "set title " + quote(panel.title) + "\nset xlabel " + quote(label(panel.x)) + "\nset ylabel " +
-        quote(label(panel.y)) + "\nset xrange [" +
-        (panel.x_end > 0. ? fmt::format("{}:{}", panel.x_begin * panel.x.factor, panel.x_end * panel.x.factor)
-                          : "*:*") +
-        "]\nplot ";
+      if (!panel.lines.front().colour.empty())
+        return plot_map(panel, panel.lines.front(), file, column);
+      std::string text = head_of(panel) + "plot ";
       for (const FigureLine &line : panel.lines)
         {
           const std::string title  = line.title.empty() ? "notitle" : "title " + quote(line.title);
           const auto        dashes = 1 + line.style / static_cast<unsigned int>(palette.size()) % n_dashes;
-          text += fmt::format("{}{} using (${}*{}):(${}*{}) with lines lw 2 dt {} lc rgb '{}' {}",
-                              &line == &panel.lines.front() ? "" : ", \\\n     ", quote(file), column, panel.x.factor,
-                              column + 1, panel.y.factor, dashes, palette[line.style % palette.size()], title);
-          column += 2;
+          const std::string colour = palette[line.style % palette.size()];
+          const std::string place =
+            fmt::format("using (${}*{}):(${}*{})", column, panel.x.factor, column + 1, panel.y.factor);
+          text += fmt::format("{}{} {} with {} lw 2 dt {} lc rgb '{}' {}",
+                              &line == &panel.lines.front() ? "" : ", \\\n     ", quote(file), place,
+                              !line.has_points        ? "lines"
+                              : panel.x.ticks.empty() ? "linespoints pt 7 ps 0.7"
+                                                      : "points pt 7 ps 1.2",
+                              dashes, colour, title);
+          if (!line.bar.empty())
+            text += fmt::format(", \\\n     {} {}:(${}*{}) with yerrorbars lw 2 pt 0 lc rgb '{}' notitle", quote(file),
+                                place, column + 2, panel.y.factor, colour);
+          column += static_cast<unsigned int>(columns_of(panel, line).size());
         }
       for (const FigureLevel &level : panel.levels)
         text += fmt::format(", \\\n     {} with lines lw 1 dt 3 lc rgb '#404040' {}", level.y * panel.y.factor,
@@ -125,7 +188,8 @@ namespace birdstrike
         for (const FigurePanel &panel : figure.panels)
           {
             text += panel.lines.empty() ? "set multiplot next\n" : plot_of(panel, figure.stem + ".csv", column);
-            column += 2 * panel.lines.size();
+            for (const FigureLine &line : panel.lines)
+              column += static_cast<unsigned int>(columns_of(panel, line).size());
           }
         text += "unset multiplot\nunset output\n";
       }

@@ -11,7 +11,10 @@ namespace birdstrike
   {
     std::string         title; ///< in the legend; empty: none
     std::vector<double> x, y;
-    unsigned int        style = 0; ///< colour and dashes: the first 28 are all distinct
+    unsigned int        style      = 0;     ///< colour and dashes: the first 28 are all distinct
+    bool                has_points = false; ///< each value is marked
+    std::vector<double> bar        = {};    ///< half the length of an error bar, of y's unit; empty: no bars
+    std::vector<double> colour     = {};    ///< not empty: cells of a map, one about each (x, y), and what they show
   };
 
   /// A value that a reader looks for: a horizontal line across a panel, of the axis' SI unit.
@@ -28,6 +31,8 @@ namespace birdstrike
     std::string unit;
     std::string shown_unit;
     double      factor = 1.; ///< shown unit per SI unit
+
+    std::vector<std::string> ticks = {}; ///< texts at 1, 2, ...; empty: numbers
   };
 
   struct FigurePanel
@@ -37,6 +42,7 @@ namespace birdstrike
     std::vector<FigureLine> lines;
     double x_begin = 0., x_end = 0.; ///< where the picture begins and ends, of the data's unit; both 0: as the data
     std::vector<FigureLevel> levels = {};
+    FigureAxis               colour = {}; ///< of a map
   };
 
   /// Panels in rows that share one file.
@@ -50,7 +56,8 @@ namespace birdstrike
   };
 
   /// The data of a figure: a head that numbers the columns with their units as history.csv does, a line of names, then
-  /// for each line of each panel a column x and a column y, one after the other; shorter ones end in empty fields.
+  /// for each line of each panel a column x, a column y and, where there are, one of bars and one of colours; shorter
+  /// ones end in empty fields.
   std::string data_of(const Figure &figure);
 
   /// A gnuplot script that reads the figures' data and draws stem.svg for each, run in their folder.

@@ -14,7 +14,13 @@ namespace birdstrike
   {
     namespace fs = std::filesystem;
 
-    const EntryNames place_of_the_run{"Output/Directory"};
+    /// Where the run is, and of which others it is one.
+    EntryNames entries_that_may_differ()
+    {
+      EntryNames names = study_entries();
+      names.emplace_back("Output/Directory");
+      return names;
+    }
 
     /// The first file that is not what the run has read, or is missing on one side; empty if there is none.
     std::string changed_file(const RunRecord &run, const CaseParameters &wanted)
@@ -72,7 +78,7 @@ namespace birdstrike
         {
           return "its parameters.prm cannot be read";
         }
-      if (const std::string entry = first_difference(wanted, made_from, place_of_the_run); !entry.empty())
+      if (const std::string entry = first_difference(wanted, made_from, entries_that_may_differ()); !entry.empty())
         return entry + " differs";
       if (const std::string file = changed_file(run, wanted); !file.empty())
         return "'" + file + "' is not what it was";

@@ -28,11 +28,11 @@ TEST(CaseParameters, EveryTextIsASentenceThatEndsWithItsUnit)
     }
 }
 
-TEST(CaseParameters, HasOneSectionForEachRoom)
+TEST(CaseParameters, HasOneSectionForEachRoomAndOneForStudies)
 {
   const CaseParameters parameters;
   EXPECT_EQ(parameters.file.tree().subsection_names({}),
-            (std::vector<std::string>{"Case", "Blade", "Bird", "Contact", "Time", "Output"}));
+            (std::vector<std::string>{"Case", "Blade", "Bird", "Contact", "Time", "Output", "Study"}));
 }
 
 TEST(CaseParameters, DefaultsPassTheirOwnRangesAndReadBack)

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// An entry of the parameter file and the values that a study gives it.
+  struct VariedEntry
+  {
+    std::string              entry;   ///< "Bird/Particle spacing"
+    std::string              unit;    ///< of the entry; "-" for pure numbers and texts
+    std::vector<std::string> values;  ///< as the file takes them: plain numbers in the entry's unit, or texts
+    std::vector<double>      numbers; ///< the same as numbers; empty where one is none
+  };
+
+  /// Reads "Section/Entry=VALUES". VALUES is
+  ///   v1, v2, ...      values as the file takes them, with units and formulas: "4 mm, 2.5 mm, 88.9/40 mm"
+  ///   v1 | v2 | ...    the same of values that hold commas: "0, 0, 150 | 0, 0, 177.4 m/s"
+  ///   a:b:n            n numbers at equal distances from a to b, both included: "100:300:5", "2 mm:5 mm:4"
+  ///
+  /// Throws InputError for an entry that does not exist, a value that it does not allow, an empty value, the same value
+  /// twice unless `may_repeat`, and more than most_points values.
+  VariedEntry read_varied_entry(const std::string &text, bool may_repeat = false);
+
+  inline constexpr std::size_t most_points = 10000; ///< of a study
+} // namespace birdstrike

@@ -1,0 +1,98 @@
+#include "report/comparison/case_run.h"
+#include "report/comparison/comparison_figures.h"
+#include "report/comparison/losses.h"
+#include "report/study/study_figures.h"
+#include "report/study/study_table.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/log.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/whole_file.h>
+#include <birdstrike/report/study.h>
+
+#include <spdlog/logger.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    const ReportKind kind{"study",
+                          {"study", "responses", "maps", "tip_deflection", "contact", "energies", "root_moment",
+                           "root_stress", "profiles"}};
+
+    /// Of the command line, or else of the file's section Study.
+    StudyPlan read_plan(const StudyRequest &request)
+    {
+      if (!request.vary.empty())
+        return read_study_plan(request.vary, request.are_pairs);
+      CaseParameters parameters;
+      parameters.read(request.prm_file, request.overrides);
+      const StudyParameters &study = parameters.study;
+      return read_study_plan(study.given(), study.are_pairs || request.are_pairs);
+    }
+
+    /// Curves in time and profiles of all points in one picture, while they and their legend leave room for it.
+    std::vector<Figure> make_overlays(const std::vector<PointRun> &runs)
+    {
+      constexpr std::size_t    most = 8;
+      std::vector<ComparedRun> records;
+      for (const PointRun &run : runs)
+        if (run.is_done && runs.size() <= most)
+          records.push_back({run.point.name, read_record(run.folder)});
+      return make_comparison_figures(records);
+    }
+
+    void write(const ReportFolder &folder, const StudyPlan &plan, const std::vector<PointRun> &runs)
+    {
+      const StudyTable table(plan, runs);
+      folder.write_text("study.csv", table.as_csv());
+      table.write_hdf5(folder.file("study.h5"));
+      auto figures = make_study_figures(plan, runs, table);
+      for (Figure &overlay : make_overlays(runs))
+        figures.push_back(std::move(overlay));
+      folder.write_text("figures.gp", script_of(figures));
+      for (const Figure &figure : figures)
+        folder.write_text(figure.stem + ".csv", data_of(figure));
+      log().info("\n{}", table.as_text());
+      if (!figures.empty())
+        draw_figures(folder);
+      log().info("Study in {}", folder.path().string());
+    }
+
+    void write_task_list(const std::string &file, const std::vector<PointRun> &runs, const RunOptions &options)
+    {
+      const std::string tasks = make_task_list(runs, options);
+      write_whole_file(file, {tasks});
+      log().info("{}: {} lines, one a point. GNU parallel: parallel < {}. Slurm: an array 1-{}, each task\n"
+                 "  bash -c \"$(sed -n \"${{SLURM_ARRAY_TASK_ID}}p\" {})\"\n"
+                 "The same command without --task-list, but with --collect, makes the table of what has been run.",
+                 file, std::ranges::count(tasks, '\n'), file, std::ranges::count(tasks, '\n'), file);
+    }
+  } // namespace
+
+  void run_study(const StudyRequest &request)
+  {
+    const fs::path output =
+      request.output.empty() ? fs::path("runs/study") / fs::path(request.prm_file).stem() : fs::path(request.output);
+    ReportFolder::require_usable(output, kind);
+    const StudyPlan plan   = read_plan(request);
+    const auto      points = make_points(plan);
+    RunOptions      options{request.prm_file, request.overrides, request.n_jobs, false, request.launcher};
+    auto            runs   = plan_runs(points, output, options);
+    const auto      n_done = std::ranges::count_if(runs, [](const PointRun &run) { return run.is_done; });
+    log().info("{} points, {} of them are there", runs.size(), n_done);
+    const ReportFolder folder(output, kind);
+    if (!request.task_list.empty())
+      return write_task_list(request.task_list, runs, options);
+    if (!request.only_collects)
+      run_points(runs, options);
+    write(folder, plan, runs);
+    Losses losses;
+    for (const PointRun &run : runs)
+      losses.add(run.point.name, run.exit_code);
+    losses.raise("points");
+  }
+} // namespace birdstrike

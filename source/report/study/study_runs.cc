@@ -1,0 +1,206 @@
+#include "report/study/study_runs.h"
+#include "report/comparison/case_run.h"
+#include "report/comparison/run_reuse.h"
+#include <birdstrike/core/child_process.h>
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/interrupted.h>
+#include <birdstrike/core/log.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/report/text.h>
+
+#include <fmt/format.h>
+#include <spdlog/logger.h>
+
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+#include <thread>
+
+namespace birdstrike
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    std::string first_line(const std::string &text)
+    {
+      return text.substr(0, text.find('\n'));
+    }
+
+    std::string last_line(std::string text)
+    {
+      text.erase(text.find_last_not_of('\n') + 1);
+      return text.substr(text.rfind('\n') + 1);
+    }
+
+    std::vector<std::string> overrides_of(const StudyPoint &point, const RunOptions &options)
+    {
+      std::vector<std::string> all = options.overrides;
+      all.insert(all.end(), point.overrides.begin(), point.overrides.end());
+      return all;
+    }
+
+    void look_for_run(PointRun &run, const RunOptions &options)
+    {
+      CaseParameters parameters;
+      parameters.read(options.prm_file, overrides_of(run.point, options));
+      const FoundRun found = find_run({run.folder}, parameters);
+      run.is_done = run.is_reused = found.in_use != nullptr;
+      run.state                   = run.is_done ? "done" : "not run";
+    }
+
+    /// The program's own file, for those who start it by another program.
+    std::string program_file()
+    {
+      return fs::read_symlink(this_program).string();
+    }
+
+    std::vector<std::string> words_of(const std::string &text)
+    {
+      std::istringstream       in(text);
+      std::vector<std::string> words;
+      for (std::string word; in >> word;)
+        words.push_back(word);
+      return words;
+    }
+
+    ChildRequest make_request(const PointRun &run, const RunOptions &options)
+    {
+      std::vector<std::string> arguments =
+        run_arguments(options.prm_file, overrides_of(run.point, options), run.folder.string());
+      if (options.launcher.empty())
+        return {arguments, "", true, this_program};
+      arguments.front()                 = program_file();
+      std::vector<std::string> launched = words_of(options.launcher);
+      launched.insert(launched.end(), arguments.begin(), arguments.end());
+      return {launched, "", true};
+    }
+
+    bool is_to_run(const PointRun &run)
+    {
+      return !run.is_done && run.exit_code == 0;
+    }
+
+    /// What an earlier run has left goes first, lest it be taken for this one's.
+    void clear(PointRun &run)
+    {
+      try
+        {
+          drop_results(run.folder);
+        }
+      catch (const InputError &error)
+        {
+          run.state     = "refused: " + first_line(error.what());
+          run.exit_code = static_cast<int>(ExitCode::bad_input);
+        }
+    }
+
+    void judge(PointRun &run, const ChildResult &result)
+    {
+      run.exit_code     = result.exit_code;
+      run.is_done       = result.exit_code == 0;
+      const auto marker = read_record(run.folder).state();
+      if (run.is_done)
+        run.state = "done";
+      else if (result.exit_code == static_cast<int>(ExitCode::numerical_failure))
+        run.state = "lost: " + (marker.starts_with("failed: ") ? marker.substr(8) : marker);
+      else if (result.exit_code == static_cast<int>(ExitCode::bad_input))
+        run.state = "refused: " + first_line(result.output);
+      else
+        run.state = fmt::format("ended with exit code {}: {}", result.exit_code, last_line(result.output));
+    }
+
+    std::string quote_for_shell(const std::string &text)
+    {
+      if (!text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                                  "_-+=.,/:@%") == std::string::npos)
+        return text;
+      std::string quoted = "'";
+      for (const char letter : text)
+        quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+      return quoted + "'";
+    }
+  } // namespace
+
+  std::vector<PointRun> plan_runs(const std::vector<StudyPoint> &points, const fs::path &directory, RunOptions &options)
+  {
+    std::vector<PointRun> runs;
+    std::string           refusal;
+    bool                  is_first = true;
+    for (const StudyPoint &point : points)
+      {
+        PointRun run{point, directory / point.folder, "", false, false, 0};
+        try
+          {
+            if (is_first && !options.is_threaded)
+              {
+                CaseParameters parameters;
+                parameters.read(options.prm_file, overrides_of(point, options));
+                if (!parameters.file.is_given("Time/Threads"))
+                  options.overrides.emplace_back("Time/Threads=1");
+                is_first = false;
+              }
+            look_for_run(run, options);
+          }
+        catch (const InputError &error)
+          {
+            run.state     = "refused: " + first_line(error.what());
+            run.exit_code = static_cast<int>(ExitCode::bad_input);
+            if (refusal.empty())
+              refusal = error.what();
+          }
+        runs.push_back(std::move(run));
+      }
+    if (std::ranges::all_of(runs, [](const PointRun &run) { return run.exit_code != 0; }))
+      throw InputError(refusal);
+    return runs;
+  }
+
+  void run_points(std::vector<PointRun> &runs, const RunOptions &options)
+  {
+    using Clock = std::chrono::steady_clock;
+    std::vector<ChildRequest> requests;
+    std::vector<PointRun *>   started;
+    for (PointRun &run : runs)
+      {
+        if (is_to_run(run))
+          clear(run);
+        if (is_to_run(run))
+          {
+            started.push_back(&run);
+            requests.push_back(make_request(run, options));
+          }
+      }
+    const std::size_t n_cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t n_jobs  = std::min(options.n_jobs > 0 ? options.n_jobs : n_cores, most_children);
+    const auto        begin   = Clock::now();
+    std::size_t       n_ended = 0;
+    const int         signal  = run_children(requests, n_jobs, [&](const std::size_t k, const ChildResult &result) {
+      judge(*started[k], result);
+      const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+      const auto   n_left  = static_cast<double>(requests.size() - ++n_ended);
+      log().info("{} of {}: {}: {}{}", n_ended, requests.size(), started[k]->point.name, started[k]->state,
+                 n_left > 0. ? ", about " + format_duration(seconds * n_left / static_cast<double>(n_ended)) + " to go"
+                                      : "");
+    });
+    end_if_stopped(signal, "The " + options.what + " was stopped. Points that are complete will be reused.");
+  }
+
+  std::string make_task_list(const std::vector<PointRun> &runs, const RunOptions &options)
+  {
+    const std::string here = quote_for_shell(fs::current_path().string());
+    std::string       text;
+    for (const PointRun &run : runs)
+      if (is_to_run(run))
+        {
+          ChildRequest request = make_request(run, options);
+          if (options.launcher.empty())
+            request.arguments.front() = program_file();
+          text += "cd " + here + " &&";
+          for (const std::string &argument : request.arguments)
+            text += " " + quote_for_shell(argument);
+          text += "\n";
+        }
+    return text;
+  }
+} // namespace birdstrike

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "report/comparison/comparison_table.h"
+#include "report/study/study_runs.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// What the points of a study came to: the values that were varied, every quantity that `compare` reports, the state.
+  /// A row's values are by point, NaN where a point has none.
+  class StudyTable
+  {
+  public:
+    /// Reads the run folders of the points that are done, one after the other.
+    StudyTable(const StudyPlan &plan, const std::vector<PointRun> &runs);
+
+    const std::vector<ComparisonRow> &rows() const;
+
+    /// The rows that a reader of many runs asks for first, of those that there are: peak and permanent deflection of
+    /// the tip, moment and stress of the root, plastic work and strain, impulse, filtered force.
+    std::vector<const ComparisonRow *> headline() const;
+
+    std::string as_text() const; ///< the headline, a line a point, at most 60
+    std::string as_csv() const;  ///< one row a point, all digits, SI units
+
+    /// varied/<entry>, quantities/<group>/<quantity>, state/done, each [points along the first entry][along the second]
+    /// ..., of pairs [points]. Throws std::runtime_error if the disk refuses.
+    void write_hdf5(const std::filesystem::path &file) const;
+
+  private:
+    const StudyPlan             &plan;
+    const std::vector<PointRun> &runs;
+    std::vector<ComparisonRow>   all;
+
+    void add(std::size_t point, const std::vector<ComparisonRow> &rows);
+  };
+
+  /// Whether a row is an answer of the scene, and not its size, its cost or a measure of the computation's own errors.
+  bool is_response(const ComparisonRow &row);
+} // namespace birdstrike

@@ -1,0 +1,149 @@
+#include "report/study/study_figures.h"
+#include "report/study/study_points.h"
+#include "report/study/study_table.h"
+#include <birdstrike/core/errors.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../io/scratch_folder.h"
+#include "recorded_run.h"
+#include "report/histories/history_hdf5.h"
+
+using namespace birdstrike;
+
+namespace
+{
+  const std::vector<std::string> two_entries{"Bird/Mass=0.1, 0.2", "Bird/Shape=cylinder, sphere, ellipsoid"};
+
+  /// Two masses, three shapes; the second point was lost.
+  class Study : public ::testing::Test
+  {
+  protected:
+    ScratchFolder         scratch;
+    const StudyPlan       plan = read_study_plan(two_entries, false);
+    std::vector<PointRun> runs;
+
+    Study()
+    {
+      const std::string prm = scratch.write("plate.prm", "subsection Bird\n  set Mass = 0.1\nend\n");
+      for (const StudyPoint &point : make_points(plan))
+        {
+          RecordedRun run;
+          run.peak = 0.1 + 0.01 * static_cast<double>(runs.size());
+          runs.push_back({point, scratch.path() / point.folder, "done", true, false, 0});
+          run.write(runs.back().folder, prm);
+        }
+      runs[1].is_done = false;
+      runs[1].state   = "lost: energy grew, in one step";
+    }
+  };
+
+  std::string refusal(const std::vector<std::string> &vary, const bool are_pairs = false)
+  {
+    try
+      {
+        make_points(read_study_plan(vary, are_pairs));
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+} // namespace
+
+TEST(StudyPoints, EachWithEachTheLastEntryFastest)
+{
+  const auto points = make_points(read_study_plan(two_entries, false));
+  ASSERT_EQ(points.size(), 6u);
+  EXPECT_EQ(points[1].name, "Mass=0.1, Shape=sphere");
+  EXPECT_EQ(points[1].folder, "Mass=0.1-Shape=sphere");
+  EXPECT_EQ(points[3].at, (std::vector<std::size_t>{1, 0}));
+  EXPECT_EQ(points[5].overrides, (std::vector<std::string>{"Bird/Mass=0.2", "Bird/Shape=ellipsoid"}));
+}
+
+TEST(StudyPoints, PairsGoTogether)
+{
+  const auto points = make_points(read_study_plan({"Bird/Mass=1, 1, 2", "Bird/Density=900, 950, 900"}, true));
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[2].name, "Mass=2, Density=900");
+}
+
+TEST(StudyPoints, RefusesWhatIsNoStudy)
+{
+  EXPECT_NE(refusal({}).find("Nothing is varied"), std::string::npos);
+  EXPECT_NE(refusal({"Bird/Mass=1", "Bird/Mass=2"}).find("varied twice"), std::string::npos);
+  EXPECT_NE(refusal({"Case/Name=a, b"}).find("cannot be varied"), std::string::npos);
+  EXPECT_NE(refusal({"Bird/Mass=1, 2", "Bird/Density=1, 2, 3"}, true).find("Bird/Mass has 2, Bird/Density has 3"),
+            std::string::npos);
+  EXPECT_NE(refusal({"Bird/Mass=1, 1", "Bird/Density=2, 2"}, true).find("occurs twice"), std::string::npos);
+  EXPECT_NE(refusal({"Bird/Mass=1:2:101", "Bird/Density=1:2:100"}).find("10100 points"), std::string::npos);
+}
+
+TEST(StudyPoints, TellFoldersApart)
+{
+  EXPECT_EQ(make_folder_name("Speed=-5, Roll=1.5"), "Speed=-5-Roll=1.5");
+  EXPECT_NE(make_folder_name("law=s*2"), make_folder_name("law=s/2"));
+  EXPECT_EQ(make_folder_name("../a").find('/'), std::string::npos);
+  EXPECT_LT(make_folder_name(std::string(1000, 'a')).size(), 120u);
+  EXPECT_NE(make_folder_name(std::string(1000, 'a')), make_folder_name(std::string(1001, 'a')));
+}
+
+TEST_F(Study, TableHasEveryPointAndSaysWhyOneIsMissing)
+{
+  const StudyTable  table(plan, runs);
+  const std::string csv = table.as_csv();
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 7);
+  EXPECT_TRUE(csv.starts_with("point,Bird/Mass [kg],Bird/Shape [-],"));
+  EXPECT_NE(csv.find("\"lost: energy grew, in one step\""), std::string::npos);
+  EXPECT_NE(table.as_text().find("lost: energy grew"), std::string::npos);
+  const auto &rows = table.rows();
+  const auto  peak = std::ranges::find(rows, "peak (mid-chord)", &ComparisonRow::quantity);
+  ASSERT_NE(peak, rows.end());
+  EXPECT_TRUE(std::isnan(peak->values[1]));
+  EXPECT_DOUBLE_EQ(peak->values[5], 0.15);
+  EXPECT_EQ(table.headline()[0]->quantity, "peak (mid-chord)");
+}
+
+TEST_F(Study, Hdf5HasTheGridsShape)
+{
+  const auto file = scratch.path() / "study.h5";
+  StudyTable(plan, runs).write_hdf5(file);
+  EXPECT_EQ(read_result(file, "varied/Bird/Mass"), (std::vector<double>{0.1, 0.1, 0.1, 0.2, 0.2, 0.2}));
+  EXPECT_EQ(read_result(file, "varied/Bird/Shape"), (std::vector<double>{0., 1., 2., 0., 1., 2.}));
+  EXPECT_EQ(read_result(file, "state/done"), (std::vector<double>{1., 0., 1., 1., 1., 1.}));
+  EXPECT_DOUBLE_EQ(read_result(file, "quantities/Tip/peak (mid-chord)")[4], 0.14);
+}
+
+TEST_F(Study, DrawsFamiliesAndMaps)
+{
+  const auto figures = make_study_figures(plan, runs, StudyTable(plan, runs));
+  ASSERT_EQ(figures.size(), 2u);
+  const FigurePanel &curves = figures[0].panels[0], &map = figures[1].panels[0];
+  EXPECT_EQ(curves.lines.size(), 3u) << "a curve a shape";
+  EXPECT_EQ(curves.lines[1].x, (std::vector<double>{0.1, 0.2}));
+  EXPECT_TRUE(std::isnan(curves.lines[1].y[0]));
+  EXPECT_EQ(map.lines[0].colour.size(), 6u);
+  EXPECT_EQ(map.y.ticks, (std::vector<std::string>{"cylinder", "sphere", "ellipsoid"}));
+  const std::string script = script_of(figures);
+  EXPECT_NE(script.find("with image pixels"), std::string::npos);
+  EXPECT_NE(script.find("set ytics ('cylinder' 1, 'sphere' 2, 'ellipsoid' 3)"), std::string::npos);
+}
+
+TEST_F(Study, ShowsRowsThatOnlySomePointsHave)
+{
+  RecordedRun rigid;
+  rigid.kind = "rigid";
+  rigid.write(runs[0].folder, (scratch.path() / "plate.prm").string()); // the first of them lacks all of the blade
+  const StudyTable table(plan, runs);
+  const auto      &rows  = table.rows();
+  const auto       place = [&](const std::string &group) {
+    return std::ranges::find(rows, group, &ComparisonRow::group) - rows.begin();
+  };
+  EXPECT_LT(place("Tip"), place("Contact"));
+  const auto peak = std::ranges::find(rows, "peak (mid-chord)", &ComparisonRow::quantity);
+  EXPECT_TRUE(std::isnan(peak->values[0]));
+  EXPECT_DOUBLE_EQ(peak->values[2], 0.12);
+}
