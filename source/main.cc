@@ -5,6 +5,7 @@
 #include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/report/compare.h>
+#include <birdstrike/report/converge.h>
 #include <birdstrike/report/study.h>
 #include <birdstrike/simulation/commands.h>
 
@@ -30,6 +31,7 @@ namespace
 {
   using birdstrike::CaseRequest;
   using birdstrike::CompareRequest;
+  using birdstrike::ConvergeRequest;
   using birdstrike::ExitCode;
   using birdstrike::ResumeRequest;
   using birdstrike::StudyRequest;
@@ -37,17 +39,24 @@ namespace
   /// What the command line may ask for.
   struct Requests
   {
-    CaseRequest    of_case;
-    CompareRequest of_comparison;
-    ResumeRequest  of_resumption;
-    StudyRequest   of_study;
-    bool           as_json = false;
+    CaseRequest     of_case;
+    CompareRequest  of_comparison;
+    ResumeRequest   of_resumption;
+    StudyRequest    of_study;
+    ConvergeRequest of_ladder;
+    bool            as_json = false;
   };
 
   void declare_overrides(CLI::App *command, std::vector<std::string> &overrides)
   {
     command->add_option("--set", overrides, "Override an entry: \"Section/Entry=value\" (repeatable)")
       ->allow_extra_args(false);
+  }
+
+  void declare_jobs(CLI::App *command, std::size_t &n_jobs, const std::string &what)
+  {
+    command->add_option("--jobs", n_jobs, what + " side by side, instead of one a core")
+      ->check(CLI::Range(std::size_t(1), birdstrike::most_children));
   }
 
   void declare_study(CLI::App &app, StudyRequest &request, std::function<void()> &action)
@@ -63,13 +72,30 @@ namespace
     study->add_flag("--pairs", request.are_pairs, "Values go together one by one instead of each with each");
     declare_overrides(study, request.overrides);
     study->add_option("--output", request.output, "Folder of the study, instead of runs/study/FILE");
-    study->add_option("--jobs", request.n_jobs, "Points side by side, instead of one a core")
-      ->check(CLI::Range(std::size_t(1), birdstrike::most_children));
+    declare_jobs(study, request.n_jobs, "Points");
     study->add_option("--launcher", request.launcher, "Words before each run's command: \"srun -n 1\"");
     study->add_option("--task-list", request.task_list,
                       "Write a command line for each point that is to run into this file, and run none");
     study->add_flag("--collect", request.only_collects, "Run nothing: make the table of what is there");
     study->callback([&] { action = [&] { birdstrike::run_study(request); }; });
+  }
+
+  void declare_converge(CLI::App &app, ConvergeRequest &request, std::function<void()> &action)
+  {
+    CLI::App *ladder = app.add_subcommand("converge", "Run a case on a ladder of refinements: orders and error bars");
+    ladder->add_option("FILE", request.prm_file, "Parameter file: the finest level")->required();
+    ladder->add_option("--levels", request.n_levels, "Number of levels, 3 to 8")->capture_default_str();
+    ladder
+      ->add_option("--vary", request.refinement,
+                   "What is refined: mesh, particles, both, step (finer than the case), points (3, 5, 7)")
+      ->capture_default_str();
+    ladder->add_option("--ratio", request.ratio, "Of sizes from level to level")->capture_default_str();
+    ladder->add_option("--finer", request.n_finer, "So many of the levels are finer than the case")
+      ->capture_default_str();
+    declare_jobs(ladder, request.n_jobs, "Levels");
+    declare_overrides(ladder, request.overrides);
+    ladder->add_option("--output", request.output, "Folder of the ladder, instead of runs/converge/FILE");
+    ladder->callback([&] { action = [&] { birdstrike::converge(request); }; });
   }
 
   /// The command line: every subcommand binds what it will do to `action`.
@@ -111,6 +137,7 @@ namespace
     compare->callback([&] { action = [&] { birdstrike::compare_cases(requests.of_comparison); }; });
 
     declare_study(app, requests.of_study, action);
+    declare_converge(app, requests.of_ladder, action);
 
     CLI::App *columns = app.add_subcommand("columns", "What every column of the histories is: unit, frame, sign");
     columns->add_option("FILE", requests.of_case.prm_file, "Parameter file: the columns of this case alone");

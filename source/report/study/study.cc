@@ -80,7 +80,7 @@ namespace birdstrike
     ReportFolder::require_usable(output, kind);
     const StudyPlan plan   = read_plan(request);
     const auto      points = make_points(plan);
-    RunOptions      options{request.prm_file, request.overrides, request.n_jobs, false, request.launcher};
+    RunOptions      options{request.prm_file, request.overrides, request.n_jobs, request.launcher};
     auto            runs   = plan_runs(points, output, options);
     const auto      n_done = std::ranges::count_if(runs, [](const PointRun &run) { return run.is_done; });
     log().info("{} points, {} of them are there", runs.size(), n_done);

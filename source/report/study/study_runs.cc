@@ -132,7 +132,7 @@ namespace birdstrike
         PointRun run{point, directory / point.folder, "", false, false, 0};
         try
           {
-            if (is_first && !options.is_threaded)
+            if (is_first)
               {
                 CaseParameters parameters;
                 parameters.read(options.prm_file, overrides_of(point, options));

@@ -19,15 +19,14 @@ namespace birdstrike
     int                   exit_code = 0;     ///< of the run, or what a run would have ended with
   };
 
-  /// How points are run.
+  /// How points are run: each with one thread where the case says nothing.
   struct RunOptions
   {
     std::string              prm_file;
-    std::vector<std::string> overrides;             ///< of all points
-    std::size_t              n_jobs      = 0;       ///< side by side; 0: one a core
-    bool                     is_threaded = false;   ///< a point takes all cores where the case says nothing; else one
-    std::string              launcher    = {};      ///< words before each command
-    std::string              what        = "study"; ///< of what, in words on the screen
+    std::vector<std::string> overrides;          ///< of all points
+    std::size_t              n_jobs   = 0;       ///< side by side; 0: one a core
+    std::string              launcher = {};      ///< words before each command
+    std::string              what     = "study"; ///< of what, in words on the screen
   };
 
   /// Reads every point's case, and looks into its folder, a folder of `directory`, for a run that can be taken. Runs

@@ -39,25 +39,24 @@ namespace birdstrike
     {
       return std::isnan(value) ? "-" : format_value(value, unit);
     }
-
-    /// Lines of cells of one width a column.
-    std::string align(const std::vector<std::vector<std::string>> &cells)
-    {
-      std::vector<std::size_t> widths(cells[0].size());
-      for (const auto &line : cells)
-        for (std::size_t c = 0; c < line.size(); ++c)
-          widths[c] = std::max(widths[c], line[c].size());
-      std::string text;
-      for (const auto &line : cells)
-        {
-          std::string shown;
-          for (std::size_t c = 0; c < line.size(); ++c)
-            shown += c + 1 < line.size() ? fmt::format("{:>{}}  ", line[c], widths[c]) : line[c];
-          text += shown.substr(0, shown.find_last_not_of(' ') + 1) + '\n';
-        }
-      return text;
-    }
   } // namespace
+
+  std::string align(const std::vector<std::vector<std::string>> &cells)
+  {
+    std::vector<std::size_t> widths(cells[0].size());
+    for (const auto &line : cells)
+      for (std::size_t c = 0; c < line.size(); ++c)
+        widths[c] = std::max(widths[c], line[c].size());
+    std::string text;
+    for (const auto &line : cells)
+      {
+        std::string shown;
+        for (std::size_t c = 0; c < line.size(); ++c)
+          shown += c + 1 < line.size() ? fmt::format("{:>{}}  ", line[c], widths[c]) : line[c];
+        text += shown.substr(0, shown.find_last_not_of(' ') + 1) + '\n';
+      }
+    return text;
+  }
 
   bool is_response(const ComparisonRow &row)
   {

@@ -40,4 +40,7 @@ namespace birdstrike
 
   /// Whether a row is an answer of the scene, and not its size, its cost or a measure of the computation's own errors.
   bool is_response(const ComparisonRow &row);
+
+  /// Lines of cells, each column as wide as its widest cell, the last one ragged.
+  std::string align(const std::vector<std::vector<std::string>> &cells);
 } // namespace birdstrike

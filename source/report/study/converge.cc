@@ -1,0 +1,58 @@
+#include "report/comparison/case_run.h"
+#include "report/comparison/losses.h"
+#include "report/study/convergence_table.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/log.h>
+#include <birdstrike/io/case_parameters.h>
+
+#include <spdlog/logger.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    const ReportKind kind{"ladder", {"converge", "levels", "refinement"}};
+  } // namespace
+
+  void converge(const ConvergeRequest &request)
+  {
+    if (!refinements().has(request.refinement))
+      throw InputError("--vary " + request.refinement +
+                       ": what is to be refined?\n  Allowed: " + refinements().selection() + ".");
+    const Refinement refinement = refinements().at(request.refinement);
+    const fs::path   output =
+      request.output.empty() ? fs::path("runs/converge") / fs::path(request.prm_file).stem() : fs::path(request.output);
+    ReportFolder::require_usable(output, kind);
+    CaseParameters parameters;
+    parameters.read(request.prm_file, request.overrides);
+    const std::vector<LadderLevel> levels = make_ladder(parameters, request);
+    const StudyPlan                plan   = make_ladder_plan(refinement, levels);
+
+    RunOptions options{request.prm_file, request.overrides, request.n_jobs, "", "ladder"};
+    auto       runs = plan_runs(make_ladder_points(levels), output, options);
+    log().info("{} levels, {} of them are there", runs.size(), std::ranges::count_if(runs, &PointRun::is_done));
+    const ReportFolder folder(output, kind);
+    run_points(runs, options);
+
+    const StudyTable       table(plan, runs);
+    const ConvergenceTable convergence(refinement, levels, table);
+    folder.write_text("levels.csv", table.as_csv());
+    folder.write_text("converge.csv", convergence.as_csv());
+    if (const Figure figure = convergence.make_figure(); figure.has_lines())
+      {
+        folder.write_text("figures.gp", script_of({figure}));
+        folder.write_text(figure.stem + ".csv", data_of(figure));
+        draw_figures(folder);
+      }
+    log().info("\n{}", convergence.as_text());
+    log().info("Ladder in {}", folder.path().string());
+    Losses losses;
+    for (const PointRun &run : runs)
+      losses.add(run.point.name, run.exit_code);
+    losses.raise("levels");
+  }
+} // namespace birdstrike

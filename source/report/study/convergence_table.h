@@ -1,0 +1,41 @@
+#pragma once
+
+#include "report/comparison/figure.h"
+#include "report/study/grid_convergence.h"
+#include "report/study/refinement.h"
+#include "report/study/study_table.h"
+
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// A quantity on a ladder.
+  struct ConvergingRow
+  {
+    const ComparisonRow *row;
+    std::vector<double>  values; ///< from the finest level on
+    GridConvergence      estimate;
+  };
+
+  /// What the levels of a ladder say about every response of the scene.
+  class ConvergenceTable
+  {
+  public:
+    /// `levels` from the coarsest on, as the points of the table.
+    ConvergenceTable(Refinement refinement, const std::vector<LadderLevel> &levels, const StudyTable &table);
+
+    const std::vector<ConvergingRow> &rows() const;
+
+    std::string as_text() const; ///< the headline: values, order, error bar, and what the ladder does
+    std::string as_csv() const;  ///< a row a quantity, all digits, SI units
+
+    /// Each quantity of the headline against h: values, the finest with its bar, Richardson's value at h = 0.
+    Figure make_figure() const;
+
+  private:
+    Refinement                 refinement;
+    std::vector<double>        sizes; ///< from the finest on
+    std::vector<ConvergingRow> all, headline;
+  };
+} // namespace birdstrike

@@ -1,0 +1,159 @@
+#include "report/study/refinement.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/case_parameters.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr std::size_t  fewest_levels = 3, most_levels = 8;
+    constexpr double       smallest_ratio = 1.05; ///< below, changes drown in what has no order; Celik et al.: 1.3
+    constexpr unsigned int rules_through_thickness[] = {7, 5, 3};
+
+    bool refines_mesh(const Refinement refinement)
+    {
+      return refinement == Refinement::mesh || refinement == Refinement::both;
+    }
+
+    bool refines_bird(const Refinement refinement)
+    {
+      return refinement == Refinement::particles || refinement == Refinement::both;
+    }
+
+    void require_what_is_refined(const CaseParameters &parameters, const Refinement refinement)
+    {
+      const BladeParameters &blade = parameters.blade;
+      if (refines_bird(refinement) && !parameters.bird.enabled)
+        throw InputError("There is no bird whose particles could be refined.\n  Action: --vary mesh, step or points.");
+      if (refines_mesh(refinement) && (blade.kind == BladeKind::none || blade.mesh.generator == MeshGenerator::file))
+        throw InputError(std::string("There is no built-in blade whose mesh could be refined: ") +
+                         (blade.kind == BladeKind::none ? "Blade/Kind is none" : "it comes from a file") +
+                         ".\n  Action: --vary particles, or a study over Blade/Mesh/File with a finer file each.");
+    }
+
+    std::string set_number(const std::string &entry, const double value)
+    {
+      return entry + "=" + fmt::format("{:.6g}", value);
+    }
+
+    LadderLevel make_points_level(const double number)
+    {
+      return {1. / number, {set_number("Blade/Element/Points through thickness", number)}};
+    }
+  } // namespace
+
+  const NamedChoices<Refinement> &refinements()
+  {
+    static const NamedChoices<Refinement> names{{"mesh", Refinement::mesh},
+                                                {"particles", Refinement::particles},
+                                                {"both", Refinement::both},
+                                                {"step", Refinement::step},
+                                                {"points", Refinement::points}};
+    return names;
+  }
+
+  std::string LadderLevel::name() const
+  {
+    std::string text;
+    for (const std::string &each : overrides)
+      text += (text.empty() ? "" : ", ") + each.substr(each.rfind('/', each.find('=')) + 1);
+    return text;
+  }
+
+  std::string size_name(const Refinement refinement)
+  {
+    static const std::map<Refinement, std::string> names{{Refinement::mesh, "size of an element"},
+                                                         {Refinement::particles, "particle spacing"},
+                                                         {Refinement::both, "particle spacing, mesh with it"},
+                                                         {Refinement::step, "time step over the case's"},
+                                                         {Refinement::points, "one over points through the thickness"}};
+    return names.at(refinement);
+  }
+
+  std::string size_unit(const Refinement refinement)
+  {
+    return refines_mesh(refinement) || refines_bird(refinement) ? "m" : "-";
+  }
+
+  LadderLevel make_level(const CaseParameters &parameters, const Refinement refinement, const double factor)
+  {
+    require_what_is_refined(parameters, refinement);
+    LadderLevel level{factor, {}};
+    if (refines_mesh(refinement))
+      {
+        const MeshParameters &mesh   = parameters.blade.mesh;
+        const double          n_span = std::max(1., std::round(mesh.n_span / factor)),
+                     n_chord         = std::max(1., std::round(mesh.n_chord / factor));
+        level.overrides              = {set_number("Blade/Mesh/Elements along span", n_span),
+                                        set_number("Blade/Mesh/Elements along chord", n_chord)};
+        level.size                   = std::sqrt(mesh.length * mesh.chord / (n_span * n_chord));
+      }
+    if (refines_bird(refinement))
+      {
+        level.size = std::stod(fmt::format("{:.6g}", parameters.bird.spacing * factor)); // as it is set
+        level.overrides.push_back(set_number("Bird/Particle spacing", level.size));
+      }
+    if (refinement == Refinement::step)
+      level.overrides = {set_number("Time/Step scale", parameters.time.step_scale * factor),
+                         set_number("Time/Bird step scale", parameters.time.bird_step_scale * factor)};
+    return level;
+  }
+
+  std::vector<LadderLevel> make_ladder(const CaseParameters &parameters, const ConvergeRequest &request)
+  {
+    const Refinement  refinement = refinements().at(request.refinement);
+    const std::size_t n          = request.n_levels;
+    if (n < fewest_levels || n > most_levels)
+      throw InputError(
+        fmt::format("{} levels.\n  Allowed: {} to {}; an order is that of three.", n, fewest_levels, most_levels));
+    if (!(request.ratio > smallest_ratio) || !(request.ratio <= 10.))
+      throw InputError(
+        fmt::format("A ratio of {:g} from level to level.\n  Allowed: above {:g}, at most 10; at least 1.3 "
+                    "is wise.",
+                    request.ratio, smallest_ratio));
+    std::vector<LadderLevel> levels;
+    if (refinement == Refinement::points)
+      {
+        if (n != std::size(rules_through_thickness))
+          throw InputError(fmt::format("{} levels of points through the thickness.\n  Allowed: 3, which are 3, 5 and 7 "
+                                       "points.",
+                                       n));
+        for (const unsigned int number : rules_through_thickness)
+          levels.insert(levels.begin(), make_points_level(number));
+        return levels;
+      }
+    const double coarsest = refinement == Refinement::step ? 0. : static_cast<double>(n - 1);
+    for (std::size_t k = 0; k < n; ++k)
+      levels.push_back(make_level(parameters, refinement,
+                                  std::pow(request.ratio, coarsest - static_cast<double>(k + request.n_finer))));
+    for (std::size_t k = 1; k < n; ++k)
+      if (!(levels[k].size < levels[k - 1].size))
+        throw InputError("Two levels are the same: " + levels[k].name() +
+                         ".\n  Action: a larger --ratio, or a finer mesh in the case.");
+    return levels;
+  }
+
+  StudyPlan make_ladder_plan(const Refinement refinement, const std::vector<LadderLevel> &levels)
+  {
+    VariedEntry size{size_name(refinement), size_unit(refinement), {}, {}};
+    for (const LadderLevel &level : levels)
+      {
+        size.numbers.push_back(level.size);
+        size.values.push_back(fmt::format("{}", level.size));
+      }
+    return {{size}, false};
+  }
+
+  std::vector<StudyPoint> make_ladder_points(const std::vector<LadderLevel> &levels)
+  {
+    std::vector<StudyPoint> points;
+    for (const LadderLevel &level : levels)
+      points.push_back({level.name(), make_folder_name(level.name()), {points.size()}, level.overrides});
+    return points;
+  }
+} // namespace birdstrike

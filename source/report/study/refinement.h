@@ -1,0 +1,42 @@
+#pragma once
+
+#include "report/study/study_points.h"
+#include <birdstrike/core/named_choices.h>
+#include <birdstrike/report/converge.h>
+
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  struct CaseParameters;
+
+  const NamedChoices<Refinement> &refinements(); ///< how they are spelt
+
+  /// A case, finer or coarser.
+  struct LadderLevel
+  {
+    double                   size; ///< h: m, or relative to the case
+    std::vector<std::string> overrides;
+
+    std::string name() const; ///< "Elements along span=31, Elements along chord=9"
+  };
+
+  /// What h is, with its unit.
+  std::string size_name(Refinement refinement);
+  std::string size_unit(Refinement refinement);
+
+  /// The case with sizes larger by `factor` (smaller: below one). Numbers of elements are rounded, and h is that of the
+  /// rounded numbers: the root of the mean area. Not of points
+  /// through the thickness, of which there are three rules. Throws InputError for a case that has not what is to be
+  /// refined.
+  LadderLevel make_level(const CaseParameters &parameters, Refinement refinement, double factor);
+
+  /// All levels, the coarsest first. Throws InputError for fewer than three levels or more than eight, a ratio of at
+  /// most 1.05, two levels of the same size, time steps longer than the case's.
+  std::vector<LadderLevel> make_ladder(const CaseParameters &parameters, const ConvergeRequest &request);
+
+  /// The ladder as a study of one entry, the size.
+  StudyPlan               make_ladder_plan(Refinement refinement, const std::vector<LadderLevel> &levels);
+  std::vector<StudyPoint> make_ladder_points(const std::vector<LadderLevel> &levels);
+} // namespace birdstrike

@@ -1,0 +1,120 @@
+#include "report/study/grid_convergence.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace birdstrike;
+
+namespace
+{
+  /// A column of table 1 of Celik et al. (2008): numbers of cells in two dimensions, values, and what they print.
+  struct Published
+  {
+    double n1, n2, n3, f1, f2, f3;
+    double order, extrapolated, change, extrapolated_error, gci; ///< the last three in percent
+  };
+
+  // Reattachment length (monotone); axial velocity (order below one); axial velocity elsewhere (oscillating).
+  const Published published[] = {{18000, 8000, 4500, 6.063, 5.972, 5.863, 1.53, 6.1685, 1.5, 1.7, 2.2},
+                                 {18000, 4500, 980, 10.7880, 10.7250, 10.6050, 0.75, 10.8801, 0.6, 0.9, 1.1},
+                                 {18000, 4500, 980, 6.0042, 5.9624, 6.0909, 1.51, 6.0269, 0.7, 0.4, 0.5}};
+
+  std::vector<double> sizes_of(const Published &p)
+  {
+    return {1. / std::sqrt(p.n1), 1. / std::sqrt(p.n2), 1. / std::sqrt(p.n3)};
+  }
+
+  /// f = 3 + c h^p on grids that need not grow by one ratio.
+  GridConvergence of_power(const double p, const double c, const std::vector<double> &h)
+  {
+    std::vector<double> f;
+    for (const double size : h)
+      f.push_back(3. + c * std::pow(size, p));
+    return estimate_convergence(h, f);
+  }
+} // namespace
+
+TEST(GridConvergence, IsThatOfThePublishedTable)
+{
+  for (const Published &p : published)
+    {
+      const auto   h   = sizes_of(p);
+      const double r21 = h[1] / h[0], r32 = h[2] / h[1];
+      const double order = compute_observed_order(p.f1, p.f2, p.f3, r21, r32);
+      EXPECT_NEAR(order, p.order, 0.01) << "printed with two decimals, of ratios printed with three";
+      const double value = extrapolate(p.f1, p.f2, r21, order);
+      EXPECT_NEAR(value, p.extrapolated, 5e-4) << "half a unit of f in its last digit, amplified by 1/(r^p - 1)";
+      EXPECT_NEAR(100. * std::abs((p.f1 - p.f2) / p.f1), p.change, 0.05) << "printed with one decimal";
+      EXPECT_NEAR(100. * std::abs((value - p.f1) / value), p.extrapolated_error, 0.06);
+      EXPECT_NEAR(100. * 1.25 * std::abs(value - p.f1) / p.f1, p.gci, 0.06);
+    }
+}
+
+TEST(GridConvergence, EstimatesAsPublishedWhereItIsAsymptotic)
+{
+  const Published      &p    = published[0];
+  const GridConvergence made = estimate_convergence(sizes_of(p), std::vector{p.f1, p.f2, p.f3});
+  EXPECT_EQ(made.trend, Trend::asymptotic);
+  EXPECT_NEAR(made.order, 1.53, 0.01);
+  EXPECT_NEAR(100. * made.gci, 2.2, 0.06);
+  EXPECT_NEAR(made.bar, made.gci * p.f1, 1e-12);
+  EXPECT_NEAR(made.ratio, 1., 0.05) << "f1/f2 where the order is the observed one";
+  const Published &oscillating = published[2];
+  EXPECT_EQ(
+    estimate_convergence(sizes_of(oscillating), std::vector{oscillating.f1, oscillating.f2, oscillating.f3}).trend,
+    Trend::oscillating);
+}
+
+TEST(GridConvergence, FindsTheOrderAndTheLimitOfAPower)
+{
+  for (const double p : {0.6, 1., 1.5, 2.})
+    for (const auto &h : {std::vector{1., 2., 4.}, std::vector{1., 1.3, 2.1}, std::vector{0.7, 1., 1.2, 1.9}})
+      {
+        const GridConvergence made = of_power(p, -0.05, h);
+        EXPECT_EQ(made.trend, Trend::asymptotic) << p;
+        EXPECT_NEAR(made.order, p, 1e-8) << "round-off over changes of a hundredth";
+        EXPECT_NEAR(made.extrapolated, 3., 1e-9);
+        EXPECT_NEAR(made.bar, 1.25 * 0.05 * std::pow(h[0], p), 1e-9);
+      }
+}
+
+TEST(GridConvergence, TrustsNoOrderThatTheMethodHasNot)
+{
+  const GridConvergence fast = of_power(4., 0.01, {1., 2., 4.});
+  EXPECT_EQ(fast.trend, Trend::not_asymptotic);
+  EXPECT_NEAR(fast.bar, 3. * 0.15 / 3., 1e-9) << "3 |f2 - f1|/(2^2 - 1)";
+  const GridConvergence slow = of_power(0.2, 0.01, {1., 2., 4.});
+  EXPECT_EQ(slow.trend, Trend::not_asymptotic);
+  EXPECT_GT(slow.bar, 0.01) << "what is left to go";
+}
+
+TEST(GridConvergence, SaysWhereThereIsNone)
+{
+  const std::vector<double> h{1., 2., 4.};
+  const auto                trend = [&](const double f1, const double f2, const double f3) {
+    return estimate_convergence(h, std::vector{f1, f2, f3});
+  };
+  EXPECT_EQ(trend(3., 2., 1.5).trend, Trend::diverging);
+  EXPECT_TRUE(std::isnan(trend(3., 2., 1.5).bar));
+  EXPECT_EQ(trend(1., 2., 1.9).trend, Trend::diverging) << "swings that grow";
+  const GridConvergence swings = trend(1., 1.01, 0.98);
+  EXPECT_EQ(swings.trend, Trend::oscillating);
+  EXPECT_NEAR(swings.bar, 0.06, 1e-12) << "three times the largest change";
+  EXPECT_FALSE(swings.is_trusted());
+  EXPECT_EQ(trend(1., 1., 1.).trend, Trend::settled);
+  EXPECT_EQ(trend(1., 1., 1.).gci, 0.);
+  EXPECT_EQ(trend(0., 0., 0.).gci, 0.);
+  EXPECT_EQ(trend(1., 1., 1.2).trend, Trend::not_asymptotic) << "one grid stood still: no power";
+  EXPECT_EQ(trend(1., NAN, 1.).trend, Trend::unknown);
+  EXPECT_THROW(estimate_convergence(std::vector{1., 2.}, std::vector{1., 2.}), std::logic_error);
+  EXPECT_THROW(estimate_convergence(std::vector{2., 1., 3.}, std::vector{1., 2., 3.}), std::logic_error);
+}
+
+TEST(GridConvergence, AFourthGridMayObject)
+{
+  // Orders: 1 of the three finest grids, 3 of the three coarsest.
+  const std::vector<double> h{1., 2., 4., 8.}, f{3.01, 3.02, 3.04, 3.2};
+  EXPECT_EQ(estimate_convergence(std::span(h).first(3), std::span(f).first(3)).trend, Trend::asymptotic);
+  EXPECT_EQ(estimate_convergence(h, f).trend, Trend::not_asymptotic);
+}

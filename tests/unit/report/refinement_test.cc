@@ -1,0 +1,109 @@
+#include "report/study/convergence_table.h"
+#include "report/study/refinement.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/case_parameters.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../io/scratch_folder.h"
+#include "recorded_run.h"
+
+using namespace birdstrike;
+
+namespace
+{
+  using Texts = std::vector<std::string>;
+
+  class Refining : public ::testing::Test
+  {
+  protected:
+    ScratchFolder     scratch;
+    const std::string prm = scratch.write("plate.prm", "subsection Bird\n  set Particle spacing = 0.002\nend\n");
+
+    std::vector<LadderLevel> ladder(const std::string &refinement, const std::size_t n = 3, const double ratio = 2.,
+                                    const std::size_t n_finer = 0, const Texts &overrides = {}) const
+    {
+      CaseParameters parameters; // 28 x 8 elements
+      parameters.read(prm, overrides);
+      ConvergeRequest request;
+      request.refinement = refinement;
+      request.n_levels   = n;
+      request.ratio      = ratio;
+      request.n_finer    = n_finer;
+      return make_ladder(parameters, request);
+    }
+  };
+} // namespace
+
+TEST_F(Refining, TheCaseIsTheFinestLevelUnlessSomeAreFiner)
+{
+  const auto levels = ladder("particles");
+  EXPECT_EQ(levels[0].overrides, Texts{"Bird/Particle spacing=0.008"});
+  EXPECT_EQ(levels[2].overrides, Texts{"Bird/Particle spacing=0.002"});
+  EXPECT_EQ(levels[2].size, 0.002);
+  EXPECT_EQ(ladder("particles", 3, 2., 1)[2].size, 0.001);
+}
+
+TEST_F(Refining, SizesOfMeshesAreThoseOfWholeElements)
+{
+  const auto levels = ladder("mesh", 3, 1.5);
+  EXPECT_EQ(levels[2].overrides, (Texts{"Blade/Mesh/Elements along span=28", "Blade/Mesh/Elements along chord=8"}));
+  EXPECT_EQ(levels[0].overrides, (Texts{"Blade/Mesh/Elements along span=12", "Blade/Mesh/Elements along chord=4"}));
+  EXPECT_DOUBLE_EQ(levels[0].size / levels[2].size, std::sqrt(28. * 8. / (12. * 4.)));
+  EXPECT_EQ(levels[0].name(), "Elements along span=12, Elements along chord=4");
+  EXPECT_EQ(ladder("both", 3, 2.)[1].overrides.size(), 3u);
+}
+
+TEST_F(Refining, TimeStepsOnlyShrinkAndPointsAreTheThreeRules)
+{
+  const auto steps = ladder("step");
+  EXPECT_EQ(steps[0].overrides, (Texts{"Time/Step scale=0.9", "Time/Bird step scale=1"}));
+  EXPECT_EQ(steps[2].overrides, (Texts{"Time/Step scale=0.225", "Time/Bird step scale=0.25"}));
+  const auto points = ladder("points");
+  EXPECT_EQ(points[0].overrides, Texts{"Blade/Element/Points through thickness=3"});
+  EXPECT_EQ(points[2].overrides, Texts{"Blade/Element/Points through thickness=7"});
+  EXPECT_LT(points[2].size, points[0].size);
+}
+
+TEST_F(Refining, RefusesWhatIsNoLadder)
+{
+  EXPECT_THROW(ladder("mesh", 2), InputError);
+  EXPECT_THROW(ladder("mesh", 9), InputError);
+  EXPECT_THROW(ladder("mesh", 3, 1.), InputError);
+  EXPECT_THROW(ladder("mesh", 3, NAN), InputError);
+  EXPECT_THROW(ladder("mesh", 8, 2.), InputError) << "two of them are one element";
+  EXPECT_THROW(ladder("points", 4), InputError);
+  EXPECT_THROW(ladder("particles", 3, 2., 0, {"Bird/Enabled=false"}), InputError);
+  EXPECT_THROW(ladder("mesh", 3, 2., 0, {"Blade/Kind=none"}), InputError);
+}
+
+TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
+{
+  const auto            levels = ladder("particles");
+  const StudyPlan       plan   = make_ladder_plan(Refinement::particles, levels);
+  std::vector<PointRun> runs;
+  for (const StudyPoint &point : make_ladder_points(levels))
+    {
+      RecordedRun run;
+      run.peak = 0.2 + 1000. * std::pow(levels[runs.size()].size, 2.);
+      runs.push_back({point, scratch.path() / point.folder, "done", true, false, 0});
+      run.write(runs.back().folder, prm);
+    }
+  const StudyTable       table(plan, runs);
+  const ConvergenceTable made(Refinement::particles, levels, table);
+  const auto             is_peak = [](const ConvergingRow &row) { return row.row->quantity == "peak (mid-chord)"; };
+  const auto             peak    = std::ranges::find_if(made.rows(), is_peak);
+  ASSERT_NE(peak, made.rows().end());
+  EXPECT_NEAR(peak->estimate.order, 2., 1e-6) << "round-off over changes of a hundredth";
+  EXPECT_NEAR(peak->estimate.extrapolated, 0.2, 1e-9);
+  EXPECT_NEAR(peak->estimate.bar, 1.25 * 0.004, 1e-9);
+  EXPECT_NE(made.as_text().find("converges"), std::string::npos);
+  EXPECT_NE(made.as_csv().find("Tip: peak (mid-chord),m,0.264,0.216,0.204"), std::string::npos) << made.as_csv();
+  const Figure       figure = made.make_figure();
+  const FigurePanel &panel  = figure.panels[0];
+  ASSERT_EQ(panel.lines.size(), 3u);
+  EXPECT_NEAR(panel.lines[1].bar[0], 0.005, 1e-9);
+  EXPECT_NEAR(panel.lines[2].y[0], 0.2, 1e-9) << "at h = 0";
+}
