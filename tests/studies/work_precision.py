@@ -1,0 +1,226 @@
+#!/usr/bin/env python3
+"""Error against processor time of every choice of method: is the default on the front?
+
+    python3 tests/studies/work_precision.py build/bin/birdstrike --output build/work_precision
+    python3 tests/studies/work_precision.py build/bin/birdstrike --output build/work_precision --only packing kernel
+
+Two strikes: frontal.prm to the tip's first peak and oblique.prm (leading edge) until the bird has gone by, 0.9 ms. A group of choices
+changes one thing of the shipped cases and climbs a ladder: of particle spacings, of meshes, or both. One thread; seconds are the
+processor's. Errors are differences from a reference that is finer than any point of the group: the shipped choice at 1.25 mm on the
+shipped mesh where the bird is refined, 1.5 mm on 124 x 36 elements where the mesh is. "Worst" is the largest error over what is aimed at
+(AIMS): at 1 every figure is as good as asked.
+
+Writes runs.csv (a line a run, in SI units; what stands there is not run again: delete it after a change of the program),
+work_precision.md (tables) and, with gnuplot, a chart a group (GROUP.svg).
+"""
+
+import argparse
+import csv
+import json
+import math
+import os
+import resource
+import shutil
+import subprocess
+import sys
+
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+STRIKES = {"frontal": ("prm/frontal.prm", "Time/End time=0.016", "Time/Stop at tip peak=true"),
+           "leading edge": ("prm/oblique.prm", "Time/End time=0.9e-3")}
+
+# Largest error that a decision bears, in percent.
+AIMS = {("frontal", "tip peak"): 0.5, ("frontal", "impulse"): 2, ("frontal", "root moment"): 2, ("frontal", "plastic work"): 3,
+        ("leading edge", "impulse"): 2, ("leading edge", "plastic work"): 5}
+
+SPACINGS = ("5", "4", "3", "2.5", "2")  # mm
+MESHES = ("16x5", "31x9", "62x18")
+BIRD_REFERENCE, MESH_REFERENCE = ("1.25", "62x18"), ("1.5", "124x36")
+
+
+def blade(kind, layers=1):
+    solid = ("Blade/Kind=solid", f"Blade/Mesh/Layers={layers}") if layers else ()
+    return solid + (f"Blade/Element/Formulation={kind}",)
+
+
+def entry(name, *values):
+    return {value: (f"{name}={value}",) for value in values}
+
+
+# Group: what it is about, what it refines, its choices; the first choice is the shipped one.
+GROUPS = {
+    "formulation": ("particle formulation", "spacing", {
+        "riemann": (), "standard": ("Bird/Formulation=standard",),
+        "standard, summation": ("Bird/Formulation=standard", "Bird/Density by=summation")}),
+    "reconstruction": ("reconstruction at the mid-point of a pair, gradient correction", "spacing", {
+        "none": (), "linear": ("Bird/Reconstruction=linear",), "none, uncorrected": ("Bird/Gradient correction=false",),
+        "corrected at every step": ("Bird/Correction interval=1",)}),
+    "precision": ("precision of pairs", "spacing", {"float": (), "double": ("Bird/Pair precision=double",)}),
+    "kernel": ("kernel of the standard formulation", "spacing", {
+        "riemann, wendland": (), **{f"standard, {kernel}": ("Bird/Formulation=standard", f"Bird/Kernel={kernel}")
+                                    for kernel in ("cubic spline", "wendland")}}),
+    "smoothing": ("smoothing length over spacing", "spacing",
+                  {"1.3": (), **entry("Bird/Smoothing length ratio", "1.1", "1.2", "1.5", "1.7")}),
+    "packing": ("packing", "spacing", {"cubic": (), "fcc": ("Bird/Packing=fcc",)}),
+    "courant": ("Courant number of the bird", "spacing", {"0.35": (), **entry("Bird/Courant number", "0.2", "0.28", "0.45", "0.55")}),
+    "multirate": ("largest ratio of the two steps", "spacing", {
+        "50": (), "1": ("Time/Multirate=false",), **entry("Time/Maximum ratio", "2", "5", "10")}),
+    "contact": ("contact: scale of spring and damper", "spacing", {
+        "1, 1": (), **{f"{k}, {c}": (f"Contact/Stiffness scale={k}", f"Contact/Damping scale={c}")
+                       for k, c in (("0.3", "1"), ("3", "1"), ("1", "0.3"), ("1", "3"))}}),
+    "points": ("points through the thickness", "mesh", {
+        "5 Gauss": (), "3 Gauss": ("Blade/Element/Points through thickness=3",), "7 Gauss": ("Blade/Element/Points through thickness=7",),
+        "5 Lobatto": ("Blade/Element/Points rule=Lobatto",)}),
+    "elements": ("elements", "mesh", {
+        "physical shell": (), "Belytschko-Tsay shell": blade("Belytschko-Tsay", 0), "fully integrated shell": blade("fully integrated", 0),
+        "1 solid-shell": blade("solid-shell"), "2 one-point bricks": blade("one point", 2), "4 one-point bricks": blade("one point", 4),
+        "2 B-bar bricks": blade("B-bar", 2)}),
+    "bird-and-mesh": ("particles and mesh together", "both", {"shipped method": ()}),
+}
+
+
+class Runs:
+    """The table of runs, kept in a file: SPACING and MESH are levels, SETTINGS what differs from the shipped case."""
+
+    FIELDS = ("strike", "spacing", "mesh", "settings", "state", "cpu", "tip peak", "impulse", "root moment", "plastic work")
+
+    def __init__(self, program, folder):
+        self.program, self.folder, self.path = program, folder, os.path.join(folder, "runs.csv")
+        self.rows = []
+        if os.path.exists(self.path):
+            with open(self.path, newline="") as file:
+                self.rows = list(csv.DictReader(file))
+
+    def find(self, strike, level, settings):
+        key = (strike, *level, "; ".join(settings))
+        for row in self.rows:
+            if (row["strike"], row["spacing"], row["mesh"], row["settings"]) == key:
+                return row
+        row = dict(zip(self.FIELDS, key), **self.run(strike, level, settings))
+        self.rows.append(row)
+        with open(self.path, "w", newline="") as file:
+            writer = csv.DictWriter(file, self.FIELDS)
+            writer.writeheader()
+            writer.writerows(self.rows)
+        return row
+
+    def run(self, strike, level, settings):
+        spacing, mesh = level
+        span, chord = mesh.split("x")
+        file, *entries = STRIKES[strike]
+        entries += [f"Bird/Particle spacing={spacing} mm", f"Blade/Mesh/Elements along span={span}",
+                    f"Blade/Mesh/Elements along chord={chord}", "Time/Threads=1", "Output/Blade fields=false", "Output/Bird fields=false",
+                    "Output/HDF5=false", "Output/Checkpoint/At the end=false", *settings]
+        folder = os.path.join(self.folder, "run")
+        command = [self.program, "run", "--force", os.path.join(TOP, file), "--output", folder]
+        for setting in entries:
+            command += ["--set", setting]
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        cpu = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        if done.returncode != 0:
+            print(f"{strike}, {spacing} mm, {mesh}, {'; '.join(settings)}: exit code {done.returncode}\n{done.stdout[-600:]}", file=sys.stderr)
+            return {"state": f"exit code {done.returncode}", "cpu": f"{cpu:.2f}"}
+        with open(os.path.join(folder, "summary.json")) as file:
+            summary = json.load(file)
+        impulse = math.hypot(*summary["contact"]["impulse"])
+        return {"state": "done", "cpu": f"{cpu:.2f}", "tip peak": summary["tip"]["peak"], "impulse": impulse,
+                "root moment": summary["root"]["peak_moment"], "plastic work": summary["plastic"]["work"]}
+
+
+def levels(refines):
+    return {"spacing": [(spacing, "62x18") for spacing in SPACINGS], "mesh": [("2.5", mesh) for mesh in MESHES],
+            "both": [(spacing, mesh) for mesh in MESHES for spacing in SPACINGS]}[refines]
+
+
+def reference_level(refines):
+    return {"spacing": BIRD_REFERENCE, "mesh": ("2.5", "124x36"), "both": MESH_REFERENCE}[refines]
+
+
+def errors(row, reference):
+    """In percent of the reference, by quantity; NaN where a run was lost."""
+    return {quantity: 100 * (float(row[quantity]) / float(reference[quantity]) - 1) if row["state"] == "done" else math.nan
+            for strike, quantity in AIMS if strike == row["strike"]}
+
+
+def collect(runs, name):
+    """A line a point: choice, level, processor time and errors by (strike, quantity), worst error over its aim."""
+    _, refines, choices = GROUPS[name]
+    points = []
+    references = {strike: runs.find(strike, reference_level(refines), ()) for strike in STRIKES}
+    for choice, settings in choices.items():
+        for level in levels(refines):
+            point = {"choice": choice, "spacing": level[0], "mesh": level[1], "cpu": {}}
+            for strike in STRIKES:
+                row = runs.find(strike, level, settings)
+                point["cpu"][strike] = float(row["cpu"])
+                for quantity, error in errors(row, references[strike]).items():
+                    point[strike, quantity] = error
+            for strike in STRIKES:
+                point[strike, "worst"] = max((abs(point[aim]) / AIMS[aim] for aim in AIMS if aim[0] == strike), key=lambda e: (math.isnan(e), e))
+            points.append(point)
+    return points
+
+
+def as_markdown(name, points):
+    about, refines, _ = GROUPS[name]
+    head = ["choice", "spacing, mm", "mesh"]
+    for strike in STRIKES:
+        head += [f"{strike}: time, s", *(f"{quantity}, %" for of, quantity in AIMS if of == strike), "worst over aim"]
+    lines = [f"## {about.capitalize()}", "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    for point in points:
+        cells = [point["choice"], point["spacing"], point["mesh"]]
+        for strike in STRIKES:
+            cells += [f"{point['cpu'][strike]:.2f}", *(f"{point[aim]:+.2f}" for aim in AIMS if aim[0] == strike), f"{point[strike, 'worst']:.2f}"]
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")  # Okabe and Ito (2008)
+SMALLEST = 0.01  # percent: less is drawn there
+
+
+def draw(folder, name, points):
+    about, refines, choices = GROUPS[name]
+    lines = [(choice, [p for p in points if p["choice"] == choice]) for choice in choices]
+    if refines == "both":  # a line a mesh
+        lines = [(mesh + " elements", [p for p in points if p["mesh"] == mesh]) for mesh in MESHES]
+    script = [f"reset\nset terminal svg size 1200,720 font 'DejaVu Sans,13' background rgb 'white'\nset output '{name}.svg'\n"
+              "set logscale xy\nset grid lc rgb '#d0d0d0'\nset format y '%g'\nset xlabel 'processor time, one core [s]'\nset ylabel '|error| [%]'\n"
+              "set title noenhanced\n"
+              f"set key noenhanced\nset multiplot layout 2,3 title 'Error against run time: {about}'\n"]
+    for number, aim in enumerate(AIMS):
+        script.append(f"set title '{aim[0]}: {aim[1]}'\n" + ("unset key\n" if number else "set key top right\n"))
+        plots = [f"{AIMS[aim]} with lines dashtype 3 linecolor '#404040' title 'aim'"]
+        for k, (title, of) in enumerate(lines):
+            script.append(f"$d{number}_{k} << EOD\n" + "".join(
+                f"{p['cpu'][aim[0]]} {max(abs(p[aim]), SMALLEST)}\n" for p in of if not math.isnan(p[aim])) + "EOD\n")
+            if any(not math.isnan(p[aim]) for p in of):
+                plots.append(f"$d{number}_{k} using 1:2 with linespoints linewidth 1.5 linecolor '{COLORS[k]}' pointtype {k + 4} title '{title}'")
+        script.append("plot " + ", ".join(plots) + "\n")
+    with open(os.path.join(folder, name + ".gp"), "w") as file:
+        file.write("".join(script) + "unset multiplot\n")
+    if shutil.which("gnuplot"):
+        subprocess.run(["gnuplot", "--default-settings", name + ".gp"], cwd=folder, check=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--output", required=True, help="folder of tables and charts")
+    parser.add_argument("--only", nargs="+", default=list(GROUPS), choices=list(GROUPS), metavar="GROUP", help=", ".join(GROUPS))
+    arguments = parser.parse_args()
+    os.makedirs(arguments.output, exist_ok=True)
+    runs = Runs(arguments.program, arguments.output)
+    with open(os.path.join(arguments.output, "work_precision.md"), "w") as tables:
+        for name in arguments.only:
+            points = collect(runs, name)
+            tables.write(as_markdown(name, points) + "\n")
+            tables.flush()
+            draw(arguments.output, name, points)
+            print(as_markdown(name, points), flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
