@@ -83,9 +83,9 @@ namespace birdstrike
               ".\nAllowed for it: automatic|" +
               (is_solid ? "one point|solid-shell|B-bar" : "physical|Belytschko-Tsay|fully integrated") +
               ". Set one of them, or change Blade/Kind.");
-    require(element.n_points == 3 || element.n_points == 5 || element.n_points == 7,
-            where + (where.empty() ? "Element/" : "") +
-              "Points through thickness: " + std::to_string(element.n_points) + " was read.\nAllowed: 3, 5, 7.");
+    require(element.n_points % 2 == 1, where + (where.empty() ? "Element/" : "") +
+                                         "Points through thickness: " + std::to_string(element.n_points) +
+                                         " was read.\nAllowed: odd numbers from 3 to 15.");
     const bool can_fail = material.metal("Blade/" + where + "Material/").failure.can_fail();
     require(!is_solid || !can_fail || solid_formulation() != SolidFormulation::solid_shell,
             where +

@@ -43,7 +43,7 @@ namespace birdstrike
       declare_choice(prm, "Points rule", p.rule, thickness_rules(),
                      "Integration through the thickness; Lobatto has points on both faces, Gauss is exacter. [-]");
       prm.add_parameter("Points through thickness", p.n_points,
-                        "Number of points through the thickness: 3, 5 or 7. [-]", Integer(3, 7));
+                        "Number of points through the thickness: odd, from 3 to 15. [-]", Integer(3, 15));
       prm.add_parameter("Hourglass coefficient", p.hourglass,
                         "Perturbation hourglass stiffness (Belytschko-Tsay only), membrane, transverse and rotation "
                         "alike. [-]",
@@ -73,7 +73,7 @@ namespace birdstrike
       declare_choice(prm, "Formulation", p.formulation, element_formulations(),
                      "See Element/Formulation; automatic: the blade's. [-]");
       prm.add_parameter("Points through thickness", p.n_points,
-                        "See Element/Points through thickness; 0: the blade's. [-]", Integer(0, 7));
+                        "See Element/Points through thickness; 0: the blade's. [-]", Integer(0, 15));
       prm.add_parameter(
         "Thickness", p.thickness,
         "Thickness of shells, a number or a formula in x, y, z, before Thickness/By material; empty: the "

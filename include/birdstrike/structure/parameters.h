@@ -32,7 +32,7 @@ namespace birdstrike
     {
       ElementFormulation formulation; ///< automatic, see below; or one of the blade's kind
       ThicknessRule      rule             = ThicknessRule::gauss;
-      unsigned int       n_points         = 5;
+      unsigned int       n_points         = 7;
       double             hourglass        = 0.05; ///< perturbation control only
       double             shear_factor     = 5. / 6.;
       bool               has_thinning     = true;

@@ -12,19 +12,22 @@ namespace birdstrike
       double elastic, yielding; // ns
     };
 
+    /// The table's prices are those of five points through the thickness; what yields grows with their number.
+    Price with_points(const double elastic, const double with_five, const unsigned int n_points)
+    {
+      return {elastic, elastic + (with_five - elastic) / 5. * n_points};
+    }
+
     Price price_of(const ShellSection &section)
     {
-      const auto with = [&](const double elastic, const double with_five) {
-        return Price{elastic, elastic + (with_five - elastic) / 5. * section.n_points};
-      };
       switch (section.formulation)
         {
         case ShellFormulation::belytschko_tsay:
-          return with(prices::belytschko_tsay_shell, prices::belytschko_tsay_shell_yielding);
+          return with_points(prices::belytschko_tsay_shell, prices::belytschko_tsay_shell_yielding, section.n_points);
         case ShellFormulation::fully_integrated:
-          return with(prices::fully_integrated_shell, prices::fully_integrated_shell_yielding);
+          return with_points(prices::fully_integrated_shell, prices::fully_integrated_shell_yielding, section.n_points);
         default:
-          return with(prices::physical_shell, prices::physical_shell_yielding);
+          return with_points(prices::physical_shell, prices::physical_shell_yielding, section.n_points);
         }
     }
 
@@ -35,7 +38,7 @@ namespace birdstrike
         case SolidFormulation::b_bar:
           return {prices::b_bar_brick, prices::b_bar_brick_yielding};
         case SolidFormulation::solid_shell:
-          return {prices::solid_shell, prices::solid_shell_yielding};
+          return with_points(prices::solid_shell, prices::solid_shell_yielding, section.n_points);
         default:
           return {prices::one_point_brick, prices::one_point_brick_yielding};
         }

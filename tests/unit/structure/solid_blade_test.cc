@@ -332,7 +332,7 @@ namespace birdstrike
     {
       BladeParameters p = solid_plate(4, 2, 2);
       EXPECT_TRUE(p.unused_entries().empty());
-      p.element.n_points         = 7;
+      p.element.n_points         = 9;
       p.element.linear_viscosity = 0.1;
       EXPECT_EQ(p.unused_entries(), std::vector<std::string>{"Element/Points through thickness"});
       p.mesh.n_layers = 1;

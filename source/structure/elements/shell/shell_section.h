@@ -10,7 +10,7 @@ namespace birdstrike
   {
     ShellFormulation formulation = ShellFormulation::one_point_physical;
     ThicknessRule    rule        = ThicknessRule::gauss;
-    unsigned int     n_points    = 5; ///< through the thickness: 3, 5 or 7
+    unsigned int     n_points    = 5; ///< through the thickness: odd, 3 to 15
     Metal            material;
     double           hourglass_coefficient = 0.05;    ///< Belytschko-Tsay: membrane, w and theta alike
     double           shear_factor          = 5. / 6.; ///< Reissner's kappa

@@ -45,7 +45,7 @@ namespace birdstrike
       {
         const Frame<Number>      frame(x, axes);
         const Squares<Number>    squares(s);
-        Number                   of_mean[5], stress[7][5];
+        Number                   of_mean[5], stress[max_thickness_points][5];
         SolidShellReturn<Number> section(law.elasticity, law.hardening, rule);
         frame.turn_in(mean.stress, of_mean);
         Mask yields(false);
@@ -80,7 +80,7 @@ namespace birdstrike
     private:
       /// Stresses, strains and work of the points after the return.
       LayerWork<Number> flow(const SolidShellReturn<Number> &section, const double dt, const Mask &yields,
-                             Number (&stress)[7][5], one_point_solid::Stabilisation<Number> &s,
+                             Number (&stress)[max_thickness_points][5], one_point_solid::Stabilisation<Number> &s,
                              LayerPoint<Number> *points) const
       {
         Number plastic = 0., mean_factor = 0., moment_factor = 0.;
@@ -114,8 +114,8 @@ namespace birdstrike
 
       /// Mean, moment and residual stress of the points.
       void store(const Frame<Number> &frame, const Number &shift, const Mask &yields, Number (&old_mean)[5],
-                 const Number (&stress)[7][5], SolidPoint<Number> &mean, one_point_solid::Stabilisation<Number> &s,
-                 LayerPoint<Number> *points) const
+                 const Number (&stress)[max_thickness_points][5], SolidPoint<Number> &mean,
+                 one_point_solid::Stabilisation<Number> &s, LayerPoint<Number> *points) const
       {
         Number sum[5], moment[3];
         for (int c = 0; c < 5; ++c)

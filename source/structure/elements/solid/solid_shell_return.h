@@ -33,14 +33,14 @@ namespace birdstrike
 
     struct Point
     {
-      Number trace, rest, varying;             ///< T (Pa), r^2, z^2 (Pa^2) of the trial
-      Number plastic_strain, yield, softening; ///< before the step; yield is static (Pa)
-      Number chi          = Number(0.);        ///< dp/q, 1/Pa
-      Number trace_factor = Number(1.), rest_factor = Number(1.), varying_factor = Number(1.); ///< f, g, h
-      Number step, step_by_shift; ///< of chi, and what a shift of s adds to it
+      Number trace, rest, varying;                      ///< T (Pa), r^2, z^2 (Pa^2) of the trial
+      Number plastic_strain, yield, softening;          ///< before the step; yield is static (Pa)
+      Number chi;                                       ///< dp/q, 1/Pa
+      Number trace_factor, rest_factor, varying_factor; ///< f, g, h
+      Number step, step_by_shift;                       ///< of chi, and what a shift of s adds to it
     };
     Number shift = Number(0.); ///< d, Pa
-    Point  point[7];
+    Point  point[max_thickness_points];
 
     SolidShellReturn(const Elasticity &elasticity, const Hardening &hardening, const ThicknessPoints &rule)
       : hardening(hardening)
@@ -69,6 +69,11 @@ namespace birdstrike
     /// From the trial to chi, factors and shift, once, of the lanes that yield.
     void solve(const double dt, const Mask &yields)
     {
+      for (unsigned int k = 0; k < rule.n; ++k)
+        {
+          point[k].chi          = Number(0.);
+          point[k].trace_factor = point[k].rest_factor = point[k].varying_factor = Number(1.);
+        }
       Mask goes_on = yields;
       for (unsigned int iteration = 0; any(goes_on) && iteration < 80; ++iteration)
         {
@@ -84,8 +89,8 @@ namespace birdstrike
             step(point[k], move, iteration, steps);
           update_shift();
         }
-      for (Point &p : point) // those that another point's flow has unloaded
-        p.chi = select(trace_rate * p.chi > Number(smallest), p.chi, Number(0.));
+      for (unsigned int k = 0; k < rule.n; ++k) // those that another point's flow has unloaded
+        point[k].chi = select(trace_rate * point[k].chi > Number(smallest), point[k].chi, Number(0.));
     }
 
   private:
