@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "bird_case.h"
 
 #include <cmath>
@@ -88,6 +89,7 @@ TEST(Drop, EllipticDropStretchesAsTheExactSolution)
           const double now = std::sqrt(mean_square(bird.state(), 1) / b0);
           std::printf("  %-8s t %.1f ms: b %+.2f %%, energy %+.1e\n", formulation, 1e3 * t, 100. * (now / b - 1.),
                       bird.energies().total() / initial - 1.);
+          record(std::string(formulation) + " b at " + std::to_string(1e3 * time).substr(0, 3) + " ms", now);
           EXPECT_NEAR(now, b, 0.02 * b) << formulation << " at " << t;
         }
       EXPECT_NEAR(bird.energies().total(), initial, 1e-3 * initial);
@@ -107,6 +109,9 @@ TEST(Drop, SpinningDropKeepsItsMomenta)
   const auto [p_plain, l_plain]       = spin(uncorrected);
   std::printf("  momentum %.1e %.1e %.1e, angular %.1e %.1e %.1e (standard, riemann, riemann uncorrected)\n",
               p_standard, p_riemann, p_plain, l_standard, l_riemann, l_plain);
+  record("momentum", std::max(p_standard, p_riemann));
+  record("angular momentum, standard", l_standard);
+  record("angular momentum, riemann", l_riemann);
   EXPECT_LT(p_standard, 1e-13);
   EXPECT_LT(p_riemann, 1e-13);
   EXPECT_LT(l_standard, 1e-12);

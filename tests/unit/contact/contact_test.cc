@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "free_masses.h"
 
 #include <gtest/gtest.h>
@@ -98,6 +99,10 @@ TEST(Contact, TwoMassesReboundElastically)
   Contact       contact(without_damper());
   const double  step  = 0.01 / omega;
   const Rebound after = rebound(scene, contact, step);
+  record("duration", after.duration);
+  record("penetration", contact.report().max_penetration);
+  record("force", contact.report().peak_force);
+  record("impulse", after.impulse);
   EXPECT_NEAR(after.duration, 2.720699e-5, 1.01 * step);
   EXPECT_NEAR(contact.report().max_penetration, 8.660254e-4, 1e-4 * 8.66e-4);
   EXPECT_NEAR(contact.report().peak_force, 86602.54, 1e-4 * 86602.);
@@ -114,6 +119,7 @@ TEST(Contact, RestitutionStaysWithinHalfAPercentAtTheStabilityShare)
       FreeMasses    scene = two_masses();
       Contact       contact(without_damper());
       const Rebound after = rebound(scene, contact, omega_step / omega);
+      record("restitution " + std::to_string(omega_step).substr(0, 4), (after.facet_speed - after.point_speed) / 100.);
       EXPECT_NEAR((after.facet_speed - after.point_speed) / 100., 1., 5e-3) << omega_step;
     }
 }

@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "strike_harness.h"
 
 #include <gtest/gtest.h>
@@ -28,6 +29,9 @@ TEST(FreePlate, FollowsTheAcousticSolution)
        << "subsection Output\n set History interval = 0\n end\n";
   const Strike run = run_text(text.str());
 
+  record("w at 2 tau", value_at(run.curves, "tip_mid_chord", 2. * tau));
+  record("w at 3 tau", value_at(run.curves, "tip_mid_chord", 3. * tau));
+  record("impulse at 3 tau", value_at(run.curves, "contact_impulse_z", 3. * tau) / (width * width));
   // 3 % in the displacement: the particle column touches half a spacing early or late, and c is that of the lattice.
   EXPECT_NEAR(value_at(run.curves, "tip_mid_chord", tau) / 0.048135e-3, 1., 0.05);
   EXPECT_NEAR(value_at(run.curves, "tip_mid_chord", 2. * tau) / 0.148554e-3, 1., 0.03);

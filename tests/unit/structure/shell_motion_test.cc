@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "shell_motion.h"
 
 #include <gtest/gtest.h>
@@ -92,6 +93,8 @@ TEST(ShellMotion, ASpinningPlateKeepsItsEnergyAndItsLength)
       for (const Point3 &axis : {Point3(0., 0., 1.), Point3(0., 1., 0.)})
         {
           const Spin result = spin(axis, formulation);
+          record(std::string(name_of(formulation)) + (axis[2] > 0. ? " energy" : " edge energy"), result.energy_error);
+          record(std::string(name_of(formulation)) + (axis[2] > 0. ? " stretch" : " edge stretch"), result.stretch);
           EXPECT_LT(result.energy_error, 4e-5) << "axis " << axis.transpose();
           EXPECT_NEAR(result.stretch, 1.26e-3, 1.5e-3) << "axis " << axis.transpose();
           // at rest 1/2 E <e^2> = 3/5 E e_mean^2 is 1.51e-3 of the kinetic energy, at twice the stretch 6.06e-3
@@ -110,6 +113,8 @@ TEST(ShellMotion, RollUp)
       {
         const double phi = 2. * pi * share;
         const auto   tip = strip_at_rest(12., share > 1. ? 24 : 12, 52.35988 * share, 0., formulation);
+        record(std::string(name_of(formulation)) + " error " + std::to_string(share).substr(0, 5),
+               std::hypot(tip[0] - 1. + std::sin(phi) / phi, tip[1] - (1. - std::cos(phi)) / phi));
         EXPECT_NEAR(tip[0], 1. - std::sin(phi) / phi, 2e-3) << name_of(formulation) << " " << share;
         EXPECT_NEAR(tip[1], (1. - std::cos(phi)) / phi, 2e-3) << name_of(formulation) << " " << share;
       }
@@ -127,6 +132,8 @@ TEST(ShellMotion, Elastica)
                           Case{10., .554996, .810609}})
       {
         const auto tip = strip_at_rest(10., 20, 0., c.alpha * 1.2e6 * 1e-3 / 12. / 100., formulation);
+        record(std::string(name_of(formulation)) + " u " + std::to_string(int(c.alpha)), tip[0]);
+        record(std::string(name_of(formulation)) + " w " + std::to_string(int(c.alpha)), tip[1]);
         EXPECT_NEAR(tip[0] / c.u, 1., 5e-3) << name_of(formulation) << " " << c.alpha;
         EXPECT_NEAR(tip[1] / c.w, 1., 5e-3) << name_of(formulation) << " " << c.alpha;
       }

@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "shell_harness.h"
 
 #include <gtest/gtest.h>
@@ -113,6 +114,9 @@ TEST(ShellStatics, ScordelisLoRoofConvergesFromOneSide)
     {
       SCOPED_TRACE(name_of(f));
       const double r4 = scordelis_lo(4, f), r8 = scordelis_lo(8, f), r16 = scordelis_lo(16, f);
+      record(std::string(name_of(f)) + " 4x4", r4);
+      record(std::string(name_of(f)) + " 8x8", r8);
+      record(std::string(name_of(f)) + " 16x16", r16);
 
       EXPECT_NEAR(r16, 1., 0.01) << "4x4: " << r4 << ", 8x8: " << r8;
       EXPECT_LT(std::abs(r16 - 0.997), std::abs(r8 - 0.997) + 1e-3) << r4 << " " << r8 << " " << r16;
@@ -125,6 +129,7 @@ TEST(ShellStatics, ScordelisLoRoofWithBelytschkoTsay)
   const double r8  = scordelis_lo(8, ShellFormulation::belytschko_tsay);
   const double r16 = scordelis_lo(16, ShellFormulation::belytschko_tsay);
 
+  record("16x16", r16);
   EXPECT_NEAR(r16, 1., 0.03) << "8x8: " << r8;
   EXPECT_GT(r8, r16);
 }
@@ -134,6 +139,7 @@ TEST(ShellStatics, PinchedCylinder)
   for (const auto formulation : all_formulations)
     {
       const double r16 = pinched_cylinder(16, formulation);
+      record(name_of(formulation), r16);
       EXPECT_GT(r16, 0.93) << name_of(formulation);
       EXPECT_LT(r16, 1.03) << name_of(formulation);
     }
@@ -154,6 +160,10 @@ TEST(ShellStatics, TwistedBeamOfAnyThickness)
           const double in  = twisted_beam(24, 4, c.thickness, c.load, true, formulation) * c.load / c.in_plane;
           const double out = twisted_beam(24, 4, c.thickness, c.load, false, formulation) * c.load / c.out_of_plane;
 
+          std::ostringstream name;
+          name << name_of(formulation) << " t=" << c.thickness;
+          record(name.str() + " in-plane", in);
+          record(name.str() + " out-of-plane", out);
           EXPECT_NEAR(in, 1., 0.02) << name_of(formulation) << ", thickness " << c.thickness;
           EXPECT_NEAR(out, 1., 0.02) << name_of(formulation) << ", thickness " << c.thickness;
         }

@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "solid_round_meshes.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,12 @@ TEST(SolidImpact, TaylorBar)
 {
   for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar, SolidFormulation::solid_shell})
     {
-      const Taylor bar = strike(3, 27, formulation);
+      const Taylor      bar  = strike(3, 27, formulation);
+      const std::string name = std::to_string(int(formulation));
+      record("length " + name, bar.length);
+      record("radius " + name, bar.radius);
+      record("plastic strain " + name, bar.plastic_strain);
+      record("balance " + name, std::abs(bar.balance));
       EXPECT_NEAR(bar.length, 21.5e-3, 0.15e-3);
       EXPECT_NEAR(bar.radius, 7.05e-3, 0.15e-3);
       EXPECT_NEAR(bar.plastic_strain, 3., 0.25);
@@ -108,6 +114,7 @@ TEST(SolidImpact, ThickCylinderConvergesAtOrderTwo)
   for (const auto formulation : {SolidFormulation::one_point, SolidFormulation::b_bar, SolidFormulation::solid_shell})
     {
       const double coarse = error(10, formulation), fine = error(20, formulation);
+      record("cylinder " + std::to_string(int(formulation)), fine);
       EXPECT_LT(fine, 0.01);
       EXPECT_NEAR(std::log2(coarse / fine), 2., 0.2);
     }

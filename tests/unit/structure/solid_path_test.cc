@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "solid_harness.h"
 
 #include <gtest/gtest.h>
@@ -63,6 +64,7 @@ TEST(SolidPath, UniaxialStressWithLinearHardening)
       const double elastic = tangent * strain / young, lateral = -poisson * elastic - 0.5 * (strain - elastic);
       stretch(model, Point3(strain, lateral, lateral), 400);
       const auto state = model.elements.state(0);
+      record("stress " + std::to_string(int(formulation)), state.stress[0] * state.volume);
       EXPECT_NEAR(state.stress[0] * state.volume / 930.191304e6, 1., 1e-6);
       EXPECT_NEAR(state.stress[1] / yield, 0., 1e-6);
       EXPECT_NEAR(state.stress[2] / yield, 0., 1e-6);

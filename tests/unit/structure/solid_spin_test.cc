@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "solid_round_meshes.h"
 #include "solid_statics.h"
 
@@ -94,6 +95,8 @@ TEST(SolidSpin, ACubeKeepsItsEnergyAboutAnyAxisAndInFlight)
         for (const Point3 &velocity : {Point3(0., 0., 0.), Point3(500., 0., 0.)})
           {
             const Spin found = spin(2e4, axis, velocity, formulation);
+            record("energy " + std::to_string(int(formulation)), found.energy_error);
+            record("peak " + std::to_string(int(formulation)), found.peak);
             EXPECT_LT(found.energy_error, 2e-4);
             EXPECT_LT(found.momentum_error, 1e-12);
             EXPECT_NEAR(found.peak / 176.96e6, 1., 0.005);

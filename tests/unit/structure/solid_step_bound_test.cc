@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "solid_harness.h"
 
 #include <birdstrike/core/errors.h>
@@ -53,6 +54,8 @@ TEST(SolidStepBound, IsExactForCubesAndCloseForBricks)
         std::tuple(.5, .472, .03), std::tuple(.2, .1985, .01), std::tuple(.1, .0998, .01)})
     {
       const Steps steps = compute_steps(box(height), 0.3, one_point);
+      record("exact " + std::to_string(height).substr(0, 3), steps.exact);
+      record("bound " + std::to_string(height).substr(0, 3), steps.bound);
       EXPECT_NEAR(steps.exact, expected, 6e-4) << "height " << height;
       EXPECT_LT(steps.bound, steps.exact * (1. + 1e-9)) << "height " << height;
       EXPECT_GT(steps.bound, steps.exact * (1. - slack)) << "height " << height;

@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "solid_harness.h"
 
 #include <gtest/gtest.h>
@@ -116,6 +117,8 @@ TEST(SolidWave, ABarRebounds)
       double velocity = 0.;
       for (std::size_t d = 0; d < model.n_dofs(); d += 3)
         velocity += motion.velocity[d] * motion.mass[d / 3] / mass;
+      record("contact " + std::to_string(int(formulation)), contact_end);
+      record("rebound " + std::to_string(int(formulation)), velocity);
       EXPECT_NEAR(contact_end / 118.381e-6, 1., 0.01);
       EXPECT_NEAR(impulse / (2. * mass * 10.), 1., 0.01);
       EXPECT_NEAR(velocity / 10., 1., 0.02);
