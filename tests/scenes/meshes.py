@@ -1,5 +1,6 @@
 """Meshes of the scenes, in Gmsh's format 2.2: boundaries 10 root, 11 tip, 12 and 13 the long edges; of bodies 15 and 16 the faces."""
 
+import math
 import random
 
 
@@ -43,6 +44,20 @@ class Mesh:
 def plate(length, chord, n_span, n_chord):
     """A plate in z = 0; cells turn from x to y, so that normals are +z."""
     points = [(length * i / n_span, chord * (j / n_chord - 0.5), 0.) for i in range(n_span + 1) for j in range(n_chord + 1)]
+    return Mesh(points, grid_cells(n_span, n_chord), edges(n_span, n_chord))
+
+
+def slivers(length, chord, n_span, n_chord):
+    """The plate in elements ten times as long as wide with corners of 20 degrees (lines across lean to and fro between the edges, least at
+    root and tip), neighbours of which are folded by some 20 degrees against one another."""
+    width, height = length / n_span, chord / n_chord
+    lean, fold = 0.5 * height / math.tan(math.radians(20.)), 0.5 * width * math.tan(math.radians(5.))
+    points = []
+    for i in range(n_span + 1):
+        for j in range(n_chord + 1):
+            inner = math.sin(math.pi * i / n_span)
+            x = length * i / n_span + (lean * inner * (-1) ** j if 0 < j < n_chord else 0.)
+            points.append((x, chord * (j / n_chord - 0.5), fold * inner * (-1) ** (i + j)))
     return Mesh(points, grid_cells(n_span, n_chord), edges(n_span, n_chord))
 
 
