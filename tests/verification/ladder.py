@@ -46,7 +46,7 @@ def read_tables():
             if wrong or ("not_covered" not in row and (row.get("standing") not in STANDINGS or "why" not in row)):
                 raise SystemExit(f"{name}: the row '{row.get('what')}' needs standing and why, and has {wrong or 'neither'}")
             rows.append(row)
-    return scenes, rows
+    return scenes, sorted(rows, key=lambda row: (row["case"][0], int(row["case"][1:])))
 
 
 def expected(row):
@@ -60,7 +60,9 @@ def expected(row):
 
 
 def run_scene(program, name, scene, size, folder):
-    """Runs a scene in a folder of its own; returns what went wrong, or nothing."""
+    """Runs a scene in a folder of its own, unless it is there; returns what went wrong, or nothing."""
+    if os.path.exists(os.path.join(folder, "run", "summary.json")):
+        return ""
     os.makedirs(folder)
     prm = os.path.join(folder, os.path.basename(scene["file"]))
     shutil.copy(os.path.join(TOP, scene["file"]), prm)
@@ -76,7 +78,6 @@ def run_scene(program, name, scene, size, folder):
 
 def run_scenes(program, scenes, size, output, jobs):
     """All of them side by side; runs by name, and what could not be run."""
-    shutil.rmtree(output, ignore_errors=True)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         faults = {name: pool.submit(run_scene, program, name, scene, size, os.path.join(output, name))
                   for name, scene in scenes.items()}
@@ -93,8 +94,9 @@ def run_tests(folder, rows, output):
     for program in sorted({row["test"].split()[0] for row in rows if "test" in row}):
         names = sorted({row["test"].split()[1] for row in rows if row.get("test", "").startswith(program + " ")})
         file = os.path.join(output, program + ".json")
-        subprocess.run([os.path.join(folder, program), "--gtest_filter=" + ":".join(names), "--gtest_output=json:" + file],
-                       stdout=subprocess.DEVNULL, stderr=subprocess.STDOUT)
+        if not os.path.exists(file):
+            subprocess.run([os.path.join(folder, program), "--gtest_filter=" + ":".join(names), "--gtest_output=json:" + file],
+                           stdout=subprocess.DEVNULL, stderr=subprocess.STDOUT)
         with open(file) as json_file:
             suites = json.load(json_file)["testsuites"]
         for suite in suites:
@@ -135,6 +137,7 @@ def main():
     parser.add_argument("--output", default="build/verification")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--update", action="store_true")
+    parser.add_argument("--reuse", action="store_true", help="judge what an earlier call has left in the output, run what is missing")
     arguments = parser.parse_args()
     program, folder = os.path.abspath(arguments.program), os.path.dirname(os.path.abspath(arguments.program))
 
@@ -147,6 +150,8 @@ def main():
     needed = {r["scene"] for r in rows if "scene" in r}
     needed |= {other for r in rows for other in re.findall(r"run\('([^']+)'\)", r.get("value", ""))}
     output = os.path.abspath(arguments.output)
+    if not arguments.reuse:
+        shutil.rmtree(output, ignore_errors=True)
     os.makedirs(output, exist_ok=True)
     runs, faults = run_scenes(program, {n: s for n, s in scenes.items() if n in needed}, arguments.size, os.path.join(output, "runs"),
                               arguments.jobs)

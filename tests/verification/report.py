@@ -94,18 +94,20 @@ def draw(rows, output):
             low, high = (clip(r["low"] / r["reference"]), clip(r["high"] / r["reference"])) if panel == 0 else (1e-16, 1.)
             script.append(f"{0.5 * (low + high)} {-k} {min(low, high)} {max(low, high)} {-k - 0.4} {-k + 0.4}")
         script.append("EOD")
-        for colour in ("met", "missed"):
+        colours = [colour for colour in ("met", "missed") if any(r["verdict"] == colour for r in chosen)]
+        for colour in colours:
             script.append(f"${colour} << EOD")
             for k, r in enumerate(chosen):
                 if r["verdict"] == colour:
                     x = clip(ratio(r)) if panel == 0 else max(1e-16, abs(r["found"] / r["reference"]))
                     script.append(f"{x} {-k}")
-            script += ["nan nan", "EOD"]
+            script.append("EOD")
         script += (["set xlabel 'found over reference (cut at 0.7 and 1.3)'", f"set xrange [{1. - span}:{1. + span}]"] if panel == 0 else
-                   ["set xlabel 'found over the largest that is allowed'", "set logscale x", "set format x '10^{%T}'",
+                   ["set xlabel 'found over the largest that is allowed'", "set logscale x", "set format x '10^{%T}'", "set xtics 100",
                     "set xrange [1e-7:1e2]"])
-        script.append("plot $band using 1:2:3:4:5:6 with boxxyerror fs solid 1 noborder lc '#d8d8d8', $met with points pt 7 ps 0.5 "
-                      "lc '#1f5fbf', $missed with points pt 7 ps 0.6 lc '#c62828'")
+        points = {"met": "with points pt 7 ps 0.5 lc '#1f5fbf'", "missed": "with points pt 7 ps 0.6 lc '#c62828'"}
+        script.append("plot " + ", ".join(["$band using 1:2:3:4:5:6 with boxxyerror fs solid 1 noborder lc '#d8d8d8'"] * bool(chosen) +
+                                          [f"${colour} {points[colour]}" for colour in colours]) if chosen else "set multiplot next")
     subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
 
 
