@@ -6,6 +6,7 @@
 #include <birdstrike/core/program.h>
 #include <birdstrike/report/compare.h>
 #include <birdstrike/report/converge.h>
+#include <birdstrike/report/measurement.h>
 #include <birdstrike/report/study.h>
 #include <birdstrike/simulation/commands.h>
 
@@ -33,18 +34,20 @@ namespace
   using birdstrike::CompareRequest;
   using birdstrike::ConvergeRequest;
   using birdstrike::ExitCode;
+  using birdstrike::MeasurementRequest;
   using birdstrike::ResumeRequest;
   using birdstrike::StudyRequest;
 
   /// What the command line may ask for.
   struct Requests
   {
-    CaseRequest     of_case;
-    CompareRequest  of_comparison;
-    ResumeRequest   of_resumption;
-    StudyRequest    of_study;
-    ConvergeRequest of_ladder;
-    bool            as_json = false;
+    CaseRequest        of_case;
+    CompareRequest     of_comparison;
+    ResumeRequest      of_resumption;
+    StudyRequest       of_study;
+    ConvergeRequest    of_ladder;
+    MeasurementRequest of_measurement;
+    bool               as_json = false;
   };
 
   void declare_overrides(CLI::App *command, std::vector<std::string> &overrides)
@@ -98,6 +101,20 @@ namespace
     ladder->callback([&] { action = [&] { birdstrike::converge(request); }; });
   }
 
+  void declare_measurement(CLI::App *compare, MeasurementRequest &request)
+  {
+    auto *measured = compare
+                       ->add_option("--measured", request.of_file,
+                                    "A table (CSV) that was measured and pairs \"column: quantity\"; FILE are then "
+                                    "folders of runs, which are rated against it")
+                       ->type_name("TABLE \"COLUMN: QUANTITY\" ...");
+    compare
+      ->add_option("--time-column", request.time_column, "The table's column of times, if not 'time', 't' or the first")
+      ->needs(measured);
+    compare->add_option("--time-offset", request.time_offset, "Added to the table's times: \"0.35 ms\"")
+      ->needs(measured);
+  }
+
   /// The command line: every subcommand binds what it will do to `action`.
   void declare_commands(CLI::App &app, Requests &requests, std::function<void()> &action)
   {
@@ -127,6 +144,7 @@ namespace
     CLI::App       *compare = app.add_subcommand("compare", "Run cases, or take their runs, and set them side by side");
     CompareRequest &request = requests.of_comparison;
     compare->add_option("FILE", request.prm_files, "Parameter files; differences are to the first")->required();
+    declare_measurement(compare, requests.of_measurement);
     compare
       ->add_option("--blade", request.blade_kinds,
                    "Each file once for each of these values of Blade/Kind, e.g. shell,rigid")
@@ -134,7 +152,17 @@ namespace
       ->allow_extra_args(false);
     declare_overrides(compare, request.overrides);
     compare->add_option("--output", request.output, "Folder of the comparison")->capture_default_str();
-    compare->callback([&] { action = [&] { birdstrike::compare_cases(requests.of_comparison); }; });
+    compare->callback([&requests, &action, compare] {
+      if (requests.of_measurement.of_file.empty())
+        action = [&] { birdstrike::compare_cases(requests.of_comparison); };
+      else
+        action = [&requests, is_put = compare->count("--output") > 0] {
+          requests.of_measurement.runs = requests.of_comparison.prm_files;
+          if (is_put)
+            requests.of_measurement.output = requests.of_comparison.output;
+          birdstrike::compare_with_measurement(requests.of_measurement);
+        };
+    });
 
     declare_study(app, requests.of_study, action);
     declare_converge(app, requests.of_ladder, action);

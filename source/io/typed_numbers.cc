@@ -1,8 +1,8 @@
 #include "io/typed_numbers.h"
 #include "io/parameter_messages.h"
-#include "io/units.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/expression.h>
+#include <birdstrike/io/units.h>
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>

@@ -1,4 +1,4 @@
-#include "io/units.h"
+#include <birdstrike/io/units.h>
 
 #include <cctype>
 #include <cmath>

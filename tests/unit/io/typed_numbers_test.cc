@@ -1,7 +1,7 @@
 #include "io/typed_numbers.h"
-#include "io/units.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/units.h>
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,208 @@
+#include "report/measurement/data_table.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/units.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <map>
+#include <set>
+
+namespace birdstrike
+{
+  namespace
+  {
+    std::string trim(std::string text)
+    {
+      const auto begin = text.find_first_not_of(" \t\r\""), end = text.find_last_not_of(" \t\r\"");
+      return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
+    }
+
+    std::vector<std::string> split(const std::string &line, const char separator)
+    {
+      std::vector<std::string> fields;
+      for (std::size_t begin = 0; begin <= line.size();)
+        {
+          const std::size_t end = std::min(line.find(separator, begin), line.size());
+          fields.push_back(trim(line.substr(begin, end - begin)));
+          begin = end + 1;
+        }
+      return fields;
+    }
+
+    bool parse(const std::string &text, double &value)
+    {
+      const char *begin       = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
+      const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
+      return error == std::errc() && end == text.data() + text.size() && value - value == 0.;
+    }
+
+    /// "force [kN]" -> "force" and "kN".
+    void take_unit(TableColumn &column)
+    {
+      const auto open = column.name.rfind('[');
+      if (open == std::string::npos || column.name.back() != ']')
+        return;
+      column.unit = trim(column.name.substr(open + 1, column.name.size() - open - 2));
+      column.name = trim(column.name.substr(0, open));
+    }
+
+    /// Units by names from comments "# 3: force [kN]".
+    void read_comment(const std::string &line, std::map<std::string, std::string> &units)
+    {
+      const auto colon = line.find(": ");
+      if (colon == std::string::npos || line.find_first_not_of("# 0123456789") != colon)
+        return;
+      TableColumn column{trim(line.substr(colon + 2)), "", {}};
+      take_unit(column);
+      units[column.name] = column.unit;
+    }
+
+    struct Line
+    {
+      std::size_t number;
+      std::string text;
+    };
+
+    class Reader
+    {
+    public:
+      explicit Reader(const std::filesystem::path &file) : path(file)
+      {
+        std::ifstream in(file);
+        if (!in || std::filesystem::is_directory(file))
+          throw InputError("Cannot read the table " + file.string() + ": there is no such file.");
+        std::size_t number = 0;
+        for (std::string line; std::getline(in, line);)
+          {
+            ++number;
+            if (number == 1 && line.starts_with("\xEF\xBB\xBF")) // as spreadsheets begin UTF-8
+              line.erase(0, 3);
+            if (const auto first = line.find_first_not_of(" \t\r"); first != std::string::npos && line[first] == '#')
+              read_comment(line, units);
+            else if (first != std::string::npos)
+              lines.push_back({number, line});
+          }
+        if (lines.size() < 2)
+          throw InputError(file.string() + " holds no table: a line of names and rows of numbers are needed.");
+      }
+
+      std::vector<TableColumn> read()
+      {
+        const std::string &head = lines[0].text;
+        separator = head.find(';') != std::string::npos ? ';' : head.find('\t') != std::string::npos ? '\t' : ',';
+        std::vector<TableColumn> columns;
+        for (const std::string &name : split(head, separator))
+          add(columns, name);
+        std::size_t row = 1;
+        double      number;
+        auto        fields = split(lines[1].text, separator);
+        if (std::ranges::none_of(fields, [&](const std::string &field) { return parse(field, number); }) &&
+            fields.size() == columns.size())
+          {
+            for (std::size_t k = 0; k < columns.size(); ++k)
+              columns[k].unit = fields[k].starts_with('[') && fields[k].ends_with(']')
+                                  ? trim(fields[k].substr(1, fields[k].size() - 2))
+                                  : fields[k];
+            ++row;
+          }
+        for (; row < lines.size(); ++row)
+          read_row(lines[row], columns);
+        for (TableColumn &column : columns)
+          convert(column);
+        return columns;
+      }
+
+    private:
+      std::filesystem::path              path;
+      std::map<std::string, std::string> units;
+      std::vector<Line>                  lines;
+      char                               separator = ',';
+
+      [[noreturn]] void refuse(const std::size_t line, const std::string &why) const
+      {
+        throw InputError(path.string() + ", line " + std::to_string(line) + ": " + why);
+      }
+
+      void add(std::vector<TableColumn> &columns, const std::string &name)
+      {
+        TableColumn column{name, "", {}};
+        double      number;
+        if (name.empty())
+          refuse(lines[0].number, "column " + std::to_string(columns.size() + 1) + " has no name.");
+        if (parse(name, number))
+          refuse(lines[0].number, "'" + name + "' is no name: the first line that is no comment holds the names.");
+        take_unit(column);
+        if (const auto found = units.find(column.name); column.unit.empty() && found != units.end())
+          column.unit = found->second;
+        for (const TableColumn &other : columns)
+          if (other.name == column.name)
+            refuse(lines[0].number, "two columns are called '" + column.name + "'.");
+        columns.push_back(std::move(column));
+      }
+
+      void read_row(const Line &line, std::vector<TableColumn> &columns) const
+      {
+        const auto fields = split(line.text, separator);
+        if (fields.size() != columns.size())
+          refuse(line.number, std::to_string(fields.size()) + " fields, where there are " +
+                                std::to_string(columns.size()) + " names." +
+                                (separator == ',' ? " Numbers have a decimal point, no comma." : ""));
+        for (std::size_t k = 0; k < fields.size(); ++k)
+          if (double value; parse(fields[k], value))
+            columns[k].values.push_back(value);
+          else
+            refuse(line.number,
+                   "'" + fields[k] + "' in column '" + columns[k].name + "' is no number" +
+                     (fields[k].find(',') != std::string::npos ? ": write a decimal point, no comma." : "."));
+      }
+
+      void convert(TableColumn &column) const
+      {
+        static const std::set<std::string> none{"", "-", "count", "share"};
+        if (none.contains(column.unit))
+          return;
+        const auto unit = parse_unit(column.unit);
+        if (!unit)
+          refuse(lines[0].number,
+                 "'" + column.unit + "' of column '" + column.name +
+                   "' is no unit that is known here. prm/README.md lists those that are: mm, us, kN, MPa.");
+        for (double &value : column.values)
+          value = unit->to_si(value);
+      }
+    };
+  } // namespace
+
+  DataTable::DataTable(const std::filesystem::path &file) : path(file), all(Reader(file).read())
+  {
+  }
+
+  const TableColumn &DataTable::column(const std::string &name) const
+  {
+    std::string names;
+    for (const TableColumn &column : all)
+      {
+        if (column.name == name)
+          return column;
+        names += (names.empty() ? "" : ", ") + column.name;
+      }
+    constexpr std::size_t most = 400;
+    throw InputError("There is no column '" + name + "' in " + path.string() +
+                     ".\nIt has: " + (names.size() > most ? names.substr(0, most) + " ..." : names) + ".");
+  }
+
+  bool DataTable::has(const std::string &name) const
+  {
+    return std::ranges::any_of(all, [&](const TableColumn &column) { return column.name == name; });
+  }
+
+  const std::vector<TableColumn> &DataTable::columns() const
+  {
+    return all;
+  }
+
+  const std::filesystem::path &DataTable::file() const
+  {
+    return path;
+  }
+} // namespace birdstrike

@@ -1,0 +1,285 @@
+#include <birdstrike/report/measurement.h>
+
+#include "report/comparison/case_run.h"
+#include "report/comparison/figure.h"
+#include "report/measurement/curve_metrics.h"
+#include "report/measurement/data_table.h"
+#include "report/measurement/run_curves.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/log.h>
+#include <birdstrike/io/report_folder.h>
+#include <birdstrike/io/units.h>
+#include <birdstrike/report/text.h>
+
+#include <fmt/format.h>
+#include <spdlog/logger.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr std::size_t n_samples = 1001, fewest_rows = 10;
+
+    const ReportKind &measurement_kind()
+    {
+      static const ReportKind kind{"measurement", {"measurement", "ratings"}};
+      return kind;
+    }
+
+    struct Curve
+    {
+      std::vector<double> x, y; ///< x rises
+    };
+
+    struct Peak
+    {
+      double value = 0., at = 0.; ///< the largest in either direction, with its sign
+    };
+
+    struct Rated
+    {
+      std::string  run, column, quantity, unit;
+      bool         is_profile = false;
+      double       begin = 0., end = 0.;
+      Peak         measured, computed;
+      SpragueGeers figures;
+      IsoRating    rating;
+    };
+
+    /// What a unit measures; nothing for a column without one.
+    bool is_of_one_dimension(const std::string &a, const std::string &b)
+    {
+      const auto of_a = parse_unit(a), of_b = parse_unit(b);
+      return a.empty() || b.empty() || !of_a || !of_b || of_a->dimension == of_b->dimension;
+    }
+
+    double read_offset(const std::string &text)
+    {
+      if (text.empty())
+        return 0.;
+      char        *end   = nullptr;
+      const double value = std::strtod(text.c_str(), &end);
+      const auto   unit  = parse_unit(*end == '\0' ? "s" : std::string(end));
+      if (end == text.c_str() || !unit || unit->dimension != parse_unit("s")->dimension)
+        throw InputError("--time-offset '" + text +
+                         "' is no time: give a number of seconds, or one with its unit, '0.35 ms'.");
+      return unit->to_si(value);
+    }
+
+    const TableColumn &find_abscissa(const DataTable &table, const std::string &given)
+    {
+      static const std::set<std::string> times{"time", "t"};
+      if (!given.empty())
+        return table.column(given);
+      for (const TableColumn &column : table.columns())
+        {
+          std::string name = column.name;
+          std::ranges::transform(name, name.begin(), [](const unsigned char c) { return std::tolower(c); });
+          if (times.contains(name))
+            return column;
+        }
+      return table.columns().front();
+    }
+
+    /// "force: contact_force" -> both sides; a column's name may hold colons.
+    std::pair<std::string, std::string> split_pair(const std::string &text)
+    {
+      const auto colon = text.rfind(':');
+      const auto trim  = [](std::string part) {
+        part.erase(0, part.find_first_not_of(' '));
+        return part.substr(0, part.find_last_not_of(' ') + 1);
+      };
+      if (colon == std::string::npos || trim(text.substr(0, colon)).empty() || trim(text.substr(colon + 1)).empty())
+        throw InputError("'" + text +
+                         "' after --measured is no pair \"column: quantity\".\nExample: --measured test.csv " +
+                         "\"load cell: force\" \"tip sensor: tip\"");
+      return {trim(text.substr(0, colon)), trim(text.substr(colon + 1))};
+    }
+
+    double value_at(const Curve &curve, const double x)
+    {
+      const auto after = std::ranges::upper_bound(curve.x, x);
+      const auto k = std::clamp<std::size_t>(static_cast<std::size_t>(after - curve.x.begin()), 1, curve.x.size() - 1);
+      return curve.y[k - 1] + (curve.y[k] - curve.y[k - 1]) * (x - curve.x[k - 1]) / (curve.x[k] - curve.x[k - 1]);
+    }
+
+    std::vector<double> sample(const Curve &curve, const double begin, const double end)
+    {
+      std::vector<double> samples(n_samples);
+      for (std::size_t k = 0; k < n_samples; ++k)
+        samples[k] = value_at(curve, begin + (end - begin) * double(k) / double(n_samples - 1));
+      return samples;
+    }
+
+    std::size_t count_rows(const Curve &curve, const double begin, const double end)
+    {
+      return static_cast<std::size_t>(
+        std::ranges::count_if(curve.x, [&](const double x) { return x >= begin && x <= end; }));
+    }
+
+    Peak find_peak(const Curve &curve, const double begin, const double end)
+    {
+      Peak       peak;
+      const auto look = [&](const double value, const double x) {
+        if (std::abs(value) > std::abs(peak.value))
+          peak = {value, x};
+      };
+      look(value_at(curve, begin), begin);
+      for (std::size_t k = 0; k < curve.x.size(); ++k)
+        if (curve.x[k] >= begin && curve.x[k] <= end)
+          look(curve.y[k], curve.x[k]);
+      look(value_at(curve, end), end);
+      return peak;
+    }
+
+    Curve read_measured(const DataTable &table, const MeasurementRequest &request, const std::string &column,
+                        const RunCurve &of_run)
+    {
+      const TableColumn &x = find_abscissa(table, request.time_column), &y = table.column(column);
+      if (!is_of_one_dimension(x.unit, of_run.is_profile ? "m" : "s"))
+        throw InputError("Column '" + x.name + "' of " + table.file().string() + " is in " + x.unit + ": " +
+                         of_run.quantity + " is over " + (of_run.is_profile ? "places, m." : "times, s.") +
+                         "\n--time-column names another column.");
+      if (!is_of_one_dimension(y.unit, of_run.unit))
+        throw InputError("Column '" + y.name + "' of " + table.file().string() + " is in " + y.unit + ", " +
+                         of_run.quantity + " in " + of_run.unit + ": they cannot be compared.");
+      Curve        curve{x.values, y.values};
+      const double offset = of_run.is_profile ? 0. : read_offset(request.time_offset);
+      for (double &t : curve.x)
+        t += offset;
+      if (std::ranges::adjacent_find(curve.x, std::greater_equal<>()) != curve.x.end())
+        throw InputError("Column '" + x.name + "' of " + table.file().string() +
+                         " does not rise from row to row: it is no " + (of_run.is_profile ? "place" : "time") +
+                         ".\n--time-column names another column.");
+      return curve;
+    }
+
+    Rated rate(const std::string &run, const std::string &column, const RunCurve &of_run, const Curve &measured)
+    {
+      const Curve  computed{of_run.x, of_run.y};
+      const double begin     = std::max(measured.x.front(), computed.x.front()),
+                   end       = std::min(measured.x.back(), computed.x.back());
+      const std::string axis = of_run.is_profile ? "m" : "s";
+      if (begin >= end || count_rows(measured, begin, end) < fewest_rows)
+        throw InputError(fmt::format(
+          "'{}' was measured from {} to {}, {} of {} is from {} to {}: fewer than {} rows lie in both.{}", column,
+          format_quantity(measured.x.front(), axis), format_quantity(measured.x.back(), axis), of_run.quantity, run,
+          format_quantity(computed.x.front(), axis), format_quantity(computed.x.back(), axis), fewest_rows,
+          of_run.is_profile ? ""
+                            : "\n--time-offset moves the measurement; a unit in its header ('time [ms]') scales it."));
+      const auto m = sample(measured, begin, end), c = sample(computed, begin, end);
+      if (std::ranges::all_of(m, [](const double y) { return y == 0.; }))
+        throw InputError("'" + column + "' is zero wherever the run has values: nothing can be compared with it.");
+      return {run,
+              column,
+              of_run.quantity,
+              of_run.unit,
+              of_run.is_profile,
+              begin,
+              end,
+              find_peak(measured, begin, end),
+              find_peak(computed, begin, end),
+              compute_sprague_geers(m, c),
+              compute_iso_rating(m, c)};
+    }
+
+    FigureAxis axis_of(const std::string &quantity, const std::string &unit)
+    {
+      static const std::map<std::string, std::pair<std::string, double>> shown{
+        {"Pa", {"MPa", 1e-6}}, {"m", {"mm", 1e3}}, {"N", {"kN", 1e-3}}, {"s", {"ms", 1e3}}};
+      const auto found = shown.find(unit);
+      return found == shown.end() ? FigureAxis{quantity, unit, unit, 1.}
+                                  : FigureAxis{quantity, unit, found->second.first, found->second.second};
+    }
+
+    FigurePanel make_panel(const std::string &column, const RunCurve &of_run, const Curve &measured)
+    {
+      constexpr unsigned int black = 6;
+      FigurePanel            panel{column + " and " + of_run.quantity,
+                        of_run.is_profile ? FigureAxis{"place", "m", "mm", 1e3}
+                                                     : FigureAxis{"time since first touch", "s", "ms", 1e3},
+                        axis_of(of_run.quantity, of_run.unit),
+                        {}};
+      panel.lines.push_back({"measured", measured.x, measured.y, black});
+      return panel;
+    }
+
+    std::string show(const Rated &r)
+    {
+      const std::string axis = r.is_profile ? "m" : "s";
+      std::string       text = fmt::format("{}: {} against {}, {} to {}\n", r.run, r.quantity, r.column,
+                                           format_quantity(r.begin, axis), format_quantity(r.end, axis));
+      text += fmt::format("  peak               {} at {}, measured {} at {}: {:.3f} of it\n",
+                          format_quantity(r.computed.value, r.unit), format_quantity(r.computed.at, axis),
+                          format_quantity(r.measured.value, r.unit), format_quantity(r.measured.at, axis),
+                          r.computed.value / r.measured.value);
+      text += fmt::format("  Sprague and Geers  magnitude {:+.3f}, phase {:.3f}, comprehensive {:.3f}\n",
+                          r.figures.magnitude, r.figures.phase, r.figures.comprehensive);
+      if (!r.is_profile)
+        text += fmt::format(
+          "  ISO/TS 18571       {:.3f}, {}: corridor {:.3f}, phase {:.3f}, magnitude {:.3f}, slope {:.3f}\n",
+          r.rating.overall, r.rating.grade(), r.rating.corridor, r.rating.phase, r.rating.magnitude, r.rating.slope);
+      return text;
+    }
+
+    std::string as_csv(const std::vector<Rated> &all)
+    {
+      std::string text =
+        "run,column,quantity,unit,begin,end,measured_peak,measured_peak_at,computed_peak,computed_peak_at,"
+        "peak_ratio,sprague_geers_magnitude,sprague_geers_phase,sprague_geers_comprehensive,iso_corridor,"
+        "iso_phase,iso_magnitude,iso_slope,iso_overall\n";
+      for (const Rated &r : all)
+        {
+          text += fmt::format("\"{}\",\"{}\",\"{}\",{},{},{},{},{},{},{},{},{},{},{}", r.run, r.column, r.quantity,
+                              r.unit, r.begin, r.end, r.measured.value, r.measured.at, r.computed.value, r.computed.at,
+                              r.computed.value / r.measured.value, r.figures.magnitude, r.figures.phase,
+                              r.figures.comprehensive);
+          text += r.is_profile ? ",,,,,\n" // the rating is one of signals in time
+                               : fmt::format(",{},{},{},{},{}\n", r.rating.corridor, r.rating.phase, r.rating.magnitude,
+                                             r.rating.slope, r.rating.overall);
+        }
+      return text;
+    }
+  } // namespace
+
+  void compare_with_measurement(const MeasurementRequest &request)
+  {
+    if (request.of_file.size() < 2)
+      throw InputError(
+        "--measured needs a file and pairs \"column: quantity\".\nExample: birdstrike compare runs/frontal "
+        "--measured test.csv \"tip sensor: tip\"");
+    const DataTable    table(request.of_file.front());
+    std::vector<Rated> rated;
+    Figure             figure{"measurement", request.of_file.size() > 2 ? 2u : 1u, {}};
+    for (std::size_t k = 1; k < request.of_file.size(); ++k)
+      {
+        const auto [column, quantity] = split_pair(request.of_file[k]);
+        for (std::size_t run = 0; run < request.runs.size(); ++run)
+          {
+            const std::filesystem::path folder(request.runs[run]);
+            const RunCurve              of_run   = read_run_curve(folder, quantity);
+            const Curve                 measured = read_measured(table, request, column, of_run);
+            const std::string           name     = (folder / "").parent_path().filename().string();
+            rated.push_back(rate(name, column, of_run, measured));
+            if (run == 0)
+              figure.panels.push_back(make_panel(column, of_run, measured));
+            figure.panels.back().lines.push_back({name, of_run.x, of_run.y, static_cast<unsigned int>(run)});
+          }
+      }
+    const ReportFolder folder(request.output, measurement_kind());
+    folder.write_text("ratings.csv", as_csv(rated));
+    folder.write_text("figures.gp", script_of({figure}));
+    folder.write_text(figure.stem + ".csv", data_of(figure));
+    for (const Rated &one : rated)
+      log().info("\n{}", show(one));
+    draw_figures(folder);
+    log().info("Ratings and curves in {}", folder.path().string());
+  }
+} // namespace birdstrike

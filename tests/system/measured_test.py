@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""`birdstrike compare RUN --measured` from outside: a run is held against its own curves, scaled, shifted and in other units, and what
+cannot be compared is refused. Usage: measured_test.py PROGRAM TOP"""
+
+import csv
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+PROGRAM, TOP = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+sys.path.append(os.path.join(TOP, "prm"))
+from birdstrike import Run  # noqa: E402
+
+FAST = ("Bird/Particle spacing=0.006", "Blade/Mesh/Elements along span=14", "Blade/Mesh/Elements along chord=4", "Time/End time=1e-3",
+        "Output/Field interval=0", "Output/Histories/Gauges=root: 0.02 0 0")
+
+
+def call(*arguments):
+    return subprocess.run([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def compare(*arguments):
+    done = call("compare", "run", "--measured", *arguments, "--output", "measured")
+    if done.returncode != 0:
+        return done.returncode, done.stdout, []
+    with open("measured/ratings.csv") as file:
+        rows = list(csv.DictReader(file))
+    return 0, done.stdout, [{k: float(v) if k not in ("run", "column", "quantity", "unit") and v else v for k, v in row.items()}
+                            for row in rows]
+
+
+def near(a, b, tolerance):
+    assert abs(a - b) <= tolerance, (a, b)
+
+
+def compare_with_itself():
+    columns = Run("run").columns
+    with open("run/history.csv") as file:
+        history = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    assert columns and len(history) > 100
+    with open("test.csv", "w") as file:  # the tip 25 % larger, in mm over ms, 0.2 ms late; a spreadsheet's semicolons; a comment
+        file.write("# rig 3\nT;sensor: tip;load cell\n[ms];[mm];[N]\n")
+        for row in history:
+            force = math.hypot(*(float(row["contact_impulse_" + axis]) for axis in "xyz"))
+            file.write(f"{1e3 * float(row['time']) + 0.2!r};{1.25e3 * float(row['tip_mid_chord'])!r};{force!r}\n")
+    code, text, (tip,) = compare("test.csv", "sensor: tip: tip", "--time-offset", "-0.2 ms")
+    assert code == 0, text
+    # rows are printed to all digits, only the milliseconds and the shift round
+    near(tip["sprague_geers_magnitude"], -0.2, 1e-9)
+    near(tip["sprague_geers_phase"], 0., 1e-6)
+    near(tip["peak_ratio"], 0.8, 1e-9)
+    assert tip["iso_phase"] == 1. and tip["unit"] == "m" and "Sprague" in text
+    near(tip["iso_slope"], 1. - 0.2 / 2., 1e-6)
+    near(tip["end"], 1e-3, 1e-9)
+    _, _, (late,) = compare("test.csv", "sensor: tip: tip", "--time-offset", "0")
+    assert late["iso_phase"] < 1. and late["sprague_geers_phase"] > 0.01, late
+    near(late["begin"], 0.2e-3, 1e-9)
+    _, _, (turned,) = compare("test.csv", "sensor: tip: -tip_mid_chord", "--time-offset", "-0.2 ms")
+    near(turned["sprague_geers_phase"], 1., 1e-6)
+    for name in ("measurement.svg", "measurement.csv", "ratings.csv", "figures.gp"):
+        assert os.path.getsize("measured/" + name) > 100, name
+
+
+def compare_several():
+    """Two quantities, a gauge and a profile; two runs."""
+    run = Run("run")
+    with open("gauge.csv", "w") as file:
+        table = list(csv.reader(line for line in open("run/gauges.csv") if not line.startswith("#")))
+        name = table[0][1]
+        file.write("time,strain\n" + "".join(f"{row[0]},{row[1]}\n" for row in table[1:]))
+    code, text, rows = compare("gauge.csv", "strain: gauges/" + name)
+    assert code == 0, text
+    assert rows[0]["iso_overall"] > 1. - 1e-9 and rows[0]["peak_ratio"] == 1., rows
+    profile = run.profile("root_normal_stress_at_peak")
+    with open("profile.csv", "w") as file:
+        file.write("place [mm]\tstress [MPa]\n")
+        dense = 4  # four places an element
+        chord, stress = profile.axes["chord"], profile.values[0]
+        for k in range(dense * (len(chord) - 1) + 1):
+            e, s = min(k // dense, len(chord) - 2), k / dense - min(k // dense, len(chord) - 2)
+            file.write(f"{1e3 * (chord[e] + s * (chord[e + 1] - chord[e]))!r}\t{2e-6 * (stress[e] + s * (stress[e + 1] - stress[e]))!r}\n")
+    code, text, rows = compare("profile.csv", "stress: root profile")
+    assert code == 0, text
+    near(rows[0]["sprague_geers_magnitude"], -0.5, 1e-9)
+    assert rows[0]["iso_overall"] == "" and rows[0]["unit"] == "Pa"
+    shutil.copytree("run", "other")
+    done = call("compare", "run", "other", "--measured", "test.csv", "load cell: -force", "sensor: tip: tip", "--time-offset", "-0.2 ms",
+                "--output", "measured")
+    assert done.returncode == 0, done.stdout
+    with open("measured/ratings.csv") as file:
+        assert [row["run"] for row in csv.DictReader(file)] == ["run", "other"] * 2
+
+
+def refuse():
+    names = []
+
+    def write(text):
+        names.append(f"bad-{len(names)}.csv")
+        with open(names[-1], "w") as file:
+            file.write(text)
+        return names[-1]
+
+    rows = "".join(f"{k * 1e-5},{k}\n" for k in range(50))
+    cases = (("no pair", [write("time,tip\n" + rows), "tip"], "column: quantity"),
+             ("no pairs at all", ["test.csv"], "needs a file and pairs"),
+             ("no file", ["absent.csv", "tip: tip"], "no such file"),
+             ("unknown column", [write("time,tip\n" + rows), "tap: tip"], "no column 'tap'.*time, tip"),
+             ("unknown quantity", [write("time,tip\n" + rows), "tip: tap"], "no column 'tap'.*history.csv"),
+             ("another dimension", [write("time,tip [kN]\n" + rows), "tip: tip"], "in kN.*in m"),
+             ("no unit", [write("time,tip [furlong]\n" + rows), "tip: tip"], "'furlong'.*no unit"),
+             ("a word", [write("time,tip\n" + rows + "1,oops\n"), "tip: tip"], "line 52.*'oops'"),
+             ("a missing field", [write("time,tip\n" + rows + "1\n"), "tip: tip"], "line 52: 1 fields"),
+             ("decimal commas", [write("time;tip\n0;1\n0,1;2\n"), "tip: tip"], "decimal point"),
+             ("time that falls", [write("time,tip\n" + rows + "0,1\n"), "tip: tip"], "does not rise"),
+             ("a name twice", [write("time,tip,tip\n0,1,1\n"), "tip: tip"], "two columns"),
+             ("no overlap", [write("time [s],tip\n" + "".join(f"{k + 1},{k}\n" for k in range(50))), "tip: tip"], "--time-offset"),
+             ("all zero", [write("time,tip\n" + "".join(f"{k * 1e-5},0\n" for k in range(50))), "tip: tip"], "zero"),
+             ("a bad offset", [write("time,tip\n" + rows), "tip: tip", "--time-offset", "3 mm"], "no time"))
+    for name, arguments, words in cases:
+        code, text, _ = compare(*arguments)
+        head, _, tail = words.partition(".*")
+        assert code == 2 and head in text and tail in text and len(text.splitlines()) <= 6, (name, code, text)
+    done = call("compare", TOP, "--measured", write("time,tip\n" + rows), "tip: tip", "--output", "measured")
+    assert done.returncode == 2 and "no run in" in done.stdout, done.stdout
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    os.chdir(scratch)
+    made = call("run", os.path.join(TOP, "prm", "quickstart.prm"), "--output", "run", *(w for s in FAST for w in ("--set", s)))
+    assert made.returncode == 0, made.stdout
+    compare_with_itself()
+    compare_several()
+    refuse()
+print("a run against its own curves, in other units and late; refusals in words")
