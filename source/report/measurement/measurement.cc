@@ -202,7 +202,7 @@ namespace birdstrike
     FigurePanel make_panel(const std::string &column, const RunCurve &of_run, const Curve &measured)
     {
       constexpr unsigned int black = 6;
-      FigurePanel            panel{column + " and " + of_run.quantity,
+      FigurePanel            panel{of_run.quantity + ", measured as " + column,
                         of_run.is_profile ? FigureAxis{"place", "m", "mm", 1e3}
                                                      : FigureAxis{"time since first touch", "s", "ms", 1e3},
                         axis_of(of_run.quantity, of_run.unit),
