@@ -31,6 +31,7 @@ namespace birdstrike
       p.material.hardening = "linear";
       p.material.yield     = "880e6";
       p.material.modulus   = "1.25e9";
+      p.element.n_points   = 5; // as the peer
       ThreadPool               pool;
       ShellBlade               blade(p, pool);
       const NodeArrays         nodes = blade.nodes();
