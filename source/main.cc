@@ -90,7 +90,7 @@ namespace
     ladder->add_option("--levels", request.n_levels, "Number of levels, 3 to 8")->capture_default_str();
     ladder
       ->add_option("--vary", request.refinement,
-                   "What is refined: mesh, particles, both, step (finer than the case), points (3, 5, 7)")
+                   "What is refined: mesh, particles, both, step (finer than the case), points (through the thickness)")
       ->capture_default_str();
     ladder->add_option("--ratio", request.ratio, "Of sizes from level to level")->capture_default_str();
     ladder->add_option("--finer", request.n_finer, "So many of the levels are finer than the case")

@@ -13,7 +13,7 @@ namespace birdstrike
     particles, ///< particle spacing
     both,      ///< these two by the same ratio
     step,      ///< shares of the stable steps of blade and bird
-    points     ///< points through the thickness: 3, 5, 7
+    points     ///< points through the thickness
   };
 
   /// What the command line says about a ladder.

@@ -11,11 +11,9 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr std::size_t  fewest_levels = 3, most_levels = 8;
-    constexpr double       smallest_ratio = 1.05; ///< below, changes drown in what has no order; Celik et al.: 1.3
-    constexpr unsigned int rules_through_thickness[] = {7, 5, 3};
-
-    bool refines_mesh(const Refinement refinement)
+    constexpr std::size_t fewest_levels = 3, most_levels = 8;
+    constexpr double      smallest_ratio = 1.05; ///< below, changes drown in what has no order; Celik et al.: 1.3
+    bool                  refines_mesh(const Refinement refinement)
     {
       return refinement == Refinement::mesh || refinement == Refinement::both;
     }
@@ -41,8 +39,14 @@ namespace birdstrike
       return entry + "=" + fmt::format("{:.6g}", value);
     }
 
-    LadderLevel make_points_level(const double number)
+    /// The odd number nearest to the case's over `factor`.
+    LadderLevel make_points_level(const unsigned int of_case, const double factor)
     {
+      const double number = 2. * std::round((of_case / factor - 1.) / 2.) + 1.;
+      if (number < 3. || number > 15.)
+        throw InputError(fmt::format("{:g} points through the thickness ({:g} times fewer than the case's {}).\n"
+                                     "  Allowed: 3 to 15.\n  Action: fewer levels, another --ratio or --finer.",
+                                     number, factor, of_case));
       return {1. / number, {set_number("Blade/Element/Points through thickness", number)}};
     }
   } // namespace
@@ -83,6 +87,8 @@ namespace birdstrike
   LadderLevel make_level(const CaseParameters &parameters, const Refinement refinement, const double factor)
   {
     require_what_is_refined(parameters, refinement);
+    if (refinement == Refinement::points)
+      return make_points_level(parameters.blade.element.n_points, factor);
     LadderLevel level{factor, {}};
     if (refines_mesh(refinement))
       {
@@ -117,17 +123,7 @@ namespace birdstrike
                     "is wise.",
                     request.ratio, smallest_ratio));
     std::vector<LadderLevel> levels;
-    if (refinement == Refinement::points)
-      {
-        if (n != std::size(rules_through_thickness))
-          throw InputError(fmt::format("{} levels of points through the thickness.\n  Allowed: 3, which are 3, 5 and 7 "
-                                       "points.",
-                                       n));
-        for (const unsigned int number : rules_through_thickness)
-          levels.insert(levels.begin(), make_points_level(number));
-        return levels;
-      }
-    const double coarsest = refinement == Refinement::step ? 0. : static_cast<double>(n - 1);
+    const double             coarsest = refinement == Refinement::step ? 0. : static_cast<double>(n - 1);
     for (std::size_t k = 0; k < n; ++k)
       levels.push_back(make_level(parameters, refinement,
                                   std::pow(request.ratio, coarsest - static_cast<double>(k + request.n_finer))));

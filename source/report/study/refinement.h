@@ -27,9 +27,8 @@ namespace birdstrike
   std::string size_unit(Refinement refinement);
 
   /// The case with sizes larger by `factor` (smaller: below one). Numbers of elements are rounded, and h is that of the
-  /// rounded numbers: the root of the mean area. Not of points
-  /// through the thickness, of which there are three rules. Throws InputError for a case that has not what is to be
-  /// refined.
+  /// rounded numbers: the root of the mean area; points through the thickness are the nearest odd number, h is one over
+  /// it. Throws InputError for a case that has not what is to be refined.
   LadderLevel make_level(const CaseParameters &parameters, Refinement refinement, double factor);
 
   /// All levels, the coarsest first. Throws InputError for fewer than three levels or more than eight, a ratio of at

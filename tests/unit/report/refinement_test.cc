@@ -56,15 +56,16 @@ TEST_F(Refining, SizesOfMeshesAreThoseOfWholeElements)
   EXPECT_EQ(ladder("both", 3, 2.)[1].overrides.size(), 3u);
 }
 
-TEST_F(Refining, TimeStepsOnlyShrinkAndPointsAreTheThreeRules)
+TEST_F(Refining, TimeStepsOnlyShrinkAndPointsAreOddNumbers)
 {
   const auto steps = ladder("step");
   EXPECT_EQ(steps[0].overrides, (Texts{"Time/Step scale=0.9", "Time/Bird step scale=1"}));
   EXPECT_EQ(steps[2].overrides, (Texts{"Time/Step scale=0.225", "Time/Bird step scale=0.25"}));
-  const auto points = ladder("points");
+  const auto points = ladder("points", 3, 1.5);
   EXPECT_EQ(points[0].overrides, Texts{"Blade/Element/Points through thickness=3"});
   EXPECT_EQ(points[2].overrides, Texts{"Blade/Element/Points through thickness=7"});
   EXPECT_LT(points[2].size, points[0].size);
+  EXPECT_EQ(ladder("points", 3, 1.5, 1)[2].overrides, Texts{"Blade/Element/Points through thickness=11"});
 }
 
 TEST_F(Refining, RefusesWhatIsNoLadder)
@@ -74,7 +75,8 @@ TEST_F(Refining, RefusesWhatIsNoLadder)
   EXPECT_THROW(ladder("mesh", 3, 1.), InputError);
   EXPECT_THROW(ladder("mesh", 3, NAN), InputError);
   EXPECT_THROW(ladder("mesh", 8, 2.), InputError) << "two of them are one element";
-  EXPECT_THROW(ladder("points", 4), InputError);
+  EXPECT_THROW(ladder("points", 4, 1.5), InputError) << "one point";
+  EXPECT_THROW(ladder("points", 3, 1.5, 3), InputError) << "23 points";
   EXPECT_THROW(ladder("particles", 3, 2., 0, {"Bird/Enabled=false"}), InputError);
   EXPECT_THROW(ladder("mesh", 3, 2., 0, {"Blade/Kind=none"}), InputError);
 }
