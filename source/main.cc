@@ -8,6 +8,7 @@
 #include <birdstrike/report/converge.h>
 #include <birdstrike/report/measurement.h>
 #include <birdstrike/report/study.h>
+#include <birdstrike/report/target_error.h>
 #include <birdstrike/simulation/commands.h>
 
 #include <deal.II/base/mpi.h>
@@ -48,6 +49,7 @@ namespace
     ConvergeRequest    of_ladder;
     MeasurementRequest of_measurement;
     bool               as_json = false;
+    std::string        target_error; ///< of run
   };
 
   void declare_overrides(CLI::App *command, std::vector<std::string> &overrides)
@@ -115,6 +117,16 @@ namespace
       ->needs(measured);
   }
 
+  /// The case as it is, or as fine as a target asks for.
+  void run(const CaseRequest &request, const std::string &target_error)
+  {
+    if (target_error.empty())
+      birdstrike::run_case(request);
+    else
+      birdstrike::run_to_target_error({target_error, request.prm_file, request.overrides, request.output},
+                                      birdstrike::forecast_run_time);
+  }
+
   /// The command line: every subcommand binds what it will do to `action`.
   void declare_commands(CLI::App &app, Requests &requests, std::function<void()> &action)
   {
@@ -132,7 +144,12 @@ namespace
       command->callback([&, verb] { action = [&, verb] { verb(requests.of_case); }; });
     };
     case_command("run", "Run a case to its end", birdstrike::run_case);
+    app.get_subcommand("run")->callback([&] { action = [&] { run(requests.of_case, requests.target_error); }; });
     app.get_subcommand("run")->add_flag("--force", requests.of_case.is_forced, "Replace a finished run in the folder");
+    app.get_subcommand("run")->add_option(
+      "--target-error", requests.target_error,
+      "Instead of the case as it is: the cheapest bird and mesh with this error, \"tip peak = 2 %\" "
+      "(folder: runs/target/FILE)");
     case_command("explain", "Say what would be computed, before it is", birdstrike::explain_case);
     case_command("validate", "Read and check a case, compute nothing", birdstrike::validate_case);
 

@@ -36,6 +36,14 @@ namespace birdstrike
     std::cout << request.prm_file << ": valid\n";
   }
 
+  double forecast_run_time(const std::string &prm_file, const std::vector<std::string> &overrides)
+  {
+    CaseParameters parameters;
+    parameters.read(prm_file, overrides);
+    const Scene scene(parameters);
+    return compute_run_time(parameters, scene);
+  }
+
   void print_columns(const CaseRequest &request)
   {
     if (request.prm_file.empty())

@@ -160,12 +160,7 @@ namespace birdstrike
       table.add("limited by", schedule.limiter.text());
       table.add("subcycles in it", fmt::format("bird {}, blade {}", schedule.n_bird, schedule.n_blade));
       table.add("time steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
-      double ns = 0.;
-      if (scene.bird)
-        ns += n_macro * schedule.n_bird * scene.bird->step_price();
-      if (scene.blade)
-        ns += n_macro * schedule.n_blade * scene.blade->prices().of_step;
-      table.add("run time on one core, about", format_duration(1e-9 * ns));
+      table.add("run time on one core, about", format_duration(compute_run_time(parameters, scene)));
       table.add("threads", std::to_string(parameters.time.n_threads()));
     }
 
@@ -187,6 +182,17 @@ namespace birdstrike
       table.add("field files, before compression, at most", format_bytes(compute_field_bytes(parameters, scene)));
     }
   } // namespace
+
+  double compute_run_time(const CaseParameters &parameters, const Scene &scene)
+  {
+    const Schedule &schedule = scene.last_plan();
+    double          ns       = 0.; // of a step
+    if (scene.bird)
+      ns += schedule.n_bird * scene.bird->step_price();
+    if (scene.blade)
+      ns += schedule.n_blade * scene.blade->prices().of_step;
+    return 1e-9 * ns * std::ceil(parameters.time.end_time / schedule.step);
+  }
 
   double compute_field_bytes(const CaseParameters &parameters, const Scene &scene)
   {

@@ -37,6 +37,9 @@ namespace birdstrike
   /// Reads and checks the case, mesh and first touch included. Builds the parts, takes no step, writes nothing.
   void validate_case(const CaseRequest &request);
 
+  /// Expected run time of a case on one core (s), as explain_case prints it.
+  double forecast_run_time(const std::string &prm_file, const std::vector<std::string> &overrides);
+
   /// Prints what every column of a case's histories is; without a file, of any case's.
   void print_columns(const CaseRequest &request);
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// What the command line says about a run to a target error.
+  struct TargetRequest
+  {
+    std::string              target; ///< "tip peak = 2 %"
+    std::string              prm_file;
+    std::vector<std::string> overrides;
+    std::string              output; ///< folder; empty: runs/target/<the file's name>
+  };
+
+  /// Expected run time of a case on one core (s).
+  using RunTimeForecast = std::function<double(const std::string &prm_file, const std::vector<std::string> &overrides)>;
+
+  /// Finds the cheapest run whose value of a quantity is within the target error of that on infinitely fine bird and
+  /// mesh, and reports it with its error bar and the time that all took (report/study/climb.h says how errors are
+  /// estimated). Bird and mesh are refined apart: three levels each to begin with, the third the case's own, then the
+  /// one whose next level promises the most error for its time. Every run keeps its folder, and is reused.
+  ///
+  /// Throws InputError for what the user must change; NumericalFailure, with the best value and what is wrong with its
+  /// estimate, where the target cannot be claimed: no order that can be trusted, or the ladder's end.
+  void run_to_target_error(const TargetRequest &request, const RunTimeForecast &forecast);
+} // namespace birdstrike

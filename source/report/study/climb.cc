@@ -1,0 +1,160 @@
+#include "report/study/climb.h"
+#include "report/study/study_table.h"
+#include <birdstrike/core/errors.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr double largest_share        = 0.5;
+    constexpr double small_bar            = 0.5; ///< of what is allowed: then even a bar without an order will do
+    constexpr double factor_without_order = 3.;
+
+    double largest_change(const std::vector<double> &values)
+    {
+      const std::size_t n       = std::min<std::size_t>(values.size(), 3);
+      double            largest = 0.;
+      for (std::size_t k = values.size() - n; k < values.size(); ++k)
+        largest = std::max(largest, std::abs(values[k] - values.back()));
+      return largest;
+    }
+
+    /// Letters and digits in lower case, all else parts them.
+    std::vector<std::string> words_of(std::string text)
+    {
+      for (char &letter : text)
+        letter = std::isalnum(static_cast<unsigned char>(letter)) != 0
+                   ? static_cast<char>(std::tolower(static_cast<unsigned char>(letter)))
+                   : ' ';
+      std::istringstream       in(text);
+      std::vector<std::string> words;
+      for (std::string word; in >> word;)
+        words.push_back(word);
+      return words;
+    }
+
+    std::string name_of(const ComparisonRow &row)
+    {
+      return row.group + " " + row.quantity;
+    }
+  } // namespace
+
+  ErrorTarget read_error_target(const std::string &text)
+  {
+    const auto refuse = [&](const std::string &what) {
+      throw InputError("--target-error '" + text + "': " + what +
+                       "\n  Allowed: a quantity of the run and an error, \"tip peak = 2 %\", \"impulse = 0.5 %\".");
+    };
+    const std::size_t equals = text.find('='), percent = text.find('%');
+    if (equals == std::string::npos || words_of(text.substr(0, equals)).empty())
+      refuse("no quantity.");
+    double            value  = 0.;
+    const std::size_t begin  = std::min(text.find_first_not_of(' ', equals + 1), text.size());
+    const auto [end, error]  = std::from_chars(text.data() + begin, text.data() + text.size(), value);
+    const std::string behind = {end, text.data() + text.size()};
+    if (error != std::errc() || percent == std::string::npos || words_of(behind).size() > 0 ||
+        behind.find_first_not_of(" %") != std::string::npos)
+      refuse("no error in percent.");
+    if (!(value > 0.) || value > 100. * largest_share)
+      refuse(fmt::format("an error of {:g} %; above 0, at most {:g} %.", value, 100. * largest_share));
+    return {text.substr(0, equals), 0.01 * value};
+  }
+
+  const ComparisonRow &find_row(const std::vector<ComparisonRow> &rows, const std::string &quantity)
+  {
+    const std::vector<std::string>     wanted = words_of(quantity);
+    std::size_t                        fewest = std::numeric_limits<std::size_t>::max();
+    std::vector<const ComparisonRow *> found;
+    std::string                        there;
+    for (const ComparisonRow &row : rows)
+      {
+        if (!is_response(row))
+          continue;
+        there += (there.empty() ? "" : ", ") + name_of(row);
+        const std::vector<std::string> words   = words_of(name_of(row));
+        const bool                     has_all = std::ranges::all_of(
+                              wanted, [&](const std::string &word) { return std::ranges::find(words, word) != words.end(); });
+        if (!has_all || words.size() > fewest)
+          continue;
+        if (words.size() < fewest)
+          found.clear();
+        fewest = words.size();
+        found.push_back(&row);
+      }
+    if (found.size() != 1)
+      throw InputError("--target-error: " + std::string(found.empty() ? "no quantity" : "more than one quantity") +
+                       " of this run is '" + quantity + "'.\n  There are: " + there + ".");
+    return *found[0];
+  }
+
+  bool ClimbAxis::is_refined() const
+  {
+    return sizes.size() > 1;
+  }
+
+  GridConvergence ClimbAxis::estimate() const
+  {
+    const std::size_t         n = std::min<std::size_t>(sizes.size(), 4);
+    const std::vector<double> h(sizes.rbegin(), sizes.rbegin() + static_cast<std::ptrdiff_t>(n)),
+      f(values.rbegin(), values.rbegin() + static_cast<std::ptrdiff_t>(n));
+    return estimate_convergence(h, f);
+  }
+
+  double ClimbAxis::bar() const
+  {
+    const double estimated = estimate().bar;
+    return std::isnan(estimated) ? factor_without_order * largest_change(values) : estimated;
+  }
+
+  std::vector<double> ClimbAxis::errors() const
+  {
+    std::vector<double> all(sizes.size(), 0.);
+    if (!is_refined())
+      return all;
+    const double of_finest = bar();
+    double       farthest  = 0.;
+    for (std::size_t k = sizes.size(); k-- > 0;)
+      {
+        farthest = std::max(farthest, std::abs(values[k] - values.back()));
+        all[k]   = farthest + of_finest;
+      }
+    return all;
+  }
+
+  bool ClimbAxis::is_trusted(const double allowed) const
+  {
+    return !is_refined() || estimate().is_trusted() || bar() <= small_bar * allowed;
+  }
+
+  double ClimbAxis::expected_gain() const
+  {
+    const GridConvergence made  = estimate();
+    const double          order = std::isnan(made.order) ? 1. : std::clamp(made.order, 0.5, 2.);
+    const double          ratio = sizes[sizes.size() - 2] / sizes.back();
+    const double          error = std::isnan(made.bar) ? std::abs(values.back() - values.front()) : made.bar;
+    return error * (1. - std::pow(ratio, -order));
+  }
+
+  std::vector<ClimbChoice> find_choices(const ClimbAxis &bird, const ClimbAxis &mesh, const double allowed)
+  {
+    const std::vector<double> of_bird = bird.errors(), of_mesh = mesh.errors();
+    std::vector<ClimbChoice>  choices;
+    for (std::size_t i = bird.is_refined() ? 1 : 0; i < of_bird.size(); ++i)
+      for (std::size_t j = mesh.is_refined() ? 1 : 0; j < of_mesh.size(); ++j)
+        if (of_bird[i] + of_mesh[j] <= allowed)
+          {
+            choices.push_back({i, j});
+            break;
+          }
+    return choices;
+  }
+} // namespace birdstrike

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "report/comparison/comparison_table.h"
+#include "report/study/grid_convergence.h"
+
+#include <string>
+#include <vector>
+
+namespace birdstrike
+{
+  /// "tip peak = 2 %".
+  struct ErrorTarget
+  {
+    std::string quantity; ///< as it was typed
+    double      share;    ///< of the value
+  };
+
+  /// Throws InputError for what is no quantity with a percentage above 0, at most 50.
+  ErrorTarget read_error_target(const std::string &text);
+
+  /// The row whose group and quantity hold all of the words, with the fewest others: "tip peak" is "Tip: peak
+  /// (mid-chord)". Throws InputError, naming what there is, where none does or two do alike.
+  const ComparisonRow &find_row(const std::vector<ComparisonRow> &rows, const std::string &quantity);
+
+  /// One direction of refinement: values on its levels, the coarsest first, while all else is at its coarsest.
+  struct ClimbAxis
+  {
+    std::string         name; ///< "bird"
+    std::vector<double> sizes, values;
+
+    /// False for a direction that cannot be refined: it has one level, and its error is in no bar.
+    bool is_refined() const;
+
+    /// Of the three or four finest levels.
+    GridConvergence estimate() const;
+
+    /// Half the error bar of the finest level: that of the estimate; where changes grow, and it has none, three times
+    /// the largest change of the three finest levels.
+    double bar() const;
+
+    /// The same for each level: what it and every finer one is away from the finest, at most, and the finest's own bar.
+    std::vector<double> errors() const;
+
+    /// Whether errors may be claimed: the ladder converges, or its bar, by the larger factor of safety, is below half
+    /// of what is allowed: then all changes of its three finest levels are below a sixth of that.
+    bool is_trusted(double allowed) const;
+
+    /// What one more level would take off the error of the finest, by the order that is seen, else by one.
+    double expected_gain() const;
+  };
+
+  /// Levels of both directions.
+  struct ClimbChoice
+  {
+    std::size_t bird, mesh;
+  };
+
+  /// For each level of the bird the coarsest mesh with which the errors' sum is at most `allowed`. Not the coarsest
+  /// levels of directions that are refined: only a run aside from both ladders shows whether errors add up.
+  std::vector<ClimbChoice> find_choices(const ClimbAxis &bird, const ClimbAxis &mesh, double allowed);
+} // namespace birdstrike

@@ -1,0 +1,43 @@
+#include "report/study/climber.h"
+#include <birdstrike/core/log.h>
+#include <birdstrike/core/numerical_failure.h>
+#include <birdstrike/io/report_folder.h>
+#include <birdstrike/report/text.h>
+
+#include <spdlog/logger.h>
+
+#include <chrono>
+
+namespace birdstrike
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    const ReportKind kind{"target", {"target"}};
+  } // namespace
+
+  void run_to_target_error(const TargetRequest &request, const RunTimeForecast &forecast)
+  {
+    using Clock          = std::chrono::steady_clock;
+    const auto     begin = Clock::now();
+    const fs::path output =
+      request.output.empty() ? fs::path("runs/target") / fs::path(request.prm_file).stem() : fs::path(request.output);
+    ReportFolder::require_usable(output, kind);
+    Climber            climber(request, forecast, output);
+    const ReportFolder folder(output, kind);
+    Climber::Answer    answer{};
+    try
+      {
+        answer = climber.climb();
+      }
+    catch (const NumericalFailure &)
+      {
+        folder.write_text("target.csv", climber.as_csv());
+        throw;
+      }
+    folder.write_text("target.csv", climber.as_csv());
+    const std::chrono::duration<double> taken = Clock::now() - begin;
+    log().info("\n{}\n  in {} altogether", climber.describe(answer), format_duration(taken.count()));
+  }
+} // namespace birdstrike

@@ -1,0 +1,99 @@
+#include "report/study/climb.h"
+#include <birdstrike/core/errors.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace birdstrike;
+
+namespace
+{
+  const std::vector<ComparisonRow> rows{{"Case", "elements", "count", {1.}, {}},
+                                        {"Tip", "peak (mid-chord)", "m", {0.3}, {}},
+                                        {"Tip", "time of the peak", "s", {0.01}, {}},
+                                        {"Root", "peak bending moment", "N m", {470.}, {}},
+                                        {"Contact", "peak force", "N", {4e5}, {}},
+                                        {"Root", "peak force", "N", {5e3}, {}},
+                                        {"Contact", "peak force, filtered", "N", {3e4}, {}},
+                                        {"Contact", "impulse (norm)", "N s", {16.}, {}}};
+
+  /// f = 1 + c h^p on sizes that shrink by 1.5.
+  ClimbAxis of_power(const double p, const double c, const std::size_t n)
+  {
+    ClimbAxis axis{"bird", {}, {}};
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        axis.sizes.push_back(std::pow(1.5, -static_cast<double>(k)));
+        axis.values.push_back(1. + c * std::pow(axis.sizes.back(), p));
+      }
+    return axis;
+  }
+
+  const ClimbAxis not_refined{"mesh", {0.}, {1.}};
+} // namespace
+
+TEST(Climb, ReadsTargets)
+{
+  const ErrorTarget target = read_error_target("tip peak = 2 %");
+  EXPECT_EQ(find_row(rows, target.quantity).quantity, "peak (mid-chord)");
+  EXPECT_DOUBLE_EQ(target.share, 0.02);
+  EXPECT_DOUBLE_EQ(read_error_target("impulse=0.5%").share, 0.005);
+  for (const char *text : {"tip peak", "tip peak = 2", "= 2 %", "tip peak = two %", "tip peak = 0 %", "tip peak = -1 %",
+                           "tip peak = 60 %", "tip peak = 2 % or so", "tip peak = 2 mm"})
+    EXPECT_THROW(read_error_target(text), InputError) << text;
+}
+
+TEST(Climb, FindsTheQuantityWithTheFewestOtherWords)
+{
+  EXPECT_EQ(find_row(rows, "Root peak moment").quantity, "peak bending moment");
+  EXPECT_EQ(find_row(rows, "contact peak force").quantity, "peak force");
+  EXPECT_EQ(find_row(rows, "filtered peak force").quantity, "peak force, filtered");
+  EXPECT_THROW(find_row(rows, "tip of the iceberg"), InputError);
+  EXPECT_THROW(find_row(rows, "elements"), InputError) << "no answer of the scene";
+  EXPECT_THROW(find_row(rows, "peak force"), InputError) << "of the root or of contact?";
+}
+
+TEST(Climb, ErrorsOfALadderThatConvergesHoldTheTruth)
+{
+  for (const double p : {1., 2.})
+    {
+      const ClimbAxis           axis   = of_power(p, 0.1, 4);
+      const std::vector<double> errors = axis.errors();
+      EXPECT_TRUE(axis.is_trusted(1e-9));
+      for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_GE(errors[k], std::abs(axis.values[k] - 1.)) << "the limit is within the bar";
+      EXPECT_NEAR(errors[3], 1.25 * (axis.values[3] - 1.), 1e-9);
+      EXPECT_NEAR(axis.expected_gain(), errors[3] * (1. - std::pow(1.5, -p)), 1e-7) << "round-off of the order";
+    }
+}
+
+TEST(Climb, TrustsSwingsOnlyWhereTheyAreSmall)
+{
+  const ClimbAxis swings{"bird", {3., 2., 1.}, {1.001, 0.999, 1.}};
+  EXPECT_NEAR(swings.errors()[2], 0.003, 1e-12) << "three times the largest change";
+  EXPECT_TRUE(swings.is_trusted(0.0061));
+  EXPECT_FALSE(swings.is_trusted(0.0059));
+  const ClimbAxis grows{"bird", {3., 2., 1.}, {1., 1.001, 1.004}};
+  EXPECT_NEAR(grows.bar(), 0.012, 1e-12);
+  EXPECT_FALSE(grows.is_trusted(0.02));
+}
+
+TEST(Climb, ChoosesTheCoarsestMeshForEachBirdAndNeverBothAtTheirCoarsest)
+{
+  const ClimbAxis bird = of_power(2., 0.1, 4), mesh = of_power(1., 0.1, 4);
+  for (const ClimbChoice &choice : find_choices(bird, mesh, 0.15))
+    {
+      EXPECT_GE(choice.bird, 1u);
+      EXPECT_GE(choice.mesh, 1u);
+      EXPECT_LE(bird.errors()[choice.bird] + mesh.errors()[choice.mesh], 0.15);
+      if (choice.mesh > 1)
+        {
+          EXPECT_GT(bird.errors()[choice.bird] + mesh.errors()[choice.mesh - 1], 0.15) << "one coarser would not do";
+        }
+    }
+  EXPECT_FALSE(find_choices(bird, mesh, 0.15).empty());
+  EXPECT_TRUE(find_choices(bird, mesh, 0.01).empty());
+  EXPECT_TRUE(find_choices(bird, mesh, -1.).empty());
+  EXPECT_EQ(find_choices(bird, not_refined, 0.2)[0].mesh, 0u);
+}
