@@ -81,7 +81,8 @@ namespace birdstrike
     if (search.n_near() > 0)
       {
         const double       range = topology.max_half_thickness() + 0.5 * memory.max_size();
-        const ContactScene scene{points, facets, topology, step, range, last.calls, last.calls == 1, is_changed};
+        const ContactScene scene{
+          points, facets, topology, step, range, last.calls, last.calls == 1, is_changed, search.nodes_motion()};
         find_touches(scene, pool);
         add_forces_of_touches(scene, sink, pool);
       }

@@ -123,7 +123,8 @@ namespace birdstrike
     std::optional<StepVote> bird_vote, blade_vote;
     if (bird)
       {
-        bird_vote = StepVote{bird->step_limit(), bird->step_price() + (contact ? contact->step_price() : 0.)};
+        // contact is a few per cent of it, as many as the search has listed: in that the axes have a part
+        bird_vote = StepVote{bird->step_limit(), bird->step_price()};
         bird_vote->limit.value *= parameters.time.bird_step_scale;
         if (const StepLimit in_touch = contact ? contact->step_limit() : StepLimit();
             in_touch.value < bird_vote->limit.value)

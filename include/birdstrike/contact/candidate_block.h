@@ -18,6 +18,7 @@ namespace birdstrike
 
     Box    box;                 ///< of its points, now
     double motion_squared = 0.; ///< m^2, largest of its points since the last call, relative to the first node
+    AlignedVector<double> point_motions_squared; ///< [end - begin], m^2, likewise, of each; 0 where it is not tracked
     /// m, bounds of how far its points and any node have moved relative to each other, since the last search and since
     /// the last call.
     double path = 0., step_motion = 0.;

@@ -11,7 +11,6 @@
 #include <birdstrike/contact/touch_record.h>
 #include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
-#include <birdstrike/core/prices.h>
 #include <birdstrike/core/step_limit.h>
 #include <birdstrike/core/thread_pool.h>
 
@@ -66,11 +65,6 @@ namespace birdstrike
     StepLimit step_limit() const
     {
       return limit;
-    }
-
-    double step_price() const ///< ns, core/prices.h
-    {
-      return prices::near_point * static_cast<double>(search.n_near());
     }
 
     /// The longest step (s) in which nodes may take the impulses of several contact steps together: N of a full layer

@@ -30,6 +30,7 @@ namespace birdstrike
     std::uint64_t          call;               ///< number of this call, one more than that of the last
     bool                   is_first;           ///< penetrations found now become references
     bool                   is_changed = false; ///< facets have come or gone: so do those of points that touched nothing
+    double                 nodes_motion = 0.;  ///< m, largest of a node since the last call
   };
 
   /// Decides which candidates touch, on which side and how deep: signed distance s to the closest point against the
@@ -53,7 +54,7 @@ namespace birdstrike
   /// directions falling from 0.5 to 0.2 the second share rises from 0 to 1; so a slightly folded surface never counts
   /// twice. A third facet (inner corner of a box) is not seen.
   ///
-  /// *Who is looked at.* Pairs closer than the reach, the larger of max g and four steps' flight. Of a point further
+  /// *Who is looked at.* Points closer than the larger of max g and four steps' flight of their own. Of one further
   /// away there is nothing to remember: it cannot pass the surface before it is next seen, and so its side is then
   /// again the one on which it is. Only one that has already passed is kept awake wherever it is.
   class NarrowPhase
@@ -77,7 +78,7 @@ namespace birdstrike
 
   private:
     struct Group;
-    void          decide(const ContactScene &scene, const Group &group, double reach, PointMemory &memory);
+    void          decide(const ContactScene &scene, const Group &group, PointMemory &memory);
     std::uint32_t nearest(const Group &group) const;
     std::uint32_t way_in(const Group &group, const ContactScene &scene, std::uint32_t closest,
                          const PointRecord &before) const;
@@ -86,6 +87,7 @@ namespace birdstrike
     bool          touch(const ContactScene &scene, std::uint32_t place, const PointRecord &before, bool is_other_sheet,
                         int &taken, TouchingPair &result, PointRecord::Side &side) const;
     void          keep_passed_awake(const ContactScene &scene, PointMemory &memory);
+    double        way_of(const ContactScene &scene, std::uint32_t place) const; // m, of the point against the facet
     void          keep_awake(std::uint32_t near);
     std::uint32_t facet_of(const std::uint32_t place) const // global
     {

@@ -57,12 +57,23 @@ namespace birdstrike
     }
     std::size_t n_pairs() const;
 
+    double nodes_motion() const ///< m, largest since the last call, relative to the first node
+    {
+      return largest_node_motion;
+    }
     const Counts &counts() const
     {
       return n_calls;
     }
 
   private:
+    struct NodePart
+    {
+      Box    box;
+      double motion_squared = 0.;    // largest, m^2
+      bool   has_loose      = false; // nodes without a facet
+    };
+
     bool   is_of(const PointsView &points, const FacetsView &facets) const; ///< the lists
     void   set_blocks(const PointsView &points, const FacetsView &facets);
     void   set_node_parts(const FacetsView &facets);
@@ -70,16 +81,10 @@ namespace birdstrike
     void   watch_points(const PointsView &points, const Point3 &shift, CandidateBlock &block);
     void   watch_nodes(const FacetsView &facets, const Point3 &shift, std::size_t part);
     void   watch_facet_nodes(const FacetsView &facets, const Point3 &shift, std::size_t part);
+    void   watch_node(const FacetsView &facets, const Point3 &shift, std::size_t node, NodePart &seen);
     double closest_away() const;
     void   find_pairs(const PointsView &points, const FacetsView &facets, double reach, ThreadPool &pool);
     void   count_near();
-
-    struct NodePart
-    {
-      Box    box;
-      Point3 motion;            // largest of each component, m
-      bool   has_loose = false; // nodes without a facet
-    };
 
     FacetGrid                   grid;
     std::vector<CandidateBlock> all_blocks;
@@ -93,6 +98,7 @@ namespace birdstrike
     std::size_t                          n_facets = 0;
     Box                                  surface;                     // of all nodes, now
     double                               path = 0., last_motion = 0.; // m, of all blocks
+    double                               largest_node_motion = 0.;
     bool                                 is_known = false, is_tracking = false;
     Counts                               n_calls;
   };

@@ -42,7 +42,7 @@ namespace birdstrike
     }
     double reach() const ///< m beyond the half thicknesses: pairs nearer than this are all on the list
     {
-      return 0.5 * margin;
+      return 0.25 * margin;
     }
     double edge() const ///< m, of a facet
     {

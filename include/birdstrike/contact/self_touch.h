@@ -46,11 +46,13 @@ namespace birdstrike
   ///   d = t_p/2 + t_q/2 - s |p - q|,
   /// with s = -1 once the node has passed to the other side of a sheet, so that it is pushed back to where it came
   /// from; of a solid's skin (half thickness 0) only what was outside before can be inside. What overlaps at first
-  /// sight carries no force, and later only as far as it goes deeper.
+  /// sight, or once facets between have failed, carries no force, and later only as far as it goes deeper.
   class SelfTouches
   {
   public:
-    void update(const FacetsView &facets, const SurfaceTopology &topology, const SelfSearch &search, double step);
+    /// `is_changed`: the facets are others than in the call before.
+    void update(const FacetsView &facets, const SurfaceTopology &topology, const SelfSearch &search, double step,
+                bool is_changed);
 
     void archive(Archive &archive);
 
@@ -97,7 +99,8 @@ namespace birdstrike
     {
       const FacetsView      &facets;
       const SurfaceTopology &topology;
-      double                 step, no_distance; // s, m
+      double                 step, no_distance, known_from; // s, m, m
+      bool                   is_changed;
     };
 
     void        evaluate(const Scene &scene, const SelfSearch::Candidate &candidate, double reach);
@@ -113,6 +116,5 @@ namespace birdstrike
     std::vector<Near>      group;   // of the present point
     std::vector<SelfTouch> found;
     std::uint64_t          call = 0, tested = 0;
-    bool                   is_first = true;
   };
 } // namespace birdstrike

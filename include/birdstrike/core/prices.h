@@ -16,8 +16,6 @@ namespace birdstrike::prices
   constexpr double linear_particle   = 423.; ///< bird/step/linear
   constexpr double standard_particle = 186.; ///< bird/step/standard
 
-  constexpr double near_point = 78.; ///< contact/step: of a point near a facet
-
   // of an element, its internal forces; "yielding" with five points through the thickness that all yield
   constexpr double physical_shell                  = 48.;  ///< shell/forces/physical/elastic
   constexpr double physical_shell_yielding         = 104.; ///< shell/forces/physical/plastic_5

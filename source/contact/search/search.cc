@@ -47,6 +47,8 @@ namespace birdstrike
       {
         block.is_tracked = surface.separation(block.box) <= range + 1.5 * margin;
         is_tracking |= block.is_tracked;
+        if (!block.is_tracked)
+          std::fill(block.point_motions_squared.begin(), block.point_motions_squared.end(), 0.);
       }
     ++(is_tracking ? n_calls.searches : n_calls.apart);
     if (is_tracking)
@@ -75,6 +77,7 @@ namespace birdstrike
         all_blocks[b].begin      = b * points_per_block;
         all_blocks[b].end        = std::min(points.n, (b + 1) * points_per_block);
         all_blocks[b].is_tracked = false;
+        all_blocks[b].point_motions_squared.assign(all_blocks[b].end - all_blocks[b].begin, 0.);
       }
     if (has_other_facets)
       set_node_parts(facets);

@@ -22,7 +22,7 @@ namespace birdstrike
 
       template <bool is_tracked>
       [[gnu::always_inline]] void add(const PointsView &points, std::array<AlignedVector<double>, 3> &old,
-                                      const Point3 &shift, const std::size_t i)
+                                      const Point3 &shift, const std::size_t i, double *own)
       {
         Number sum(0.);
         for (unsigned int d = 0; d < 3; ++d)
@@ -38,7 +38,10 @@ namespace birdstrike
               }
           }
         if constexpr (is_tracked)
-          motion_squared = max(motion_squared, sum);
+          {
+            motion_squared = max(motion_squared, sum);
+            store(sum, own);
+          }
       }
     };
   } // namespace
@@ -69,17 +72,18 @@ namespace birdstrike
     };
     pool.parallel_for(node_parts.size() + all_blocks.size(), min_units, std::ref(watch_units));
 
-    surface             = Box();
-    Point3 nodes_motion = Point3::Zero();
+    surface                     = Box();
+    double nodes_motion_squared = 0.;
     for (const NodePart &part : node_parts)
       {
         surface.add(part.box);
-        nodes_motion = nodes_motion.cwiseMax(part.motion);
+        nodes_motion_squared = std::max(nodes_motion_squared, part.motion_squared);
       }
-    last_motion = 0.;
+    largest_node_motion = std::sqrt(nodes_motion_squared);
+    last_motion         = 0.;
     for (CandidateBlock &block : all_blocks)
       {
-        block.step_motion = block.is_tracked ? std::sqrt(block.motion_squared) + nodes_motion.norm() : 0.;
+        block.step_motion = block.is_tracked ? std::sqrt(block.motion_squared) + largest_node_motion : 0.;
         block.path += block.step_motion;
         last_motion = std::max(last_motion, block.step_motion);
       }
@@ -92,9 +96,9 @@ namespace birdstrike
     const auto         look = [&]<bool is_tracked>(std::integral_constant<bool, is_tracked>) {
       std::size_t i = block.begin;
       for (; i + n_lanes <= block.end; i += n_lanes)
-        wide.add<is_tracked>(points, old_points, shift, i);
+        wide.add<is_tracked>(points, old_points, shift, i, &block.point_motions_squared[i - block.begin]);
       for (; i < block.end; ++i)
-        tail.add<is_tracked>(points, old_points, shift, i);
+        tail.add<is_tracked>(points, old_points, shift, i, &block.point_motions_squared[i - block.begin]);
     };
     if (block.is_tracked)
       look(std::true_type());
@@ -112,63 +116,66 @@ namespace birdstrike
   {
     // x y z x y z ...: three registers hold whole nodes, and their lanes repeat the components
     const std::size_t begin = 3 * part * nodes_per_part, end = std::min(old_nodes.size(), begin + 3 * nodes_per_part);
-    std::array<Lanes, 3> low, high, motion, shifts;
+    std::array<Lanes, 3>                        low, high, shifts;
+    alignas(64) std::array<double, 3 * n_lanes> squares;
+    Lanes                                       motion_squared(0.);
     for (std::size_t r = 0; r < 3; ++r)
       {
         low[r]    = Lanes(1e300);
         high[r]   = Lanes(-1e300);
-        motion[r] = Lanes(0.);
         shifts[r] = Lanes([&](const auto j) { return shift[(r * n_lanes + j) % 3]; });
       }
     std::size_t e = begin;
     for (; e + 3 * n_lanes <= end; e += 3 * n_lanes)
-      for (std::size_t r = 0; r < 3; ++r)
-        {
-          double     *old = &old_nodes[e + r * n_lanes];
-          const Lanes x   = load<Lanes>(facets.position + e + r * n_lanes);
-          low[r]          = min(low[r], x);
-          high[r]         = max(high[r], x);
-          if (is_tracking)
-            {
-              const Lanes dx = x - load<Lanes>(old) - shifts[r];
-              motion[r]      = max(motion[r], max(dx, -dx));
-              store(x, old);
-            }
-        }
+      {
+        for (std::size_t r = 0; r < 3; ++r)
+          {
+            double     *old = &old_nodes[e + r * n_lanes];
+            const Lanes x   = load<Lanes>(facets.position + e + r * n_lanes);
+            low[r]          = min(low[r], x);
+            high[r]         = max(high[r], x);
+            if (is_tracking)
+              {
+                const Lanes dx = x - load<Lanes>(old) - shifts[r];
+                store(Lanes(dx * dx), &squares[r * n_lanes]);
+                store(x, old);
+              }
+          }
+        if (is_tracking)
+          motion_squared =
+            max(motion_squared,
+                Lanes([&](const auto j) { return squares[3 * j] + squares[3 * j + 1] + squares[3 * j + 2]; }));
+      }
 
     NodePart &seen = node_parts[part];
-    seen           = {Box(), Point3::Zero(), false};
-    const auto add = [&](const std::size_t d, const double x_low, const double x_high, const double dx) {
-      seen.box.low[d]                           = std::min(seen.box.low[d], x_low);
-      seen.box.high[d]                          = std::max(seen.box.high[d], x_high);
-      seen.motion[static_cast<Eigen::Index>(d)] = std::max(seen.motion[static_cast<Eigen::Index>(d)], dx);
-    };
+    seen           = {Box(), is_tracking ? stdx::hmax(motion_squared) : 0., false};
     for (std::size_t k = 0; k < 3 * n_lanes; ++k)
-      add(k % 3, low[k / n_lanes][k % n_lanes], high[k / n_lanes][k % n_lanes], motion[k / n_lanes][k % n_lanes]);
-    for (; e < end; ++e)
       {
-        const std::size_t d = (e - begin) % 3;
-        const double      x = facets.position[e];
-        add(d, x, x, is_tracking ? std::abs(x - old_nodes[e] - shift[static_cast<Eigen::Index>(d)]) : 0.);
-        old_nodes[e] = x;
+        seen.box.low[k % 3]  = std::min(seen.box.low[k % 3], static_cast<double>(low[k / n_lanes][k % n_lanes]));
+        seen.box.high[k % 3] = std::max(seen.box.high[k % 3], static_cast<double>(high[k / n_lanes][k % n_lanes]));
       }
+    for (; e < end; e += 3)
+      watch_node(facets, shift, e / 3, seen);
+  }
+
+  void CandidateSearch::watch_node(const FacetsView &facets, const Point3 &shift, const std::size_t n, NodePart &seen)
+  {
+    const Point3       x(facets.position + 3 * n);
+    Eigen::Map<Point3> old(&old_nodes[3 * n]);
+    seen.box.add(x.data());
+    if (is_tracking)
+      seen.motion_squared = std::max(seen.motion_squared, (x - old - shift).squaredNorm());
+    old = x;
   }
 
   void CandidateSearch::watch_facet_nodes(const FacetsView &facets, const Point3 &shift, const std::size_t part)
   {
     NodePart &seen = node_parts[part];
-    seen           = {Box(), Point3::Zero(), true};
+    seen           = {Box(), 0., true};
     for (std::size_t n = part * nodes_per_part; n < std::min(facets.n_nodes, (part + 1) * nodes_per_part); ++n)
-      {
-        const Point3       x(facets.position + 3 * n);
-        Eigen::Map<Point3> old(&old_nodes[3 * n]);
-        if (is_loose[n] == 0)
-          {
-            seen.box.add(x.data());
-            if (is_tracking)
-              seen.motion = seen.motion.cwiseMax((x - old - shift).cwiseAbs());
-          }
-        old = x;
-      }
+      if (is_loose[n] == 0)
+        watch_node(facets, shift, n, seen);
+      else
+        std::copy_n(facets.position + 3 * n, 3, &old_nodes[3 * n]);
   }
 } // namespace birdstrike

@@ -47,7 +47,6 @@ namespace birdstrike
   void SelfTouches::archive(Archive &archive)
   {
     archive("call", call);
-    archive("is first", is_first);
     archive.records("nodes", records, [](Archive::Row &row, Record &record) {
       SelfSide &a = record.sides[0], &b = record.sides[1];
       row("last call", record.last_call);

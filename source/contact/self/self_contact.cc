@@ -52,8 +52,8 @@ namespace birdstrike
     for (const SelfTouch &touch : before)
       for (const unsigned int k : {0U, 2U})
         touched.push_back({{touch.point, touch.nodes[k]}});
-    search.update(facets, topology, step, touched);
-    last.looks = search.n_looks();
+    const bool is_changed = search.update(facets, topology, step, touched);
+    last.looks            = search.n_looks();
     ++last.calls;
     nodal_forces.clear();
     last.n_touching = 0;
@@ -64,7 +64,7 @@ namespace birdstrike
         return;
       }
 
-    narrow.update(facets, topology, search, step);
+    narrow.update(facets, topology, search, step, is_changed);
     reserve(facets);
     last.pairs_tested += narrow.n_tested();
     book_second_halves(facets, step);

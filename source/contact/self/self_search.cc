@@ -9,8 +9,8 @@ namespace birdstrike
   namespace
   {
     constexpr double margin_over_edge = 0.5;
-    constexpr double margin_in_steps  = 6.;   // of the fastest node
-    constexpr double margin_used      = 0.75; // of it before the next look: the rest is for the step to come
+    constexpr double margin_in_steps  = 12.;  // of the fastest node
+    constexpr double margin_used      = 0.75; // of it before the next look: the rest is what reach() promises
     constexpr double own_range        = 2.;   // of a neighbourhood, in sums of half thicknesses
   }                                           // namespace
 

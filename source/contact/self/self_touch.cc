@@ -9,6 +9,8 @@ namespace birdstrike
   {
     constexpr double share_starts_at = 0.5, share_is_full_at = 0.2; // cosines between two directions of touch
     constexpr double tie           = 1e-9;                          // relative difference of equal distances
+    constexpr double known_from    = 0.125;                         // edges beyond touch, or ...
+    constexpr double known_before  = 1.5;  // ... so many steps' flight. When a look came must not matter
     constexpr double looks_outward = 0.25; // cosine between a facet's normal and where a node came from
 
     // below this share of an edge the direction p - q is round-off, and the facet's normal takes its place
@@ -36,7 +38,7 @@ namespace birdstrike
   } // namespace
 
   void SelfTouches::update(const FacetsView &facets, const SurfaceTopology &topology, const SelfSearch &search,
-                           const double step)
+                           const double step, const bool is_changed)
   {
     ++call;
     found.clear();
@@ -49,7 +51,8 @@ namespace birdstrike
     if (group.capacity() < pairs.size())
       group.reserve(2 * pairs.size());
 
-    const Scene scene{facets, topology, step, no_distance_over_edge * search.edge()};
+    const Scene scene{facets,    topology, step, no_distance_over_edge * search.edge(), known_from * search.edge(),
+                      is_changed};
     for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end)
       {
         const std::uint32_t point = pairs[begin].point;
@@ -59,7 +62,6 @@ namespace birdstrike
         if (!group.empty())
           decide(scene, point);
       }
-    is_first = false;
   }
 
   void SelfTouches::evaluate(const Scene &scene, const SelfSearch::Candidate &candidate, const double reach)
@@ -71,15 +73,17 @@ namespace birdstrike
     double      most  = 0.;
     for (const std::uint32_t node : nodes)
       most = std::max(most, scene.topology.half_thickness(node));
-    gap += most + reach;
+    gap += most;
+    const double box_gap = gap + reach;
     for (unsigned int d = 0; d < 3; ++d)
-      if (p[d] - gap > std::max({x[0][d], x[1][d], x[2][d], x[3][d]}) ||
-          p[d] + gap < std::min({x[0][d], x[1][d], x[2][d], x[3][d]}))
+      if (p[d] - box_gap > std::max({x[0][d], x[1][d], x[2][d], x[3][d]}) ||
+          p[d] + box_gap < std::min({x[0][d], x[1][d], x[2][d], x[3][d]}))
         return;
     ++tested;
     Near near{candidate.facet, compute_closest_point(p, x), 0., 0., compute_area_vector(x).normalized()};
-    near.distance = std::sqrt(near.closest.distance_squared);
-    if (near.distance > gap)
+    near.distance       = std::sqrt(near.closest.distance_squared);
+    const double flight = relative_velocity(scene.facets, candidate.point, nodes, near.weights()).norm() * scene.step;
+    if (near.distance > gap + std::max(scene.known_from, known_before * flight))
       return;
     bool is_own = true; // on the rim of the neighbourhood: the surface goes on there
     for (unsigned int k = 0; k < 4; ++k)
@@ -179,9 +183,9 @@ namespace birdstrike
     for (unsigned int k = 0; k < 4; ++k)
       gap += near.closest.weights[k] * scene.topology.half_thickness(nodes[k]);
     const double overlap = gap - sign * near.distance;
-    side.reference       = std::max(0., is_first ? overlap
-                                        : is_new ? overlap - travelled
-                                                 : std::min(side.reference, overlap));
+    side.reference       = std::max(0., is_new && scene.is_changed ? overlap
+                                        : is_new                   ? overlap - travelled
+                                                                   : std::min(side.reference, overlap));
     side.is_touching     = overlap > side.reference;
     result.point         = point;
     result.nodes         = nodes;

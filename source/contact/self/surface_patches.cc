@@ -96,6 +96,16 @@ namespace birdstrike
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());
       }
+    // boxes alone would leave it to the axes which patches are neighbours
+    const auto are_near = [&](const std::uint32_t a, const std::uint32_t b) {
+      if (boxes[a].separation(boxes[b]) > range)
+        return false;
+      for (const std::uint32_t i : patches[a].nodes)
+        for (const std::uint32_t j : patches[b].nodes)
+          if ((Point3(&reference[3 * i]) - Point3(&reference[3 * j])).squaredNorm() <= range * range)
+            return true;
+      return false;
+    };
     std::vector<std::uint32_t> seen(patches.size(), no_patch);
     for (std::uint32_t p = 0; p < patches.size(); ++p)
       {
@@ -103,7 +113,7 @@ namespace birdstrike
         seen[p] = p;
         for (std::size_t k = 0; k < found.size(); ++k)
           for (const std::uint32_t next : adjacent[found[k]])
-            if (seen[next] != p && (found[k] == p || boxes[p].separation(boxes[next]) <= range))
+            if (seen[next] != p && (found[k] == p || are_near(p, next)))
               {
                 seen[next] = p;
                 found.push_back(next);

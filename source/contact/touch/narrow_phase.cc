@@ -45,7 +45,7 @@ namespace birdstrike
         while (end < pairs.n() && near_of(end) == near)
           ++end;
         ++n_active_points;
-        decide(scene, {begin, end, near}, reach, memory);
+        decide(scene, {begin, end, near}, memory);
       }
   }
 
@@ -109,12 +109,12 @@ namespace birdstrike
     return best;
   }
 
-  void NarrowPhase::decide(const ContactScene &scene, const Group &group, const double reach, PointMemory &memory)
+  void NarrowPhase::decide(const ContactScene &scene, const Group &group, PointMemory &memory)
   {
     std::uint32_t closest = nearest(group);
     if (!scene.facets.two_sided && pairs.height[closest] < 0.)
       closest = way_in(group, scene, closest, memory[scene.points.id[block->points[group.near]]]);
-    if (pairs.distance[closest] >= reach && !block->has_passed[group.near])
+    if (pairs.distance[closest] >= std::max(scene.range, 4. * way_of(scene, closest)) && !block->has_passed[group.near])
       return;
     PointRecord &record = memory[scene.points.id[block->points[group.near]]];
 
@@ -147,6 +147,15 @@ namespace birdstrike
     block->has_passed[group.near] = has_passed(record, scene.call + 1);
     if (block->has_passed[group.near])
       keep_awake(group.near);
+  }
+
+  /// Its own, not what bounds it for the whole block: which points those are, and when they were looked at, is a matter
+  /// of the axes.
+  double NarrowPhase::way_of(const ContactScene &scene, const std::uint32_t place) const
+  {
+    const std::uint32_t point = block->points[block->pair_near[pairs.pair[place]]];
+    const double        moved = std::sqrt(block->point_motions_squared[point - block->begin]) + scene.nodes_motion;
+    return std::max(scene.step * pairs.velocity_of(place).norm(), moved);
   }
 
   void NarrowPhase::keep_passed_awake(const ContactScene &scene, PointMemory &memory)

@@ -133,7 +133,7 @@ namespace birdstrike
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
-    const double way        = 2. * std::max(velocity.norm() * scene.step, block->step_motion);
+    const double way        = 2. * way_of(scene, place);
     const double if_past    = 0.5 * before.size + pairs.half_thickness[place] + distance;
     const bool   is_passage = side.is_touching ? if_past <= side.overlap + way + 1e-3 * before.size
                                                : distance <= 2. * velocity.norm() * scene.step;
