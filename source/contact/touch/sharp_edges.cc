@@ -100,10 +100,11 @@ namespace birdstrike
     const double                       cosine = normals[f].dot(normals[static_cast<std::size_t>(g)]);
     if (cosine > std::cos(watched))
       return;
-    const Point3 centre = centre_of(facet_nodes(facets, static_cast<std::size_t>(g)));
-    if ((centre - node_at(facets, nodes[0])).dot(normals[f]) >= 0.)
-      return; // hollow
-    edges.push_back({nodes, {{static_cast<std::int32_t>(f), g}}});
+    const Edge   edge{nodes, {{static_cast<std::int32_t>(f), g}}};
+    const Point3 a = node_at(facets, nodes[0]), b = node_at(facets, nodes[1]);
+    // seen from both facets alike, whichever comes first
+    if (frame_at(facets, edge.facets[0], a, b).normal.dot(frame_at(facets, g, b, a).outward) > 0.) // not hollow
+      edges.push_back(edge);
   }
 
   void SharpEdges::spread(const FacetsView &facets, const double reach)
@@ -219,8 +220,9 @@ namespace birdstrike
           }
         return;
       }
-    const double height = touch.offset.dot(frame.normal), z = std::abs(height) - touch.half_thickness;
-    const Point3 up = height < 0. ? Point3(-frame.normal) : frame.normal, r = touch.offset - height * frame.normal;
+    const double height = touch.offset.dot(frame.normal), side = touch.height < 0. ? -1. : 1.; // through it, or not
+    const double z  = side * std::abs(height) - touch.half_thickness;
+    const Point3 up = (height < 0. ? -side : side) * frame.normal, r = touch.offset - height * frame.normal;
     const double s = r.norm();
     touch.overlap  = 0.5 * touch.size - std::hypot(s, std::max(z, 0.));
     touch.normal   = up;

@@ -91,12 +91,16 @@ namespace birdstrike
     }
     /// The depth that carries a force, and its direction. It comes by the point's own way, `most` at most in this step
     /// (m): what leaps from facet to facet and along an edge face, where jagged edges meet, or below an edge's plane,
-    /// where a ridge goes flat, carries none.
-    void settle_depth(EdgeTouch &edge, const double approach, const double most, PointRecord::Side &side,
-                      TouchingPair &result)
+    /// where a ridge goes flat, carries none. And of a depth below an edge's plane, which its faces share, nothing goes
+    /// but by the point's own way when it comes from one of them to the next.
+    void settle_depth(EdgeTouch &edge, const double closing, const double most, const bool has_plane,
+                      PointRecord::Side &side, TouchingPair &result)
     {
-      if (std::min(edge.overlap - side.reference, edge.limit) > side.depth + most)
-        side.reference = edge.overlap - (side.depth + approach);
+      const double present = std::min(edge.overlap - side.reference, edge.limit);
+      if (present > side.depth + most)
+        side.reference = edge.overlap - (side.depth + std::max(0., closing));
+      else if (has_plane && present < side.depth - most)
+        side.reference = std::min(side.reference, std::max(0., edge.overlap - (side.depth + std::min(0., closing))));
       const double depth      = edge.overlap - side.reference;
       const bool   is_limited = edge.limit < depth;
       side.overlap            = edge.overlap;
@@ -137,9 +141,11 @@ namespace birdstrike
     const double if_past    = 0.5 * before.size + pairs.half_thickness[place] + distance;
     const bool   is_passage = side.is_touching ? if_past <= side.overlap + way + 1e-3 * before.size
                                                : distance <= 2. * velocity.norm() * scene.step;
-    if (is_beyond)
+    // come through, and out past the rim: it is behind the edge's plane still
+    const bool is_behind = is_beyond && side.is_touching && side.is_through && seen != side.sign;
+    if (is_beyond && !is_behind)
       side.sign = 0;
-    else if (side.piece < 0 || side.sign == 0 || (seen != side.sign && !is_passage))
+    else if (!is_behind && (side.piece < 0 || side.sign == 0 || (seen != side.sign && !is_passage)))
       {
         if (!scene.facets.two_sided && seen < 0)
           {
@@ -156,7 +162,7 @@ namespace birdstrike
         for (unsigned int d = 0; d < 3; ++d)
           side.outward[d] = static_cast<float>(outward[d]);
       }
-    const double sign = is_beyond ? 1. : side.sign * seen;
+    const double sign = is_beyond && !is_behind ? 1. : side.sign * seen;
     EdgeTouch    edge{offset,
                    sign * distance,
                    pairs.half_thickness[place],
@@ -171,17 +177,17 @@ namespace birdstrike
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
     const bool   was_limited = side.is_touching && side.depth < side.overlap - side.reference;
-    const double approach    = std::max(0., -velocity.dot(edge.normal - edge.slope)) * scene.step;
+    const double closing     = -velocity.dot(edge.normal - edge.slope) * scene.step;
     const bool   is_inside   = edge.overlap > 0. && edge.limit > 0.;
     const bool   is_new      = scene.is_changed || is_other_sheet;
-    side.reference           = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, approach), 0.);
-    side.is_touching         = is_inside;
-    side.is_through          = is_inside && sign < 0.;
-    side.was_beyond          = edge.feature == EdgeTouch::Feature::beyond;
-    side.is_on_edge_face     = edge.feature == EdgeTouch::Feature::edge_face;
-    const bool   can_leap    = (is_next || was_limited || side.is_on_edge_face) && before.last_call + 1 == scene.call;
-    const double own_way     = 2. * velocity.norm() * scene.step + leap * before.size;
-    settle_depth(edge, approach, can_leap ? own_way : INFINITY, side, result);
+    side.reference = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, std::max(0., closing)), 0.);
+    side.is_touching      = is_inside;
+    side.is_through       = is_inside && sign < 0.;
+    side.was_beyond       = edge.feature == EdgeTouch::Feature::beyond;
+    side.is_on_edge_face  = edge.feature == EdgeTouch::Feature::edge_face;
+    const bool   can_leap = (is_next || was_limited || side.is_on_edge_face) && before.last_call + 1 == scene.call;
+    const double own_way  = 2. * velocity.norm() * scene.step + leap * before.size;
+    settle_depth(edge, closing, can_leap ? own_way : INFINITY, was_limited && !is_elsewhere, side, result);
     result.place = place;
     return result.penetration > 0.;
   }
