@@ -68,17 +68,21 @@ class Run:
         return " ".join(" ".join(l for l in lines if not l.startswith("Warning:")).split())[:300]
 
 
-def run(program, prm, folder, settings=(), limit=120.):
+def start(command, folder, limit):
+    """Exit code (-9: no end in time) and words of a command that runs in `folder`."""
+    try:
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=limit, errors="replace", text=True, cwd=folder)
+    except subprocess.TimeoutExpired:
+        return -9, f"no end within {limit:g} s"
+    return done.returncode, done.stdout
+
+
+def run(program, prm, folder, settings=(), limit=120., start=start):
     """Runs `prm` with --set for each of `settings` ('Section/Entry=value')."""
     command = [program, "run", prm, "--output", folder]
     for setting in (*QUIET, *settings):
         command += ["--set", setting]
-    try:
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=limit, errors="replace",
-                              text=True, cwd=os.path.dirname(os.path.abspath(prm)))
-    except subprocess.TimeoutExpired:
-        return Run(-9, f"no end within {limit:g} s", folder)
-    return Run(done.returncode, done.stdout, folder)
+    return Run(*start(command, os.path.dirname(os.path.abspath(prm)), limit), folder)
 
 
 def has_words(result):

@@ -23,6 +23,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 
 import crossings  # noqa: E402
 import draws  # noqa: E402
+import loaded  # noqa: E402
 import strike  # noqa: E402
 import strikes  # noqa: E402
 import twins  # noqa: E402
@@ -50,10 +51,11 @@ def draw_scene(kind, seed):
 class Runs:
     def __init__(self, program, folder, limit):
         self.program, self.folder, self.limit = program, folder, limit
+        self.start = loaded.starter(program)
 
     def run(self, scene, name, *settings):
         path = scene.write(self.folder, name)
-        result = strike.run(self.program, path, os.path.join(self.folder, name + ".run"), settings, self.limit)
+        result = strike.run(self.program, path, os.path.join(self.folder, name + ".run"), settings, self.limit, self.start)
         with open(os.path.join(self.folder, name + ".txt"), "w") as file:
             file.write(result.text)
         return result
