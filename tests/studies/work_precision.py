@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Error against processor time of every choice of method: is the default on the front?
 
-    python3 tests/studies/work_precision.py build/bin/birdstrike --output build/work_precision
-    python3 tests/studies/work_precision.py build/bin/birdstrike --output build/work_precision --only packing kernel
+    bash tests/studies/work_precision.sh                  # all of it, into build/work_precision
+    bash tests/studies/work_precision.sh packing kernel   # these groups
 
 Two strikes: frontal.prm to the tip's first peak and oblique.prm (leading edge) until the bird has gone by, 0.9 ms. A group of choices
 changes one thing of the shipped cases and climbs a ladder: of particle spacings, of meshes, or both. One thread; seconds are the
@@ -190,9 +190,10 @@ def draw(folder, name, points):
     script = [f"reset\nset terminal svg size 1200,720 font 'DejaVu Sans,13' background rgb 'white'\nset output '{name}.svg'\n"
               "set logscale xy\nset grid lc rgb '#d0d0d0'\nset format y '%g'\nset xlabel 'processor time, one core [s]'\nset ylabel '|error| [%]'\n"
               "set title noenhanced\n"
-              f"set key noenhanced\nset multiplot layout 2,3 title 'Error against run time: {about}'\n"]
+              "set key at screen 0.5,0.045 center center horizontal noenhanced\n"
+              f"set multiplot layout 2,3 title 'Error against run time: {about}' margins 0.07,0.98,0.16,0.88 spacing 0.08,0.16\n"]
     for number, aim in enumerate(AIMS):
-        script.append(f"set title '{aim[0]}: {aim[1]}'\n" + ("unset key\n" if number else "set key top right\n"))
+        script.append(f"set title '{aim[0]}: {aim[1]}'\n" + ("unset key\n" if number else ""))
         plots = [f"{AIMS[aim]} with lines dashtype 3 linecolor '#404040' title 'aim'"]
         for k, (title, of) in enumerate(lines):
             script.append(f"$d{number}_{k} << EOD\n" + "".join(
