@@ -77,7 +77,7 @@ GROUPS = {
         "physical shell": (), "Belytschko-Tsay shell": blade("Belytschko-Tsay", 0), "fully integrated shell": blade("fully integrated", 0),
         "1 solid-shell": blade("solid-shell"), "2 one-point bricks": blade("one point", 2), "4 one-point bricks": blade("one point", 4)}),
     "bird-and-mesh": ("particles and mesh together", "both", {
-        "uniform": (), "a third as long at the root": ("Blade/Mesh/Span grading=3",)}),
+        "uniform": (), "graded 3": ("Blade/Mesh/Span grading=3",)}),
 }
 
 
@@ -189,18 +189,24 @@ def draw(folder, name, points):
         lines = [(f"{mesh}, {choice}", [p for p in points if p["mesh"] == mesh and p["choice"] == choice]) for choice in choices for mesh in MESHES]
     script = [f"reset\nset terminal svg size 1200,720 font 'DejaVu Sans,13' background rgb 'white'\nset output '{name}.svg'\n"
               "set logscale xy\nset grid lc rgb '#d0d0d0'\nset format y '%g'\nset xlabel 'processor time, one core [s]'\nset ylabel '|error| [%]'\n"
-              "set title noenhanced\n"
-              "set key at screen 0.5,0.045 center center horizontal noenhanced\n"
-              f"set multiplot layout 2,3 title 'Error against run time: {about}' margins 0.07,0.98,0.16,0.88 spacing 0.08,0.16\n"]
+              f"set title noenhanced\nunset key\nset multiplot title 'Error against run time: {about}'\n"]
+    styles = [f"with linespoints linewidth 1.5 linecolor '{COLORS[k]}' pointtype {k + 4}" for k in range(len(lines))]
+    aim_style = "with lines dashtype 3 linecolor '#404040'"
     for number, aim in enumerate(AIMS):
-        script.append(f"set title '{aim[0]}: {aim[1]}'\n" + ("unset key\n" if number else ""))
-        plots = [f"{AIMS[aim]} with lines dashtype 3 linecolor '#404040' title 'aim'"]
-        for k, (title, of) in enumerate(lines):
+        left, top = 0.07 + 0.325 * (number % 3), 0.89 - 0.415 * (number // 3)
+        script.append(f"set title '{aim[0]}: {aim[1]}'\nset lmargin at screen {left}\nset rmargin at screen {left + 0.25}\n"
+                      f"set tmargin at screen {top}\nset bmargin at screen {top - 0.26}\n")
+        plots = [f"{AIMS[aim]} {aim_style}"]
+        for k, (_, of) in enumerate(lines):
             script.append(f"$d{number}_{k} << EOD\n" + "".join(
                 f"{p['cpu'][aim[0]]} {max(abs(p[aim]), SMALLEST)}\n" for p in of if not math.isnan(p[aim])) + "EOD\n")
             if any(not math.isnan(p[aim]) for p in of):
-                plots.append(f"$d{number}_{k} using 1:2 with linespoints linewidth 1.5 linecolor '{COLORS[k]}' pointtype {k + 4} title '{title}'")
+                plots.append(f"$d{number}_{k} using 1:2 {styles[k]}")
         script.append("plot " + ", ".join(plots) + "\n")
+    script.append("set lmargin at screen 0.03\nset rmargin at screen 0.97\nset tmargin at screen 0.11\nset bmargin at screen 0.01\n"
+                  "unset logscale\nunset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\nunset title\nset xrange [0:1]\nset yrange [0:1]\n"
+                  "set key center center horizontal noenhanced\nplot " +
+                  ", ".join([f"-1 {aim_style} title 'aim'"] + [f"-1 {style} title '{title}'" for style, (title, _) in zip(styles, lines)]) + "\n")
     with open(os.path.join(folder, name + ".gp"), "w") as file:
         file.write("".join(script) + "unset multiplot\n")
     if shutil.which("gnuplot"):
