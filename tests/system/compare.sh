@@ -1,42 +1,14 @@
 #!/usr/bin/env bash
 # `birdstrike compare` from outside: runs, reuse, a lost case, refusals. Usage: compare.sh PROGRAM TOP
-set -u
-program=$1
-top=$2
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-n_failed=0
-
-fail() { echo "FAILED $1"; sed 's/^/    /' out.txt | tail -n 20; n_failed=$((n_failed + 1)); }
-
-# compare NAME EXPECTED_EXIT PATTERN... -- ARGUMENTS: every pattern must occur in the output
-compare() {
-  local name=$1 expected=$2; shift 2
-  local patterns=()
-  while [ "$1" != "--" ]; do patterns+=("$1"); shift; done
-  shift
-  "$program" compare "$@" >out.txt 2>&1
-  local code=$?
-  [ $code -eq "$expected" ] || { fail "$name: exit code $code, expected $expected"; return; }
-  for pattern in ${patterns[@]+"${patterns[@]}"}; do
-    grep -qE -- "$pattern" out.txt || { fail "$name: no '$pattern' in the output"; return; }
-  done
-  echo "passed $name"
-}
-require() { if ! eval "$2"; then fail "$1"; else echo "passed $1"; fi; }
-refuse() {
-  compare "$1" 2 "${@:2}"
-  [ "$(wc -l <out.txt)" -le 6 ] || fail "$1: more than six lines"
-}
+. "$(dirname "$0")/from_outside.sh" compare "$1" "$2"
 
 fast=(--set "Bird/Particle spacing=0.006" --set "Blade/Mesh/Elements along span=14" --set "Blade/Mesh/Elements along chord=4"
       --set "Time/End time=0.3e-3" --set "Output/Field interval=0")
 a="$top/prm/quickstart.prm"
 b="$top/prm/oblique.prm"
 
-compare "help" 0 "--blade" "--set" "--output" "runs/compare" -- --help
-compare "two cases" 0 "Case 2 of 2" "Differences are to .quickstart." "^Tip +peak" "Comparison in both" -- "$a" "$b" "${fast[@]}" --output both
+ask "help" 0 "--blade" "--set" "--output" "runs/compare" -- --help
+ask "two cases" 0 "Case 2 of 2" "Differences are to .quickstart." "^Tip +peak" "Comparison in both" -- "$a" "$b" "${fast[@]}" --output both
 for file in comparison.md comparison.csv figures.gp tip_deflection.csv root_moment.csv root_stress.csv contact.csv energies.csv \
             profiles.csv quickstart/summary.json oblique/summary.json; do
   [ -s both/$file ] || fail "two cases left no $file"
@@ -62,26 +34,26 @@ require "curves are the history, the mid-chord line ends at the tip" 'python3 lo
 
 # what is there is not computed again
 stamp=$(stat -c %Y.%y both/quickstart/history.csv)
-compare "the same again" 0 "quickstart: the run in both/quickstart is reused" "oblique: the run in both/oblique is reused" -- "$a" "$b" "${fast[@]}" --output both
+ask "the same again" 0 "quickstart: the run in both/quickstart is reused" "oblique: the run in both/oblique is reused" -- "$a" "$b" "${fast[@]}" --output both
 require "nothing was run" '[ "$stamp" = "$(stat -c %Y.%y both/quickstart/history.csv)" ] && ! grep -q "to run" out.txt'
-compare "another value is another run" 0 "Case 1 of 1 to run: oblique" "is not reused because Bird/Velocity differs" "quickstart: the run in both/quickstart is reused" -- \
+ask "another value is another run" 0 "Case 1 of 1 to run: oblique" "is not reused because Bird/Velocity differs" "quickstart: the run in both/quickstart is reused" -- \
   "$a" both/oblique/parameters.prm "${fast[@]}" --output both --set "Bird/Velocity=0, 0, 177.4"
 "$program" run "$a" "${fast[@]}" --output runs/quickstart >/dev/null
-compare "a run of 'run' is taken" 0 "the run in runs/quickstart is reused" -- "$a" "${fast[@]}" --output single
+ask "a run of 'run' is taken" 0 "the run in runs/quickstart is reused" -- "$a" "${fast[@]}" --output single
 require "and nothing else was made" '[ ! -e single/quickstart ]'
 
-compare "no results.h5" 0 "without results.h5" -- "$b" "${fast[@]}" --set "Output/HDF5=false" --output plain
-compare "one file, two kinds of blade" 0 "quickstart shell: the run in runs/quickstart is reused" "^Case +blade" "^quickstart shell +shell" "^quickstart rigid +rigid" -- "$a" --blade shell,rigid "${fast[@]}" --output kinds
+ask "no results.h5" 0 "without results.h5" -- "$b" "${fast[@]}" --set "Output/HDF5=false" --output plain
+ask "one file, two kinds of blade" 0 "quickstart shell: the run in runs/quickstart is reused" "^Case +blade" "^quickstart shell +shell" "^quickstart rigid +rigid" -- "$a" --blade shell,rigid "${fast[@]}" --output kinds
 require "the shell is the file's own" '[ -s kinds/quickstart-rigid/summary.json ] && [ ! -e kinds/quickstart-shell ]'
 
 # a lost case takes no other with it
 sed 's/set End time = .*/set End time = 2e-3\n  set Energy error limit = 1e-12/' "$a" >doomed.prm
-compare "a lost case" 3 "^doomed .* lost" "'doomed' was lost: failed: .*energy" "^Tip +peak" -- "$a" doomed.prm "${fast[@]}" --output lost
+ask "a lost case" 3 "^doomed .* lost" "'doomed' was lost: failed: .*energy" "^Tip +peak" -- "$a" doomed.prm "${fast[@]}" --output lost
 require "the other one is compared" 'grep -qE "^quickstart,shell,56," lost/comparison.csv && grep -qE "^doomed,,,,lost,," lost/comparison.csv'
 
 # a run that cannot be read loses its own case only; a folder in use is left alone
 echo "no JSON" >plain/oblique/summary.json
-compare "a damaged run is made again" 0 "Case 1 of 1 to run: oblique" "its files cannot be read" -- "$b" "${fast[@]}" --set "Output/HDF5=false" --output plain
+ask "a damaged run is made again" 0 "Case 1 of 1 to run: oblique" "its files cannot be read" -- "$b" "${fast[@]}" --set "Output/HDF5=false" --output plain
 flock plain/.birdstrike-comparison "$program" compare "$a" "${fast[@]}" --output plain >out.txt 2>&1
 code=$?
 require "one comparison a folder" '[ $code -eq 2 ] && grep -q "Another comparison is writing" out.txt'

@@ -1,51 +1,23 @@
 #!/usr/bin/env bash
 # `birdstrike converge` from outside: ladders, reuse, refusals. Usage: converge.sh PROGRAM TOP
-set -u
-program=$1
-top=$2
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-n_failed=0
-
-fail() { echo "FAILED $1"; sed 's/^/    /' out.txt | tail -n 20; n_failed=$((n_failed + 1)); }
-
-# converge NAME EXPECTED_EXIT PATTERN... -- ARGUMENTS: every pattern must occur in the output
-converge() {
-  local name=$1 expected=$2; shift 2
-  local patterns=()
-  while [ "$1" != "--" ]; do patterns+=("$1"); shift; done
-  shift
-  "$program" converge "$@" >out.txt 2>&1
-  local code=$?
-  [ $code -eq "$expected" ] || { fail "$name: exit code $code, expected $expected"; return; }
-  for pattern in ${patterns[@]+"${patterns[@]}"}; do
-    grep -qE -- "$pattern" out.txt || { fail "$name: no '$pattern' in the output"; return; }
-  done
-  echo "passed $name"
-}
-require() { if ! eval "$2"; then fail "$1"; else echo "passed $1"; fi; }
-refuse() {
-  converge "$1" 2 "${@:2}"
-  [ "$(wc -l <out.txt)" -le 6 ] || fail "$1: more than six lines"
-}
+. "$(dirname "$0")/from_outside.sh" converge "$1" "$2"
 
 strip="$top/prm/blade-impulse.prm"
 strike=("$top/prm/quickstart.prm" --set "Time/End time=0.1e-3" --set "Output/Field interval=0")
 
-converge "help" 0 "--levels" "--vary" "--ratio" "--finer" -- --help
-converge "a ladder of time steps" 0 "3 levels, 0 of them" "h -> 0" "error bar" "Ladder in steps" -- "${strike[@]}" --set "Bird/Particle spacing=0.006" --vary step --output steps
+ask "help" 0 "--levels" "--vary" "--ratio" "--finer" -- --help
+ask "a ladder of time steps" 0 "3 levels, 0 of them" "h -> 0" "error bar" "Ladder in steps" -- "${strike[@]}" --set "Bird/Particle spacing=0.006" --vary step --output steps
 for file in levels.csv converge.csv figures.gp refinement.csv "Step-scale=0.9-Bird-step-scale=1/summary.json"; do
   [ -s "steps/$file" ] || fail "the ladder left no $file"
 done
 require "its picture is drawn" 'grep -q "</svg>" steps/refinement.svg'
 require "a row a quantity, a verdict each" '[ "$(grep -cE "(converges|asymptotic range|oscillates|diverges|does not change|missing)$" steps/converge.csv)" -ge 8 ]'
-converge "what is there is reused" 0 "3 levels, 3 of them" -- "${strike[@]}" --set "Bird/Particle spacing=0.006" --vary step --output steps
-converge "particles and mesh together" 0 "3 levels, 0 of them" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --output both
+ask "what is there is reused" 0 "3 levels, 3 of them" -- "${strike[@]}" --set "Bird/Particle spacing=0.006" --vary step --output steps
+ask "particles and mesh together" 0 "3 levels, 0 of them" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --output both
 require "the case is the finest level" '[ -s "both/Elements-along-span=31-Elements-along-chord=9-Particle-spacing=0.005/summary.json" ]'
-converge "a ladder grows" 0 "4 levels, 3 of them" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --levels 4 --output both
-converge "points through the thickness" 0 "3 levels" -- "${strike[@]}" --set "Bird/Particle spacing=0.008" --vary points --output points
-converge "a lost level" 3 "lost: The energy balance" "Lost: 'Step scale=" -- "${strike[@]}" --set "Bird/Particle spacing=0.008" --set "Time/Energy error limit=1e-12" --vary step --output lost
+ask "a ladder grows" 0 "4 levels, 3 of them" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --levels 4 --output both
+ask "points through the thickness" 0 "3 levels" -- "${strike[@]}" --set "Bird/Particle spacing=0.008" --vary points --output points
+ask "a lost level" 3 "lost: The energy balance" "Lost: 'Step scale=" -- "${strike[@]}" --set "Bird/Particle spacing=0.008" --set "Time/Energy error limit=1e-12" --vary step --output lost
 
 refuse "no file" "FILE" --
 refuse "what is to be refined" "mesh\|particles\|both\|step\|points" -- "${strike[@]}" --vary time

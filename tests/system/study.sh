@@ -1,42 +1,14 @@
 #!/usr/bin/env bash
 # `birdstrike study` from outside: grid, reuse, a lost point, task list, refusals, shipped studies. Usage: study.sh PROGRAM TOP
-set -u
-program=$1
-top=$2
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-n_failed=0
-
-fail() { echo "FAILED $1"; sed 's/^/    /' out.txt | tail -n 20; n_failed=$((n_failed + 1)); }
-
-# study NAME EXPECTED_EXIT PATTERN... -- ARGUMENTS: every pattern must occur in the output
-study() {
-  local name=$1 expected=$2; shift 2
-  local patterns=()
-  while [ "$1" != "--" ]; do patterns+=("$1"); shift; done
-  shift
-  "$program" study "$@" >out.txt 2>&1
-  local code=$?
-  [ $code -eq "$expected" ] || { fail "$name: exit code $code, expected $expected"; return; }
-  for pattern in ${patterns[@]+"${patterns[@]}"}; do
-    grep -qE -- "$pattern" out.txt || { fail "$name: no '$pattern' in the output"; return; }
-  done
-  echo "passed $name"
-}
-require() { if ! eval "$2"; then fail "$1"; else echo "passed $1"; fi; }
-refuse() {
-  study "$1" 2 "${@:2}"
-  [ "$(wc -l <out.txt)" -le 6 ] || fail "$1: more than six lines"
-}
+. "$(dirname "$0")/from_outside.sh" study "$1" "$2"
 
 fast=(--set "Bird/Particle spacing=0.008" --set "Blade/Mesh/Elements along span=10" --set "Blade/Mesh/Elements along chord=3"
       --set "Time/End time=0.1e-3" --set "Output/Field interval=0")
 a="$top/prm/quickstart.prm"
 grid=("$a" "${fast[@]}" --set "Bird/Velocity=default" --vary "Bird/Speed=100 m/s:200 m/s:2" --vary "Bird/Angle to surface=45, 90 deg")
 
-study "help" 0 "--vary" "--pairs" "--launcher" "--task-list" "--jobs" -- --help
-study "a grid" 0 "4 points, 0 of them" "4 of 4" "^ +100 +45 .* done$" "Study in grid" -- "${grid[@]}" --output grid
+ask "help" 0 "--vary" "--pairs" "--launcher" "--task-list" "--jobs" -- --help
+ask "a grid" 0 "4 points, 0 of them" "4 of 4" "^ +100 +45 .* done$" "Study in grid" -- "${grid[@]}" --output grid
 for file in study.csv study.h5 figures.gp responses.csv maps.csv profiles.csv Speed=200-Angle-to-surface=90/summary.json; do
   [ -s grid/$file ] || fail "a grid left no $file"
 done
@@ -47,14 +19,14 @@ require "one thread a point" 'grep -q "set Threads = 1" grid/Speed=100-Angle-to-
 
 stamp=$(stat -c %Y.%y grid/*/history.csv | sort)
 rm grid/Speed=100-Angle-to-surface=90/summary.json
-study "a study that was stopped goes on" 0 "4 points, 3 of them" "1 of 1: Speed=100, Angle to surface=90" -- "${grid[@]}" --output grid
+ask "a study that was stopped goes on" 0 "4 points, 3 of them" "1 of 1: Speed=100, Angle to surface=90" -- "${grid[@]}" --output grid
 require "and computes nothing twice" '[ "$(comm -12 <(echo "$stamp") <(stat -c %Y.%y grid/*/history.csv | sort) | wc -l)" -eq 3 ]'
-study "it may grow" 0 "6 points, 4 of them" -- "${grid[@]:0:${#grid[@]}-4}" --vary "Bird/Speed=100, 150, 200" --vary "Bird/Angle to surface=45, 90" --output grid
+ask "it may grow" 0 "6 points, 4 of them" -- "${grid[@]:0:${#grid[@]}-4}" --vary "Bird/Speed=100, 150, 200" --vary "Bird/Angle to surface=45, 90" --output grid
 
 # a lost point, a refused point: both keep their rows, the others go on
-study "a lost point" 3 "lost: .*energy" "Lost: 'Energy error limit=1e-12'" -- "$a" "${fast[@]}" --vary "Time/Energy error limit=0.05, 1e-12" --output lost
+ask "a lost point" 3 "lost: .*energy" "Lost: 'Energy error limit=1e-12'" -- "$a" "${fast[@]}" --vary "Time/Energy error limit=0.05, 1e-12" --output lost
 require "keeps its row" 'grep -qE "^2,1e-12,.*lost: .*energy" lost/study.csv && grep -qE "^1,0.05,shell,.*,done," lost/study.csv'
-study "a refused point" 2 "refused: .*inside" -- "$a" "${fast[@]}" --vary "Bird/Stand-off=0.001, default" --output inside
+ask "a refused point" 2 "refused: .*inside" -- "$a" "${fast[@]}" --vary "Bird/Stand-off=0.001, default" --output inside
 require "does not stop the other" 'grep -qE "^2,.*,done," inside/study.csv'
 
 # signals: all children end, what is complete is reused
@@ -65,21 +37,21 @@ kill -TERM $running
 wait $running
 code=$?
 require "a signal ends study and runs" '[ $code -eq 143 ] && grep -q "Points that are complete will be reused" out.txt && [ "$(grep -l "stopped by a signal" stopped/*/summary.json | wc -l)" -eq 2 ]'
-study "what was complete is there" 0 "3 points, 1 of them" "not run" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
+ask "what was complete is there" 0 "3 points, 1 of them" "not run" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
 
 # somebody else's scheduler
-study "a task list" 0 "tasks: 2 lines" "SLURM_ARRAY_TASK_ID" -- "$a" "${fast[@]}" --vary "Bird/Shape=cylinder, hemispherical cylinder" --launcher "env TASK=1" --task-list tasks --output "my tasks"
+ask "a task list" 0 "tasks: 2 lines" "SLURM_ARRAY_TASK_ID" -- "$a" "${fast[@]}" --vary "Bird/Shape=cylinder, hemispherical cylinder" --launcher "env TASK=1" --task-list tasks --output "my tasks"
 require "runs nothing" '[ -z "$(find "my tasks" -name summary.json)" ] && [ "$(wc -l <tasks)" -eq 2 ] && grep -q "env TASK=1 /" tasks'
 (cd / && bash -c "$(sed -n 1p "$scratch/tasks")" && bash -c "$(sed -n 2p "$scratch/tasks")") >out.txt 2>&1
-study "collects what was run" 0 "2 points, 2 of them" "^ *hemispherical cylinder .* done" -- "$a" "${fast[@]}" --vary "Bird/Shape=cylinder, hemispherical cylinder" --output "my tasks"
-study "a launcher that is not there" 1 "Cannot start 'no-such-launcher'" -- "$a" "${fast[@]}" --vary "Bird/Mass=0.1, 0.2" --launcher no-such-launcher --output nowhere
+ask "collects what was run" 0 "2 points, 2 of them" "^ *hemispherical cylinder .* done" -- "$a" "${fast[@]}" --vary "Bird/Shape=cylinder, hemispherical cylinder" --output "my tasks"
+ask "a launcher that is not there" 1 "Cannot start 'no-such-launcher'" -- "$a" "${fast[@]}" --vary "Bird/Mass=0.1, 0.2" --launcher no-such-launcher --output nowhere
 
 # pairs, and the file's own section
-study "pairs" 0 "2 points" "^ +0.1 +900 " "^ +0.2 +950 " -- "$a" "${fast[@]}" --vary "Bird/Mass=0.1, 0.2" --vary "Bird/Density=900, 950" --pairs --output pairs
+ask "pairs" 0 "2 points" "^ +0.1 +900 " "^ +0.2 +950 " -- "$a" "${fast[@]}" --vary "Bird/Mass=0.1, 0.2" --vary "Bird/Density=900, 950" --pairs --output pairs
 for file in "$top"/prm/studies/*.prm; do
   name=$(basename "$file" .prm)
   sed "s|include |include $top/prm/studies/|; s/= \(.*\) = 100:300:5/= \1 = 100:300:2/; s/:5$/:2/" "$file" >"$name.prm"
-  study "shipped: $name" 0 "Study in small-$name" -- "$name.prm" "${fast[@]}" --output "small-$name"
+  ask "shipped: $name" 0 "Study in small-$name" -- "$name.prm" "${fast[@]}" --output "small-$name"
 done
 
 refuse "no file" "FILE" --

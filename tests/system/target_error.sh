@@ -1,49 +1,25 @@
 #!/usr/bin/env bash
 # `birdstrike run --target-error` from outside: a claim, its reuse, refusals. Usage: target_error.sh PROGRAM TOP
-set -u
-program=$1
-top=$2
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-n_failed=0
-
-fail() { echo "FAILED $1"; sed 's/^/    /' out.txt | tail -n 20; n_failed=$((n_failed + 1)); }
-
-# target NAME EXPECTED_EXIT PATTERN... -- ARGUMENTS: every pattern must occur in the output
-target() {
-  local name=$1 expected=$2; shift 2
-  local patterns=()
-  while [ "$1" != "--" ]; do patterns+=("$1"); shift; done
-  shift
-  "$program" run "$@" >out.txt 2>&1
-  local code=$?
-  [ $code -eq "$expected" ] || { fail "$name: exit code $code, expected $expected"; return; }
-  for pattern in ${patterns[@]+"${patterns[@]}"}; do
-    grep -qE -- "$pattern" out.txt || { fail "$name: no '$pattern' in the output"; return; }
-  done
-  echo "passed $name"
-}
-require() { if ! eval "$2"; then fail "$1"; else echo "passed $1"; fi; }
+. "$(dirname "$0")/from_outside.sh" run "$1" "$2"
 
 strike=("$top/prm/quickstart.prm" --set "Bird/Particle spacing=0.005" --set "Time/End time=0.3e-3" --set "Output/Field interval=0")
 
-target "a claim" 0 "Contact: impulse \(norm\) [0-9.]+ N s \+- [0-9.]+ %" "of the bird [0-9.]+ %, of the mesh [0-9.]+ %, of both together" "runs; this one in claim/Elements|runs; this one in claim/Particle" "altogether" -- "${strike[@]}" --target-error "impulse = 10 %" --output claim
+ask "a claim" 0 "Contact: impulse \(norm\) [0-9.]+ N s \+- [0-9.]+ %" "of the bird [0-9.]+ %, of the mesh [0-9.]+ %, of both together" "runs; this one in claim/Elements|runs; this one in claim/Particle" "altogether" -- "${strike[@]}" --target-error "impulse = 10 %" --output claim
 bar=$(sed -nE 's/^Contact: impulse .* \+- ([0-9.]+) %$/\1/p' out.txt)
 require "its bar is within the target" 'awk -v bar="${bar:-99}" "BEGIN {exit !(bar > 0 && bar <= 10)}"'
 require "every run has its folder and its row" '[ "$(ls -d claim/*/ | wc -l)" -eq "$(($(wc -l <claim/target.csv) - 1))" ] && [ "$(ls -d claim/*/ | wc -l)" -ge 6 ]'
 stamps=$(stat -c %Y.%y claim/*/history.csv)
-target "the same again" 0 "impulse" -- "${strike[@]}" --target-error "impulse = 10 %" --output claim
+ask "the same again" 0 "impulse" -- "${strike[@]}" --target-error "impulse = 10 %" --output claim
 require "computes nothing" '[ "$stamps" = "$(stat -c %Y.%y claim/*/history.csv)" ]'
-target "without a bird the mesh alone" 0 "bird: not refined, its error is in no bar" -- "$top/prm/blade-impulse.prm" --set "Output/Field interval=0" --target-error "tip deflection at the end = 40 %" --output strip
-target "no claim where there is no order" 3 "is not reached, and none is claimed" "bird: .* levels to" -- "${strike[@]}" --set "Time/End time=0.05e-3" --target-error "peak plastic strain = 0.01 %" --output none
+ask "without a bird the mesh alone" 0 "bird: not refined, its error is in no bar" -- "$top/prm/blade-impulse.prm" --set "Output/Field interval=0" --target-error "tip deflection at the end = 40 %" --output strip
+ask "no claim where there is no order" 3 "is not reached, and none is claimed" "bird: .* levels to" -- "${strike[@]}" --set "Time/End time=0.05e-3" --target-error "peak plastic strain = 0.01 %" --output none
 require "but what was run" '[ "$(wc -l <none/target.csv)" -ge 6 ]'
 
-target "an unknown quantity" 2 "no quantity of this run" "There are: " -- "${strike[@]}" --target-error "tip of the iceberg = 2 %" --output unknown
-target "no percentage" 2 "no error in percent" -- "${strike[@]}" --target-error "tip peak = 2" --output unread
-target "an impossible target" 2 "above 0" -- "${strike[@]}" --target-error "tip peak = 0 %" --output unread
-target "nothing to refine" 2 "neither a bird nor" -- "$top/prm/bird-free.prm" --set "Bird/Enabled=false" --target-error "impulse = 2 %" --output unread
-target "a mesh too coarse" 2 "two coarser ones" -- "${strike[@]}" --set "Blade/Mesh/Elements along chord=1" --set "Blade/Mesh/Elements along span=2" --target-error "impulse = 2 %" --output unread
+ask "an unknown quantity" 2 "no quantity of this run" "There are: " -- "${strike[@]}" --target-error "tip of the iceberg = 2 %" --output unknown
+ask "no percentage" 2 "no error in percent" -- "${strike[@]}" --target-error "tip peak = 2" --output unread
+ask "an impossible target" 2 "above 0" -- "${strike[@]}" --target-error "tip peak = 0 %" --output unread
+ask "nothing to refine" 2 "neither a bird nor" -- "$top/prm/bird-free.prm" --set "Bird/Enabled=false" --target-error "impulse = 2 %" --output unread
+ask "a mesh too coarse" 2 "two coarser ones" -- "${strike[@]}" --set "Blade/Mesh/Elements along chord=1" --set "Blade/Mesh/Elements along span=2" --target-error "impulse = 2 %" --output unread
 require "refusals leave nothing" '[ ! -e runs ] && [ ! -e unread ]'
 
 echo "$n_failed failed"
