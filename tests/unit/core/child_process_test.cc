@@ -86,19 +86,6 @@ TEST(ChildProcess, RunsSeveralSideBySideAndTellsEachEnd)
   EXPECT_NE(results[3].output.find("no such program"), std::string::npos);
 }
 
-TEST(ChildProcess, StartsNoFurtherOneAfterASignal)
-{
-  const std::string trap = "trap 'exit 7' TERM; ", waits = "for i in $(seq 3000); do sleep 0.01; done; exit 8";
-  std::vector<birdstrike::ChildRequest> requests{
-    {{"sh", "-c", trap + waits}, "", true},
-    {{"sh", "-c", trap + "sleep 0.3; kill -TERM $PPID; " + waits}, "", true},
-    {{"sh", "-c", "exit 0"}, "", true}};
-  std::map<std::size_t, int> codes;
-  const auto                 on_end = [&](const std::size_t k, const auto &result) { codes[k] = result.exit_code; };
-  EXPECT_EQ(run_children(requests, 2, on_end), SIGTERM);
-  EXPECT_EQ(codes, (std::map<std::size_t, int>{{0, 7}, {1, 7}}));
-}
-
 TEST(ChildProcess, TheChildIsNoRankOfItsParentsJob)
 {
   ::setenv("PMI_RANK", "0", 1);
