@@ -264,17 +264,19 @@ namespace birdstrike
     const SignalsForChildren  signals;
     std::vector<RunningChild> running;
     const std::size_t         n_places = std::clamp(n_at_once, std::size_t(1), most_children);
-    for (std::size_t next = 0; next < requests.size() || !running.empty();)
+    std::size_t               next     = 0;
+    while (true)
       {
-        if (received != 0)
-          next = requests.size();
-        else if (next < requests.size() && running.size() < n_places)
+        const bool starts_more = received == 0 && next < requests.size();
+        if (starts_more && running.size() < n_places)
           {
             if (auto started = start(requests, next, find_free_place(), on_end))
               running.push_back(*std::move(started));
             ++next;
             continue;
           }
+        if (running.empty()) // nothing is left, or a signal came as the last of them ended
+          break;
         const std::vector<bool> are_ready = find_ready(running);
         for (std::size_t k = running.size(); k-- > 0;)
           if (are_ready[k] && !running[k].child->pipe.read_some(running[k].output))

@@ -15,6 +15,7 @@
 using birdstrike::program_identity;
 using birdstrike::run_child;
 using birdstrike::run_child_if_found;
+using birdstrike::run_children;
 
 TEST(ChildProcess, TellsOutputAndExitCode)
 {
@@ -84,6 +85,34 @@ TEST(ChildProcess, RunsSeveralSideBySideAndTellsEachEnd)
   EXPECT_EQ(results[2].exit_code, 4);
   EXPECT_EQ(results[3].exit_code, 127);
   EXPECT_NE(results[3].output.find("no such program"), std::string::npos);
+}
+
+TEST(ChildProcess, StartsNoFurtherOneAfterASignal)
+{
+  const ScratchFolder scratch;
+  const std::string   folder = scratch.path().string(), listens = "trap 'exit 7' TERM; ";
+  const std::string   waits     = "for i in $(seq 3000); do sleep 0.01; done; exit 8";
+  const std::string   is_first  = listens + "touch ready; " + waits;
+  const std::string   signals   = "until [ -e ready ]; do sleep 0.01; done; kill -TERM $PPID; " + waits;
+  const auto          in_folder = [&](const std::string &script) {
+    return birdstrike::ChildRequest{{"sh", "-c", script}, folder, true};
+  };
+  const std::vector<birdstrike::ChildRequest> requests{in_folder(is_first), in_folder(listens + signals),
+                                                       in_folder("exit 0")};
+  std::map<std::size_t, int>                  codes;
+  const auto on_end = [&](const std::size_t k, const auto &result) { codes[k] = result.exit_code; };
+  EXPECT_EQ(run_children(requests, 2, on_end), SIGTERM);
+  EXPECT_EQ(codes, (std::map<std::size_t, int>{{0, 7}, {1, 7}}));
+}
+
+// No child is left to wait for while one is still to be started.
+TEST(ChildProcess, EndsWhenASignalEndsTheOnlyOne)
+{
+  std::vector<int> codes;
+  const auto       on_end = [&](std::size_t, const auto &result) { codes.push_back(result.exit_code); };
+  EXPECT_EQ(run_children({{{"sh", "-c", "kill -TERM $PPID; exec sleep 30"}, "", true}, {{"true"}, "", true}}, 1, on_end),
+            SIGTERM);
+  EXPECT_EQ(codes, std::vector<int>{128 + SIGTERM});
 }
 
 TEST(ChildProcess, TheChildIsNoRankOfItsParentsJob)
