@@ -84,7 +84,7 @@ namespace birdstrike
       row("sound speed", all.sound_speed[p]);
       vector("contact force", all.contact_force);
     });
-    archive("staggered half step", staggered_half);
+    archive("staggered half steps", staggered_half, staggered_contact);
     archive("staggering", staggering);
     archive("second evaluations", n_second);
     archive("has contact force", has_contact_force);

@@ -61,9 +61,9 @@ namespace birdstrike
             particles.correction[d][p] = 1.f;
           }
       }
-    half_step = staggered_half = staggering = 0.;
-    retired_share                           = {};
-    contact_work                            = 0.;
+    half_step = staggered_half = staggered_contact = staggering = 0.;
+    retired_share                                               = {};
+    contact_work                                                = 0.;
     contact_impulse.setZero();
     has_contact_force = false;
     list.update(particles, pool);
@@ -114,7 +114,7 @@ namespace birdstrike
             particles.v[d][p] = v[d];
           }
       }
-    half_step = staggered_half = 0.;
+    half_step = staggered_half = staggered_contact = 0.;
     list.update(particles, pool);
     ++revision;
     rates->renew_correction();
@@ -199,26 +199,27 @@ namespace birdstrike
     });
   }
 
-  void Bird::kick(const double dt, const HalfKick half)
+  void Bird::kick(const double dt, const HalfKick half, const double contact_dt)
   {
     const bool is_first = half == HalfKick::first;
     if (is_first)
       {
-        follow_step(dt);
+        follow_step(dt, contact_dt);
         half_step = dt;
         // Those that stay feel the present pair forces for this last half kick; so do those that have left.
         retired_share.kick(dt);
       }
     else
-      book_contact(dt);
-    const double scale = dt / particles.mass;
+      book_contact(contact_dt);
+    particles.contact_share = dt > 0. ? contact_dt / dt : 1.;
+    const double scale = dt / particles.mass, share = particles.contact_share;
     pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
       sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
         Number power = load<Number>(&particles.power[p]);
         for (int d = 0; d < 3; ++d)
           {
             const Number f = load<Number>(&particles.force[d][p]), before = load<Number>(&particles.v[d][p]);
-            const Number after = before + scale * (f + load<Number>(&particles.contact_force[d][p]));
+            const Number after = before + scale * (f + share * load<Number>(&particles.contact_force[d][p]));
             store(after, &particles.v[d][p]);
             power -= f * (is_first ? after : before);
           }
@@ -230,6 +231,22 @@ namespace birdstrike
       });
     });
     if (is_first)
+      book_contact(contact_dt);
+  }
+
+  void Bird::kick_contact(const double dt, const HalfKick half)
+  {
+    if (half == HalfKick::second)
+      book_contact(dt);
+    const double scale = dt / particles.mass;
+    pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
+      sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
+        for (int d = 0; d < 3; ++d)
+          store(load<Number>(&particles.v[d][p]) + scale * load<Number>(&particles.contact_force[d][p]),
+                &particles.v[d][p]);
+      });
+    });
+    if (half == HalfKick::first)
       book_contact(dt);
   }
 

@@ -121,32 +121,37 @@ namespace birdstrike
   }
 
   /// The reference of the staggering follows the step, see core/energy_report.h.
-  void Bird::follow_step(const double new_half_step)
+  void Bird::follow_step(const double new_half_step, const double new_contact_half)
   {
-    if (std::abs(new_half_step - staggered_half) <= 1e-3 * staggered_half)
+    const auto is_near = [](const double now, const double before) { return std::abs(now - before) <= 1e-3 * before; };
+    if (is_near(new_half_step, staggered_half) && is_near(new_contact_half, staggered_contact))
       return;
     const auto &f = particles.force, &g = particles.contact_force;
-    const auto  square = sum_particles<1>(
-      pool, particles.size(), [&]<class Number>(const Number &, const std::size_t p, RegisterSums<1> &total) {
+    const auto  sums = sum_particles<2>(
+      pool, particles.size(), [&]<class Number>(const Number &, const std::size_t p, RegisterSums<2> &total) {
         for (int d = 0; d < 3; ++d)
           {
-            const Number force = load<Number>(&f[d][p]) + load<Number>(&g[d][p]);
-            total.add(0, force * force);
+            const Number own = load<Number>(&f[d][p]), of_contact = load<Number>(&g[d][p]);
+            const Number now    = new_half_step * own + new_contact_half * of_contact;
+            const Number before = staggered_half * own + staggered_contact * of_contact;
+            total.add(0, now * now);
+            total.add(1, before * before);
           }
-      })[0];
-    staggering += 0.5 * square / particles.mass * (new_half_step * new_half_step - staggered_half * staggered_half);
-    staggered_half = new_half_step;
+      });
+    staggering += 0.5 / particles.mass * (sums[0] - sums[1]);
+    staggered_half    = new_half_step;
+    staggered_contact = new_contact_half;
   }
 
   EnergyReport Bird::energies() const
   {
     const auto  &v = particles.v, &f = particles.force, &g = particles.contact_force;
-    const double m = particles.mass, lag = staggered_half / m;
+    const double m = particles.mass, lag = staggered_half / m, lag_of_contact = staggered_contact / m;
     const auto   sums = sum_particles<5>(
       pool, particles.size(), [&]<class Number>(const Number &, const std::size_t p, RegisterSums<5> &total) {
         for (int d = 0; d < 3; ++d)
           {
-            const Number change = lag * (load<Number>(&f[d][p]) + load<Number>(&g[d][p]));
+            const Number change = lag * load<Number>(&f[d][p]) + lag_of_contact * load<Number>(&g[d][p]);
             const Number now    = load<Number>(&v[d][p]);
             total.add(0, now * now);
             total.add(1, change * change);

@@ -27,7 +27,6 @@ namespace birdstrike
   void Stepper::archive(Archive &archive)
   {
     const auto group = archive.group("stepper");
-    archive("in transit", in_transit);
     archive("steps", done.bird, done.blade, done.particle_steps);
     archive("steps not done", done.particle_steps_not_done, done.blade_not_done);
   }

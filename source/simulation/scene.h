@@ -86,13 +86,13 @@ namespace birdstrike
     Schedule              latest;
     double                largest_bird_step;                                                 // s, for the next plan
     double                largest_step_in_contact = std::numeric_limits<double>::infinity(); // s, of the blade
-    bool                  has_multirate;
     SmallestStep          smallest_bird_step, smallest_blade_step;
     const char           *advice_on_crushed_elements;
     EnergyReport          gone_energy;
     MomentumReport        gone_momentum;
 
-    void limit_multirate();
-    void watch_patches();
+    void   limit_multirate();
+    double limit_in_contact(double bird_step) const; ///< s, of the blade
+    void   watch_patches();
   };
 } // namespace birdstrike

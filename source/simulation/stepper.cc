@@ -11,48 +11,31 @@ namespace birdstrike
 {
   void Stepper::advance(const Schedule &schedule)
   {
-    if (schedule.n_blade > 1)
-      return advance_with_several_blade_steps(schedule);
     if (schedule.n_bird > 1)
       return advance_with_several_bird_steps(schedule);
-    const double step = schedule.step, half = 0.5 * step;
-    kick_bird(half, HalfKick::first);
-    kick_blade_by_contact(in_transit + half, HalfKick::first);
-    kick_blade(half, HalfKick::first);
-    drift_bird(step);
-    drift_blade(step);
-    update_neighbor_list();
-    compute_blade_forces(step);   // elements may fail: contact meets the facets that are left
-    compute_contact_forces(step); // at velocities of the drift, on both sides
-    compute_bird_rates();
-    kick_blade(half, HalfKick::second);
-    kick_blade_by_contact(half, HalfKick::second);
-    kick_bird(half, HalfKick::second);
-    set_in_transit(0.);
-  }
-
-  void Stepper::advance_with_several_blade_steps(const Schedule &schedule)
-  {
-    const double half = 0.5 * schedule.step, blade_step = schedule.blade_step(), blade_half = 0.5 * blade_step;
-    const double contact_half = 0.5 * (in_transit + half) / schedule.n_blade;
-    kick_bird(half, HalfKick::first);
+    const double half = 0.5 * schedule.step, step = schedule.blade_step(), blade_half = 0.5 * step;
+    kick_bird(half, HalfKick::first, blade_half);
     for (unsigned int k = 0; k < schedule.n_blade; ++k)
       {
         if (k > 0)
-          kick_blade(blade_half, HalfKick::second); // of the step before
-        kick_blade_by_contact(contact_half, HalfKick::first);
+          kick_bird_by_contact(blade_half, HalfKick::first);
+        kick_blade_by_contact(blade_half, HalfKick::first);
         kick_blade(blade_half, HalfKick::first);
-        drift_blade(blade_step);
-        compute_blade_forces(blade_step);
-        kick_blade_by_contact(contact_half, HalfKick::second);
+        drift_bird(step);
+        drift_blade(step);
+        const bool is_last = k + 1 == schedule.n_blade;
+        if (is_last)
+          update_neighbor_list();
+        compute_blade_forces(step);   // elements may fail: contact meets the facets that are left
+        compute_contact_forces(step); // at velocities of the drift, on both sides
+        if (is_last)
+          compute_bird_rates();
+        kick_blade(blade_half, HalfKick::second);
+        kick_blade_by_contact(blade_half, HalfKick::second);
+        if (!is_last)
+          kick_bird_by_contact(blade_half, HalfKick::second);
       }
-    drift_bird(schedule.step);
-    update_neighbor_list();
-    compute_contact_forces(schedule.step);
-    compute_bird_rates();
-    kick_blade(blade_half, HalfKick::second);
-    kick_bird(half, HalfKick::second);
-    set_in_transit(half);
+    kick_bird(half, HalfKick::second, blade_half);
     if (scene.bird)
       done.particle_steps_not_done += (schedule.n_blade - 1) * scene.bird->state().size();
   }
@@ -60,11 +43,10 @@ namespace birdstrike
   void Stepper::advance_with_several_bird_steps(const Schedule &schedule)
   {
     const double step = schedule.bird_step(), half = 0.5 * step;
-    deliver();
     kick_blade(0.5 * schedule.step, HalfKick::first);
     for (unsigned int k = 0; k < schedule.n_bird; ++k)
       {
-        kick_bird(half, HalfKick::first);
+        kick_bird(half, HalfKick::first, half);
         kick_blade_by_contact(half, HalfKick::first);
         drift_bird(step);
         drift_blade(step);
@@ -72,7 +54,7 @@ namespace birdstrike
         compute_contact_forces(step);
         compute_bird_rates();
         kick_blade_by_contact(half, HalfKick::second);
-        kick_bird(half, HalfKick::second);
+        kick_bird(half, HalfKick::second, half);
       }
     compute_blade_forces(schedule.step);
     kick_blade(0.5 * schedule.step, HalfKick::second);
@@ -96,9 +78,14 @@ namespace birdstrike
     verb(*part);
   }
 
-  void Stepper::kick_bird(const double half_step, const HalfKick half)
+  void Stepper::kick_bird(const double half_step, const HalfKick half, const double contact_half)
   {
-    timed(scene.bird, sections.bird_kick, [&](Bird &bird) { bird.kick(half_step, half); });
+    timed(scene.bird, sections.bird_kick, [&](Bird &bird) { bird.kick(half_step, half, contact_half); });
+  }
+
+  void Stepper::kick_bird_by_contact(const double half_step, const HalfKick half)
+  {
+    timed(scene.bird, sections.bird_kick, [&](Bird &bird) { bird.kick_contact(half_step, half); });
   }
 
   void Stepper::kick_blade(const double half_step, const HalfKick half)
@@ -160,27 +147,10 @@ namespace birdstrike
     });
   }
 
-  void Stepper::deliver()
-  {
-    if (in_transit > 0.)
-      kick_blade_by_contact(in_transit, HalfKick::first);
-    set_in_transit(0.);
-  }
-
-  void Stepper::set_in_transit(const double duration)
-  {
-    if (scene.contact && (duration > 0. || in_transit > 0.))
-      {
-        scene.blade->set_contact_in_transit(duration); // the forces are others, even if the duration is the same
-        in_transit = duration;
-      }
-  }
-
   void Stepper::drop_bird()
   {
     if (scene.contact)
       {
-        deliver();
         const NodeForces none = scene.blade->clear_contact_forces();
         if (scene.patches)
           scene.patches->update(none, 0.);

@@ -15,11 +15,10 @@ namespace birdstrike
   /// One macro step of whatever parts a scene has: velocity-Verlet with both parts synchronous at its ends. Each verb
   /// is timed under its own name.
   ///
-  /// The bird with its contact may take several steps within it (r-RESPA by impulses; Tuckerman, Berne and Martyna
-  /// 1992), or the blade. What the bird takes in two half kicks at the ends of its step, a blade of several steps takes
-  /// evenly in those that follow: an impulse would ring modes of the blade that are faster than the macro step. (Bricks
-  /// of 2.1 mm under a bird of 5 mm particles: impulses leave 68 J in the bulk viscosity within 1 ms, a single rate 1
-  /// J.) The two are equal and opposite, whatever the ratio; what is under way between them counts as the blade's.
+  /// The bird may take several steps within it, or the blade (r-RESPA; Tuckerman, Berne and Martyna 1992): what the
+  /// slower part's own forces do comes in impulses at the ends of the macro step, contact acts in every step of the
+  /// faster one, on both sides at once. Between its impulses a bird moves by what contact does to it. (Contact once a
+  /// step of the bird rings what is faster in the blade, or comes late if it is spread over the blade's steps.)
   /// A part that the scene lacks costs nothing.
   class Stepper
   {
@@ -46,7 +45,7 @@ namespace birdstrike
 
     void advance(const Schedule &schedule);
 
-    /// Before the scene drops its bird: the blade gets what is in transit, and from then on runs alone.
+    /// Before the scene drops its bird: from then on the blade runs alone.
     void drop_bird();
 
     const Counts &counts() const;
@@ -55,11 +54,11 @@ namespace birdstrike
     void archive(Archive &archive);
 
   private:
-    void advance_with_several_blade_steps(const Schedule &schedule);
     void advance_with_several_bird_steps(const Schedule &schedule);
 
     // The verbs, of one step or half step (s) each.
-    void kick_bird(double half_step, HalfKick half);
+    void kick_bird(double half_step, HalfKick half, double contact_half);
+    void kick_bird_by_contact(double half_step, HalfKick half);
     void kick_blade(double half_step, HalfKick half);
     void kick_blade_by_contact(double half_step, HalfKick half);
     void drift_bird(double step);
@@ -69,9 +68,6 @@ namespace birdstrike
     void compute_contact_forces(double step);
     void compute_bird_rates();
 
-    void deliver();                       ///< what is in transit, at once
-    void set_in_transit(double duration); ///< s
-
     template <class Part, class Verb>
     void timed(const Part &part, std::size_t section, const Verb &verb); ///< verb(*part), unless there is no such part
 
@@ -79,7 +75,6 @@ namespace birdstrike
     Timings      &timings;
     ContactWatch *watch;
     Counts        done;
-    double        in_transit = 0.; ///< s, for which the contact forces have still to act on the blade
     struct Sections
     {
       std::size_t bird_kick, blade_kick, contact_kick, bird_drift, blade_drift, list, blade_forces, self_contact,

@@ -54,10 +54,6 @@ namespace birdstrike
     {
       return motion.clear_contact_forces();
     }
-    void set_contact_in_transit(const double duration) override
-    {
-      motion.set_contact_in_transit(duration);
-    }
     void       archive(Archive &archive) override;
     FacetsView facets() const override;
     void       add_internal_forces(const std::span<const NodalForce> forces) override

@@ -65,7 +65,14 @@ namespace birdstrike
     /// Overwrites position, velocity and mu particle by particle, for verification; evaluates the rates.
     void set_state(const std::function<void(Point3 &x, Point3 &v, double &mu)> &state);
 
-    void        kick(double dt, HalfKick half);
+    void kick(double dt, HalfKick half)
+    {
+      kick(dt, half, dt);
+    }
+    /// Where contact acts in several steps within one of the bird: in this half kick for contact_dt (s) only, and in
+    /// kick_contact() between the drifts.
+    void        kick(double dt, HalfKick half, double contact_dt);
+    void        kick_contact(double dt, HalfKick half);
     void        drift(double dt);
     void        update_neighbor_list();
     PointForces clear_contact_forces(); ///< contact adds to them
@@ -114,7 +121,7 @@ namespace birdstrike
     bool   is_badly_predicted() const;
     void   relax_prediction();
     void   book_contact(double dt);
-    void   follow_step(double new_half_step);
+    void   follow_step(double new_half_step, double new_contact_half);
     double stored_energy(double mu) const; ///< J/kg
 
     BirdParameters         parameters;
@@ -127,7 +134,8 @@ namespace birdstrike
     std::unique_ptr<Rates> rates;
     Particles::Column      particle_masses;        ///< kg, the same number for every particle: contact sees an array
     double                 half_step         = 0.; ///< s, of the latest first kick
-    double                 staggered_half    = 0.; ///< s, that the staggering refers to
+    double                 staggered_half    = 0.; ///< s, that the staggering refers to, and of contact
+    double                 staggered_contact = 0.;
     double                 staggering        = 0.; ///< J, by changes of the step
     double                 hugoniot_slope    = 0.;
     double                 closing_energy    = 0.; ///< J

@@ -44,7 +44,8 @@ namespace birdstrike
 
     // What contact sees and gives.
     Column  volume, density, sound_speed;
-    Column3 contact_force; ///< N
+    Column3 contact_force;      ///< N
+    double  contact_share = 1.; ///< of a half kick, for which contact acts in it
 
     std::size_t size() const
     {
@@ -85,9 +86,9 @@ namespace birdstrike
           compress(load<Number>(&particles.mu[p]), load<Number>(&particles.predicting_compression_rate[p]), dt)))
     {
       for (int d = 0; d < 3; ++d)
-        velocity[d] =
-          load<Number>(&particles.v[d][p]) + (dt / particles.mass) * (load<Number>(&particles.predicting_force[d][p]) +
-                                                                      load<Number>(&particles.contact_force[d][p]));
+        velocity[d] = load<Number>(&particles.v[d][p]) +
+                      (dt / particles.mass) * (load<Number>(&particles.predicting_force[d][p]) +
+                                               particles.contact_share * load<Number>(&particles.contact_force[d][p]));
     }
 
     Vector3<Number> velocity; ///< m/s

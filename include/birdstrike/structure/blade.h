@@ -54,14 +54,6 @@ namespace birdstrike
     /// Sets the contact forces to zero and hands them over: contact adds to them.
     virtual NodeForces clear_contact_forces() = 0;
 
-    /// How long (s) the present contact forces have still to act: the bird has taken that impulse, this blade will in
-    /// later kicks. momenta() counts it as arrived.
-    virtual void set_contact_in_transit(double duration)
-    {
-      if (duration > 0.)
-        throw std::logic_error("A blade of kind '" + blade_kinds().name(kind()) + "' takes contact impulses at once.");
-    }
-
     /// The surface offered to contact; valid for the life of the blade.
     virtual FacetsView facets() const = 0;
 

@@ -12,7 +12,6 @@ namespace birdstrike
     archive("internal half step", internal_half);
     archive("contact half steps", contact_half, left_half);
     archive("staggered half step", staggered_half);
-    archive("in transit", in_transit);
     archive.entities("nodes", n_nodes, [this](Archive::Row &row, const std::size_t n) {
       const auto unknowns = [&](const char *name, auto &vector) {
         row(name, std::span<double, n_unknowns>(vector.begin() + n_unknowns * n, n_unknowns));

@@ -50,10 +50,7 @@ namespace birdstrike
       accelerations[k] = acceleration(k);
     add("acceleration", "m/s^2", accelerations.data());
     add("contact_force", "N", vectors->contact.begin());
-    std::vector<double> impulse(n_unknowns * n_nodes); // with what is in transit, as momenta() counts it
-    for (std::size_t k = 0; k < impulse.size(); ++k)
-      impulse[k] = vectors->received.begin()[k] + in_transit * vectors->contact.begin()[k];
-    add("contact_impulse", "N s", impulse.data());
+    add("contact_impulse", "N s", vectors->received.begin());
   }
 
   template std::array<std::array<double, 3>, 3> NodalMechanics<3>::motion_of(std::size_t) const;

@@ -247,14 +247,6 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
-  void NodalMechanics<n_unknowns>::set_contact_in_transit(const double duration)
-  {
-    in_transit = duration;
-    if (duration > 0.)
-      contact_half = 0.; // the last kick was by forces that have been replaced; (h F)^2/(2 m) is lost on the report
-  }
-
-  template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::update_loads()
   {
     if (!loads.is_active())

@@ -70,8 +70,7 @@ namespace birdstrike
     void       kick_internal(double half_step, HalfKick half);
     void       kick_contact(double half_step, HalfKick half);
     void       drift(double step);
-    NodeForces clear_contact_forces();                  ///< see Blade
-    void       set_contact_in_transit(double duration); ///< s, see Blade
+    NodeForces clear_contact_forces(); ///< see Blade
 
     /// Takes the pressure off a quadrilateral, by its number in the loads' list.
     void stop_pressing(const std::size_t quadrilateral)
@@ -152,7 +151,6 @@ namespace birdstrike
     double internal_half = 0., contact_half = 0.; ///< s, of the last second half kicks; 0 after a first one
     double left_half      = 0.;                   ///< s, what contact_half was before the first half kick by contact
     double staggered_half = 0.;                   ///< s, the half step that the staggering refers to
-    double in_transit     = 0.;                   ///< s, for which the contact forces have still to act
 
     EnergyReport              booked; ///< staggering by changes of the step, damped, external_work, contact_work
     MomentumReport            impulses;

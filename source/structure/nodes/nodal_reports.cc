@@ -171,25 +171,6 @@ namespace birdstrike
         for (unsigned int d = 0; d < 3; ++d)
           report.angular_momentum[d] += added[d];
       }
-    if (in_transit > 0.)
-      {
-        const double *f      = vectors->contact.begin();
-        const auto    coming = sum_nodes([=](const std::size_t n, Sums &sum) {
-          const double *p = x + 3 * n, *g = f + n_unknowns * n;
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              const unsigned int a = (d + 1) % 3, b = (d + 2) % 3;
-              sum[d] += g[d];
-              sum[3 + d] += p[a] * g[b] - p[b] * g[a];
-            }
-        });
-        for (unsigned int d = 0; d < 3; ++d)
-          {
-            report.momentum[d] += in_transit * coming[d];
-            report.contact_impulse[d] += in_transit * coming[d];
-            report.angular_momentum[d] += in_transit * coming[3 + d];
-          }
-      }
     return report;
   }
 
