@@ -1,11 +1,7 @@
 #include "contact/block_forces.h"
-#include <birdstrike/contact/dissipation.h>
-#include <birdstrike/contact/facet_grid.h>
-
-#include <Eigen/LU>
+#include "contact/couple.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 
 namespace birdstrike
@@ -65,14 +61,14 @@ namespace birdstrike
       max(gather(points.density, point.data()), of_record([](const PointRecord &r) { return r.density; }));
     touch.sound_speed =
       max(gather(points.sound_speed, point.data()), of_record([](const PointRecord &r) { return r.sound_speed; }));
-    std::array<Lanes, 4> weights, mobility;
+    std::array<Lanes, 4> loads, mobility;
     for (unsigned int k = 0; k < 4; ++k)
       {
-        weights[k]  = of_touch([&](const TouchRecord &t) { return t.weights[k]; });
+        loads[k]    = of_touch([&](const TouchRecord &t) { return t.loads[k]; });
         mobility[k] = of_touch([&](const TouchRecord &t) { return target.mobility[t.nodes[k]]; });
       }
     touch.reduced_mass =
-      compute_reduced_mass(Lanes(load<Lanes>(owners.data()) / gather(points.mass, point.data())), weights, mobility);
+      compute_reduced_mass(Lanes(load<Lanes>(owners.data()) / gather(points.mass, point.data())), loads, mobility);
     for (unsigned int d = 0; d < 3; ++d)
       {
         touch.normal[d]   = of_touch([&](const TouchRecord &t) { return t.normal[d]; });
@@ -99,15 +95,19 @@ namespace birdstrike
       {
         TouchRecord        &touch = target.touches[t];
         const std::uint32_t i     = touch.point;
-        const NodeSums::Sum force{forces[0][t], forces[1][t], forces[2][t], -tangent[t]};
+        const NodeSums::Sum force{forces[0][t], forces[1][t], forces[2][t]};
         for (unsigned int d = 0; d < 3; ++d)
           {
             target.point_forces.component[d][i] += force[d];
             report.force[d] -= force[d];
           }
         for (unsigned int k = 0; k < 4; ++k)
-          for (unsigned int d = 0; d < 4; ++d)
-            target.node_sums[touch.nodes[k]][d] -= touch.weights[k] * force[d];
+          {
+            NodeSums::Sum &sum = target.node_sums[touch.nodes[k]];
+            for (unsigned int d = 0; d < 3; ++d)
+              sum[d] -= touch.weights[k] * force[d];
+            sum[3] += touch.loads[k] * tangent[t];
+          }
         report.stored_energy += stored[t];
         touch.dissipative = Point3(dissipative[0][t], dissipative[1][t], dissipative[2][t]);
         if (touch.penetration > report.penetration)
@@ -121,41 +121,21 @@ namespace birdstrike
         if (const double squared = stiffness / points.mass[i]; squared > report.largest_point.value)
           report.largest_point = {squared, i};
         if (has_friction || touch.is_oblique)
-          add_couple(target, touch, Point3(force[0], force[1], force[2]));
-        report.dissipation_power += compute_taken_power(target.facets, target.facets.nodes[touch.facet], touch.velocity,
-                                                        touch.dissipative, touch.turn);
+          add_couple(target, touch, has_friction, Point3(force[0], force[1], force[2]));
+        report.dissipation_power -= touch.dissipative.dot(touch.velocity);
         if (!target.patches.empty())
           add_to_patches(target, touch, Point3(force[0], force[1], force[2]));
       }
   }
 
-  void BlockForces::add_couple(const Target &target, TouchRecord &touch, const Point3 &force)
+  void BlockForces::add_couple(const Target &target, TouchRecord &touch, const bool has_friction, const Point3 &force)
   {
-    // (p - q) x F is left over; forces f_k = w x y_k about the nodes' mean have no sum, and the moment
-    // (sum |y|^2 1 - y y^T) w
-    const Point3          couple = touch.offset.cross(force);
-    std::array<Point3, 4> arms   = facet_nodes(target.facets, touch.facet);
-    const Point3          mean   = 0.25 * (arms[0] + arms[1] + arms[2] + arms[3]);
-    Matrix3<double>       moment = Matrix3<double>::Zero();
-    for (Point3 &arm : arms)
-      {
-        arm -= mean;
-        moment += arm.squaredNorm() * Matrix3<double>::Identity() - arm * arm.transpose();
-      }
-    const Matrix3<double> inverse = moment.inverse();
-    const Point3          turn    = inverse * couple;
-    double                largest = 0.;
-    for (const Point3 &arm : arms)
-      largest = std::max(largest, turn.cross(arm).norm());
-    // on facets much smaller than the offset the pair of forces would be many times the touch's own, and unstable:
-    // there it stays as large as that, and a part of the couple is lost
-    const double share = largest > force.norm() ? force.norm() / largest : 1.;
-    if (!(largest < std::numeric_limits<double>::infinity()))
-      return; // a facet without area
-    touch.turn = share * (inverse * touch.offset.cross(touch.dissipative));
+    const Couple couple(target.facets, has_friction, touch);
+    const Point3 turn = couple.turn(force);
+    touch.turn        = couple.turn(touch.dissipative);
     for (unsigned int k = 0; k < 4; ++k)
       for (unsigned int d = 0; d < 3; ++d)
-        target.node_sums[touch.nodes[k]][d] -= share * turn.cross(arms[k])[d];
+        target.node_sums[touch.nodes[k]][d] -= turn.cross(couple.arm(k))[d];
   }
 
   void BlockForces::add_to_patches(const Target &target, const TouchRecord &touch, const Point3 &force)

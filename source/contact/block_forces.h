@@ -33,7 +33,7 @@ namespace birdstrike
   private:
     void compute_batch(const ContactLaw &law, const PointMemory &memory, const Target &target, std::size_t begin);
     void share_out(const Target &target, bool has_friction);
-    static void add_couple(const Target &target, TouchRecord &touch, const Point3 &force);
+    static void add_couple(const Target &target, TouchRecord &touch, bool has_friction, const Point3 &force);
     static void add_to_patches(const Target &target, const TouchRecord &touch, const Point3 &force);
 
     std::array<AlignedVector<double>, 3> forces, dissipative; // [touch], N, on the point

@@ -1,5 +1,6 @@
 #include "contact/areal_mass.h"
 #include "contact/block_forces.h"
+#include "contact/touch_records.h"
 #include <birdstrike/contact/contact.h>
 
 #include <algorithm>
@@ -32,29 +33,6 @@ namespace birdstrike
     {
       static thread_local Workspace mine;
       return mine;
-    }
-
-    /// The touches of a block from what the narrow phase has found.
-    void record_touches(const NarrowPhase &narrow_phase, const CandidateBlock &block, std::vector<TouchRecord> &touches)
-    {
-      const PairGeometry &pairs = narrow_phase.geometry();
-      touches.clear();
-      for (const TouchingPair &touch : narrow_phase.touches())
-        {
-          const std::uint32_t facet = block.pair_facet[pairs.pair[touch.place]];
-          TouchRecord         record;
-          record.normal      = touch.normal;
-          record.velocity    = pairs.velocity_of(touch.place);
-          record.offset      = pairs.offset_of(touch.place);
-          record.weights     = pairs.weights_of(touch.place);
-          record.penetration = touch.penetration;
-          record.share       = touch.share;
-          record.is_oblique  = touch.is_oblique;
-          record.point       = block.points[touch.near];
-          record.facet       = block.facets.keys()[facet];
-          record.nodes       = block.facet_nodes[facet];
-          touches.push_back(record);
-        }
     }
   } // namespace
 
@@ -151,13 +129,13 @@ namespace birdstrike
           narrow_phase.update(scene, block, memory);
           block_reports[b].n_tested = block.n_awake;
           block_reports[b].n_active = narrow_phase.n_active();
-          record_touches(narrow_phase, block, touches[b]);
+          record_touches(narrow_phase, block, scene.facets, parameters.friction > 0., touches[b]);
           double *weights = node_sums.mobility_of(block);
           for (const TouchRecord &touch : touches[b])
             {
               choose_modulus(scene.points, scene.step, touch, block);
               for (unsigned int k = 0; k < 4; ++k)
-                weights[touch.nodes[k]] += touch.share * touch.weights[k];
+                weights[touch.nodes[k]] += touch.share * touch.loads[k];
             }
         }
     };

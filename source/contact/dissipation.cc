@@ -44,8 +44,7 @@ namespace birdstrike
       if (touch.dissipative != Point3::Zero())
         {
           const auto  &nodes = facets.nodes[touch.facet];
-          const double taken =
-            0.5 * step * compute_taken_power(facets, nodes, touch.velocity, touch.dissipative, touch.turn);
+          const double taken = -0.5 * step * touch.dissipative.dot(touch.velocity);
           under_way += taken;
           reported = std::max(reported, booked + under_way);
           past.push_back({points.id[touch.point], nodes, touch.weights, touch.dissipative, touch.turn, taken});

@@ -1,0 +1,57 @@
+#include "contact/couple.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace birdstrike
+{
+  Couple::Couple(const FacetsView &facets, const bool has_friction, const TouchRecord &touch)
+    : touch(touch), arms(facet_nodes(facets, touch.facet))
+  {
+    const Point3    mean   = 0.25 * (arms[0] + arms[1] + arms[2] + arms[3]);
+    Matrix3<double> moment = Matrix3<double>::Zero();
+    for (Point3 &arm : arms)
+      {
+        arm -= mean;
+        moment += arm.squaredNorm() * Matrix3<double>::Identity() - arm * arm.transpose();
+      }
+    inverse        = moment.inverse();
+    double largest = 0.; // force on a node for a unit force along the normal, with friction along any direction
+    for (const Point3 &arm : arms)
+      largest = std::max(largest, has_friction ? norm_of(arm) : turn(touch.normal.normalized()).cross(arm).norm());
+    if (!(largest < std::numeric_limits<double>::infinity())) // a facet without area
+      {
+        inverse.setZero();
+        return;
+      }
+    share = largest > 1. ? 1. / largest : 1.;
+  }
+
+  double Couple::norm_of(const Point3 &arm) const
+  {
+    double squared = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      squared += turn(Point3::Unit(d)).cross(arm).squaredNorm();
+    return std::sqrt(squared);
+  }
+
+  Point3 Couple::velocity(const FacetsView &facets) const
+  {
+    Point3 moment = Point3::Zero();
+    for (unsigned int k = 0; k < 4; ++k)
+      moment += arms[k].cross(Point3(facets.velocity + facets.nodes[touch.facet][k] * facets.velocity_stride));
+    return share * (inverse * moment).cross(touch.offset);
+  }
+
+  std::array<double, 4> Couple::loads(const Point3 &direction) const
+  {
+    std::array<double, 4> sizes;
+    const Point3          turned = turn(direction);
+    for (unsigned int k = 0; k < 4; ++k)
+      sizes[k] = (touch.weights[k] * direction + turned.cross(arms[k])).norm();
+    return sizes;
+  }
+} // namespace birdstrike
