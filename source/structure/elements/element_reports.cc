@@ -100,7 +100,8 @@ namespace birdstrike
   template <class Group>
   double Elements<Group>::plastic_work() const
   {
-    return sum(&ElementChunk::plastic);
+    // forces have not paid for all of a flow that in the step of failure is larger than what was stored
+    return sum(&ElementChunk::plastic) + sum_erosion([](const Lanes &energy) { return min(energy, Lanes(0.)); });
   }
 
   template <class Group>
@@ -120,17 +121,24 @@ namespace birdstrike
   }
 
   template <class Group>
-  double Elements<Group>::eroded_energy() const
+  template <class Part>
+  double Elements<Group>::sum_erosion(const Part &part) const
   {
     double energy = 0.;
     for (const Group &group : groups)
       {
         double of_group = 0.;
         for (std::size_t b = 0; group.erosion && b < group.batches.size(); ++b)
-          of_group += stdx::reduce(group.batches[b].owned * group.erosion->batches[b].energy);
+          of_group += stdx::reduce(group.batches[b].owned * part(group.erosion->batches[b].energy));
         energy += of_group;
       }
     return energy;
+  }
+
+  template <class Group>
+  double Elements<Group>::eroded_energy() const
+  {
+    return sum_erosion([](const Lanes &energy) { return max(energy, Lanes(0.)); });
   }
 
   template <class Group>

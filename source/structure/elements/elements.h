@@ -90,7 +90,8 @@ namespace birdstrike
     double             plastic_work() const;
     double             viscous_energy() const;
     double             work() const;
-    /// What elements and points stored when they failed; it has left the others.
+    /// What elements and points stored when they failed, less what forces have not paid for in that step; it has left
+    /// the others. An element that has not paid for all of its last flow takes it off the plastic work.
     double eroded_energy() const;
     void   add_energies(EnergyReport &report) const; ///< all of these
 
@@ -143,6 +144,8 @@ namespace birdstrike
     }
 
     double sum(Lanes ElementChunk::*energy) const; ///< J
+    template <class Part>
+    double sum_erosion(const Part &part) const; ///< J, of part(energy of a batch)
 
     std::vector<Group> groups;
 
