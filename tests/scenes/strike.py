@@ -18,6 +18,7 @@ class Run:
     """Exit code (-9: no end in time), text, rows of history.csv as columns of numbers, and summary.json (None without one)."""
 
     def __init__(self, code, text, folder):
+        self.folder = folder
         self.code, self.text = code, text
         self.columns, self.summary = {}, None
         self.history_bytes = b""

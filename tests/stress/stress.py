@@ -80,13 +80,8 @@ class Runs:
         if scene.can_be_placed:
             more, name, largest = twins.compare_places(scene, first, draw, self.run)
             return faults + more, name, largest
-        name, (twin, factor, tolerance) = twins.choose(scene, draw)
-        second = self.run(twin, "twin", *(("Output/Bird fields=true", "Output/Field interval=0") if name == "whole" else ()))
-        if name == "whole" and crossings.has_row_in_plane(os.path.join(self.folder, "twin.run"), scene.info["spacing"]):
-            return faults, name, 0.  # particles in the plane of symmetry, as a half has none: another bird
-        if second.code != 0:
-            return faults + [f"twin {name}: exit {second.code}: {second.stop()}"], name, 0.
-        more, largest = twins.difference(name, first, second, factor, tolerance)
+        name, (twin, factor) = twins.choose(scene, draw)
+        more, largest = twins.compare_twin(name, twin, factor, scene, first, draw, self.run)
         return faults + more, name, largest
 
 
