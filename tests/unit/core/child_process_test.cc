@@ -110,8 +110,9 @@ TEST(ChildProcess, EndsWhenASignalEndsTheOnlyOne)
 {
   std::vector<int> codes;
   const auto       on_end = [&](std::size_t, const auto &result) { codes.push_back(result.exit_code); };
-  EXPECT_EQ(run_children({{{"sh", "-c", "kill -TERM $PPID; exec sleep 30"}, "", true}, {{"true"}, "", true}}, 1, on_end),
-            SIGTERM);
+  EXPECT_EQ(
+    run_children({{{"sh", "-c", "kill -TERM $PPID; exec sleep 30"}, "", true}, {{"true"}, "", true}}, 1, on_end),
+    SIGTERM);
   EXPECT_EQ(codes, std::vector<int>{128 + SIGTERM});
 }
 
