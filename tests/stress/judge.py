@@ -8,7 +8,7 @@ import strike
 NEGATIVE, ENERGY, MOMENTUM, DEEP = 1e-4, 1e-2, 1e-9, 0.5
 # Pairs of the standard formulation, and of riemann's without its correction of gradients, push along the line between them (what float
 # rounds off: 6e-8 a pair). Corrected gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the
-# offset of a touch a part of its couple is lost (block_forces.cc); forces in a warped element of Belytschko and Tsay leave one.
+# offset of a touch a part of its couple is lost (couple.h); forces in a warped element of Belytschko and Tsay leave one.
 ANGULAR, ANGULAR_OF_METHOD, ANGULAR_OF_WARPED = 1e-6, 1e-2, 1e-1
 
 
