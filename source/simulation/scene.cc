@@ -99,18 +99,27 @@ namespace birdstrike
       return;
     const FacetsView facets = blade->facets();
     largest_step_in_contact = contact->node_step_limit(bird->points(), facets);
-    if (const double own = parameters.time.step_scale * blade->largest_stable_step(); largest_step_in_contact < own)
+    if (is_contact_softened())
+      log().info(
+        "Multirate: the blade is so light that contact is softened for the step of the bird; its own is no longer "
+        "while there is a bird.");
+    else if (const double own = parameters.time.step_scale * blade->largest_stable_step();
+             largest_step_in_contact < own)
       log().info("Multirate: the blade is light against a layer of particles, so contact holds its step to {:.3g} s "
                  "(its own limit is {:.3g} s) while there is a bird.",
                  largest_step_in_contact, own);
   }
 
+  bool Scene::is_contact_softened() const
+  {
+    return largest_step_in_contact <= bird->largest_step();
+  }
+
   double Scene::limit_in_contact(const double bird_step) const
   {
-    // on a blade so light that contact is softened for the bird's step, a longer one of the blade makes energy (foil
-    // of 1/400 of a particle, 1.8 steps of the bird in one: 4 %)
-    const bool is_softened = largest_step_in_contact <= bird->largest_step();
-    return is_softened ? bird_step : largest_step_in_contact;
+    // where contact is softened for the bird's step, a longer one of the blade makes energy (foil of 1/400 of a
+    // particle, 1.8 steps of the bird in one: 4 %)
+    return is_contact_softened() ? bird_step : largest_step_in_contact;
   }
 
   Schedule Scene::plan(const double remaining)

@@ -92,6 +92,7 @@ namespace birdstrike
     MomentumReport        gone_momentum;
 
     void   limit_multirate();
+    bool   is_contact_softened() const;
     double limit_in_contact(double bird_step) const; ///< s, of the blade
     void   watch_patches();
   };

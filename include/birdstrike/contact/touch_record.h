@@ -15,12 +15,11 @@ namespace birdstrike
     Point3                velocity; ///< of the point relative to the facet's closest point and spin (couple.h), m/s
     Point3                offset;   ///< from there to the point, m
     std::array<double, 4> weights;  ///< of the facet's nodes in its closest point
-    std::array<double, 4>
-           loads; ///< sizes of the forces on them for a unit force: the weights, unless there is a couple
-    Point3 dissipative = Point3::Zero(); ///< force of damper and friction on the point, N
-    Point3 turn        = Point3::Zero(); ///< their couple on the nodes, -turn x (x_k - mean of the nodes), N/m
-    double penetration;                  ///< m
-    double share;                        ///< -, in (0, 1], of force and potential
+    std::array<double, 4> loads;    ///< sizes of their forces for a unit force: the weights, if there is no couple
+    Point3                dissipative = Point3::Zero(); ///< force of damper and friction on the point, N
+    Point3                turn = Point3::Zero(); ///< their couple on the nodes, -turn x (x_k - mean of the nodes), N/m
+    double                penetration;           ///< m
+    double                share;                 ///< -, in (0, 1], of force and potential
 
     bool is_oblique; ///< not along the offset: the force leaves a couple
 

@@ -29,8 +29,8 @@ namespace birdstrike
   /// of time. Prices are counts times constants, never clock readings, so that the same run takes the same steps
   /// anywhere. Absent parts have no vote.
   ///
-  /// Multirate by impulses (r-RESPA; Tuckerman, Berne and Martyna 1992): the slower part's own forces
-  /// act at the ends of macro steps only, contact in every sub-step of the faster one.
+  /// Multirate by impulses (r-RESPA; Tuckerman, Berne and Martyna 1992): the slower part's own forces act at
+  /// the ends of macro steps only, contact in every sub-step of the faster one.
   ///
   /// @param remaining  time to the end of the run (s): the last step ends there.
   /// @throws NumericalFailure if a limit is not positive and finite while its part exists.

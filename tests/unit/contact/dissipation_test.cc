@@ -5,6 +5,19 @@
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
 
+namespace
+{
+  /// Until points and nodes have parted.
+  void collide(FreeMasses &scene, Contact &contact, const double step)
+  {
+    ThreadPool pool;
+    scene.compute_contact(contact, step, pool);
+    for (unsigned int n = 0; n < 4000; ++n)
+      scene.advance(contact, step, pool);
+    EXPECT_EQ(contact.report().n_touching, 0u);
+  }
+} // namespace
+
 // Friction acts on the face, half a thickness and half a point off the middle surface: its couple spins the facets, and
 // that work is none of what friction takes. Points slide over a plate of free nodes; what contact takes from points and
 // nodes is what it books as dissipated, to the error of finite steps, 1.4e-6. Without the spin 5 % too much would be
@@ -19,13 +32,8 @@ TEST(Dissipation, FrictionThatSpinsTheFacetsTakesTheLess)
     scene.add_point({Point3(1e-3 + 2.1e-4 * n, 1.1e-3 + 2.9e-4 * n, 2.1e-3), Point3(100., 0., -50.)});
   ContactParameters parameters;
   parameters.friction = 0.5;
-  Contact      contact(parameters);
-  ThreadPool   pool;
-  const double step = 1e-8;
-  scene.compute_contact(contact, step, pool);
-  for (unsigned int n = 0; n < 4000; ++n)
-    scene.advance(contact, step, pool);
-  EXPECT_EQ(contact.report().n_touching, 0u);
+  Contact contact(parameters);
+  collide(scene, contact, 1e-8);
   EXPECT_LT(scene.contact_work, -0.2 * 20. * 0.5e-6 * (100. * 100. + 50. * 50.)) << "much is taken";
   EXPECT_NEAR(contact.report().dissipated_energy / -scene.contact_work, 1., 1e-5);
 }
@@ -43,12 +51,7 @@ TEST(Dissipation, DampersAtAnEdgeKnowTheSpinOfTheFacets)
     scene.add_point({Point3(3e-4 + 4.7e-4 * n, -(2.e-4 + 2e-5 * n), 6.5e-4), Point3(0., 20., -60.)});
   const ContactParameters parameters;
   Contact                 contact(parameters);
-  ThreadPool              pool;
-  const double            step = 2e-8;
-  scene.compute_contact(contact, step, pool);
-  for (unsigned int n = 0; n < 4000; ++n)
-    scene.advance(contact, step, pool);
-  EXPECT_EQ(contact.report().n_touching, 0u);
+  collide(scene, contact, 2e-8);
   EXPECT_GT(contact.report().dissipated_energy, 2e-4);
   EXPECT_EQ(contact.report().dissipation_fall, 0.);
   EXPECT_NEAR(contact.report().dissipated_energy / -scene.contact_work, 1., 1e-3);

@@ -146,7 +146,7 @@ namespace
     {"Reconstruction", shipped("oblique"), with(coarse, {"Bird/Reconstruction=linear"}), 20, 200},
     {"SubCycledBlade", shipped("frontal"),
      with(solid, {"Blade/Mesh/Layers=3", "Bird/Particle spacing=0.01", formulation + "one point"}), 20, 100,
-     "bird/staggered half steps"},
+     "stepper/steps not done"},
     {"SubCycledBird",
      shipped("frontal"),
      {"Bird/Particle spacing=0.006", "Blade/Mesh/Elements along span=8", "Blade/Mesh/Elements along chord=2"},
