@@ -96,7 +96,7 @@ namespace birdstrike::benchmarks
       const auto          end = ShellGeometry<Counted>::of_modes(x, normal);
       ShellModes<Counted> f, fd;
       Vectors             force, moment;
-      physical_shell::compute_mode_forces(end, compute_resultants(stress), f, fd);
+      physical_shell::compute_mode_forces(end, compute_resultants(stress, law.contraction(stress)), f, fd);
       f.sum_at_corners(force);
       fd.sum_at_corners(director);
       for (int i = 0; i < 4; ++i)
@@ -128,7 +128,7 @@ namespace birdstrike::benchmarks
             law.update_elastic(section[k], 880e6, stress[k]);
           else
             law.update_plastic(section[k], 0.7e-6, stress[k], points + k * law.rule.n);
-          section[k] = compute_resultants(stress[k]);
+          section[k] = compute_resultants(stress[k], law.contraction(stress[k]));
         }
       const auto end = ShellGeometry<Counted>::of_modes(x, normal);
       plane          = full_integration::PlaneGeometry<Counted>(end, nu);

@@ -18,11 +18,25 @@ namespace birdstrike
                          make_thickness_points(section.rule, section.n_points)}
       , shear_modulus(section.shear_factor * elasticity.shear_modulus())
       , has_thinning(section.has_thinning)
+      , volume_compliance((1. - (has_thinning ? 2. : 1.) * elasticity.poisson) / elasticity.young)
     {
     }
 
     double shear_modulus; ///< kappa G
     bool   has_thinning;
+    double volume_compliance; ///< 1/Pa: elastic volume strain per sxx + syy, whose (1 - nu)/E is exx + eyy
+
+    /// Volume before the elastic strain of the mean stress over that with it, exp(-e). Stresses are Kirchhoff's: their
+    /// resultants and works are those of the undeformed volume, so that the work s : de V_0 is a change of V_0
+    /// s : C^{-1} : s / 2 on every path (an objective rate turns s and adds nothing), not to the order of e alone.
+    template <class Number>
+    [[gnu::always_inline]] Number contraction(const SectionStress<Number> &s) const
+    {
+      const Number e = (0.25 * volume_compliance) * (s.mean[0] + s.mean[1]), half = 0.5 * e;
+      const Number rest = 1. + (1. / 12.) * e * e, root = (rest - half) / (rest + half); // e^5/720 off
+      const Number squared = root * root;
+      return squared * squared;
+    }
 
     /// The elastic trial state of a step, without points: false (and `s` as it was) when the stress at a face exceeds
     /// the initial yield stress in any lane.
@@ -83,8 +97,8 @@ namespace birdstrike
         {
           // e_zz of the mean: elastic -nu/E tr(ds) plus plastic -(tr(de) - (1-nu)/E tr(ds))
           const double compliance = (1. - 2. * elasticity.poisson) / elasticity.young;
-          s.thickness *=
-            Number(1.) - (e.membrane[0] + e.membrane[1]) + compliance * (s.mean[0] + s.mean[1] - old_trace);
+          const Number strain     = compliance * (s.mean[0] + s.mean[1] - old_trace) - (e.membrane[0] + e.membrane[1]);
+          s.thickness *= Number(1.) + strain + 0.5 * strain * strain; // exp(strain), as the area grows
         }
     }
   };

@@ -110,3 +110,29 @@ TEST(StoredEnergy, OfAShellThatFlowsIsThatOfPlaneFlow)
       EXPECT_LE(model.elements.hourglass_energy(), 1e-12 * work);
     }
 }
+
+// Rubber pulled to twice its length, sheared and let go in part: what its stress stores is the work done, on every path
+// (with a density by the present volume instead, of the order of its strain: a fifth).
+TEST(StoredEnergy, OfRubberIsTheWorkDoneOnIt)
+{
+  constexpr int n_steps = 400;
+  for (const auto formulation : shell_harness::all_formulations)
+    for (const double poisson : {0., 0.3, 0.45})
+      {
+        shell_harness::Model model(sheet(), 0.004, shell_harness::make_section(1e7, poisson, formulation));
+        for (int i = 0; i < 2 * n_steps; ++i)
+          {
+            const double    stretch = i < n_steps ? 0.7 / n_steps : -0.2 / n_steps, shear = 0.5 / n_steps;
+            Eigen::VectorXd u = Eigen::VectorXd::Zero(model.n_dofs());
+            for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n)
+              {
+                const Point3 x(&model.position[3 * n]);
+                u[6 * n]     = stretch * x[0] + (i < n_steps ? shear : 0.) * x[1];
+                u[6 * n + 1] = 0.5 * stretch * x[1];
+              }
+            model.move(u);
+          }
+        const double stored = model.elements.elastic_energy() + model.elements.hourglass_energy();
+        EXPECT_NEAR(stored / model.elements.work(), 1., 3e-3) << int(formulation) << " " << poisson;
+      }
+}

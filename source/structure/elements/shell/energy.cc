@@ -8,16 +8,8 @@ namespace birdstrike
 {
   namespace
   {
-    /// Volume strain per mean normal stress sxx + syy (1/Pa): elastic, or of a thickness that stays. (1 - nu)/E is what
-    /// the plane strains add up to.
-    double volume_compliance(const SectionLaw &law)
-    {
-      const double nu = law.elasticity.poisson;
-      return (1. - (law.has_thinning ? 2. : 1.) * nu) / law.elasticity.young;
-    }
-
-    /// Mean energy per volume of plane stress and transverse shear (J/m^3). What is linear through the thickness has a
-    /// third of the density at the faces.
+    /// Mean energy per undeformed volume of plane stress and transverse shear (J/m^3). What is linear through the
+    /// thickness has a third of the density at the faces.
     Lanes compute_density(const SectionLaw &law, const SectionStress<Lanes> &s,
                           const AlignedVector<ShellPoint<Lanes>> &points)
     {
@@ -31,6 +23,11 @@ namespace birdstrike
     }
   } // namespace
 
+  Lanes ShellGroup::contraction(const std::size_t batch, const std::size_t k) const
+  {
+    return law.contraction(section_of(batch, k));
+  }
+
   StoredEnergy::State ShellGroup::stored(const std::size_t k) const
   {
     const std::size_t           b = k / n_in_plane, point = k % n_in_plane;
@@ -43,9 +40,6 @@ namespace birdstrike
     area *= batches[b].owned;
     if (erosion)
       area *= erosion->batches[b].alive;
-    // the energy taken in on a straight path to a volume strain e: integral of V du = V u (1 - e/3 + ...)
-    const Lanes volume_strain = volume_compliance(law) * (s.mean[0] + s.mean[1]);
-    const Lanes volume        = s.thickness * area * (1. - (1. / 3.) * volume_strain);
-    return {{compute_density(law, s, points_of(b, point)), Lanes(0.)}, volume};
+    return {{compute_density(law, s, points_of(b, point)), Lanes(0.)}, s.thickness * area * law.contraction(s)};
   }
 } // namespace birdstrike

@@ -44,30 +44,38 @@ namespace birdstrike
     SectionVector<Lanes> strain[n_points]; // kept where something may fail
     if (erosion)
       std::copy(section_of_point, section_of_point + n_points, strain);
-    Lanes thickness = 0., plastic = 0.;
+    Lanes thickness = 0., contraction = 0., plastic = 0.;
     for (int k = 0; k < n_points; ++k)
       {
         const std::size_t     s     = n_points * b + k;
         SectionStress<Lanes> &state = sections[s];
         if (!points[s].empty() || !law.update_elastic(section_of_point[k], initial_yield, state))
-          plastic += plane.point[k].area * update_section(s, section_of_point[k], dt);
-        thickness           = max(thickness, state.thickness);
-        section_of_point[k] = compute_resultants(state);
+          {
+            const auto &e    = section_of_point[k].membrane;
+            const Lanes area = plane.point[k].area * (1. - 0.5 * (e[0] + e[1])) * law.contraction(state);
+            plastic += area * update_section(s, section_of_point[k], dt);
+          }
+        thickness            = max(thickness, state.thickness);
+        const Lanes of_point = law.contraction(state);
+        contraction          = max(contraction, of_point);
+        section_of_point[k]  = compute_resultants(state, of_point);
       }
     if (erosion && has_new_failed[b] != 0)
       {
-        const Lanes area[n_points] = {plane.point[0].area, plane.point[1].area, plane.point[2].area,
-                                      plane.point[3].area};
+        Lanes area[n_points];
+        for (int k = 0; k < n_points; ++k)
+          area[k] = plane.point[k].area * law.contraction(sections[n_points * b + k]);
         release_sections(b, strain, area);
         for (int k = 0; k < n_points; ++k)
-          section_of_point[k] = compute_resultants(sections[n_points * b + k]);
+          section_of_point[k] =
+            compute_resultants(sections[n_points * b + k], law.contraction(sections[n_points * b + k]));
       }
     chunk.plastic += batch.owned * plastic;
 
     const auto end = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
     plane          = PlaneGeometry<Lanes>(end, poisson);
-    batch.bound    = compute_eigenvalue_bound<true>(end, thickness, batch.inverse_mass, batch.radius2, law);
-    chunk.bound    = max(chunk.bound, Lanes(batch.owned * batch.bound));
+    batch.bound = compute_eigenvalue_bound<true>(end, thickness, batch.inverse_mass, batch.radius2, law, contraction);
+    chunk.bound = max(chunk.bound, Lanes(batch.owned * batch.bound));
     ShellModes<Lanes> f, fd;
     Corners           force[2];
     full_integration::compute_mode_forces(end, integrate_resultants(plane, section_of_point), f, fd);

@@ -34,7 +34,8 @@ namespace birdstrike
     void update_bounds_at_rest();
     void archive(Archive &archive); ///< stresses
 
-    bool                   has_points(std::size_t batch) const; ///< any of its sections
+    bool                   has_points(std::size_t batch) const;                 ///< any of its sections
+    Lanes                  contraction(std::size_t batch, std::size_t k) const; ///< of a section: SectionLaw
     double                 largest_plastic_strain(std::size_t element) const;
     StoredEnergy::State    stored(std::size_t section) const;            ///< by number: [n_batches][n_in_plane]
     double                 largest_thickness(std::size_t element) const; ///< m, of its sections

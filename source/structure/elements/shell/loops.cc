@@ -27,10 +27,10 @@ namespace birdstrike
 
     template <bool physical>
     [[gnu::always_inline]] inline void
-    compute_corner_forces(const ShellGeometry<Lanes> &end, const ShellStress<Lanes> &stress,
+    compute_corner_forces(const ShellGeometry<Lanes> &end, const ShellStress<Lanes> &stress, const Lanes &contraction,
                           const double hourglass_coefficient, const Corners &normal, Corners (&force)[2])
     {
-      const ShellVector<Lanes> resultants = compute_resultants(stress);
+      const ShellVector<Lanes> resultants = compute_resultants(stress, contraction);
       if constexpr (physical)
         {
           ShellModes<Lanes> f, fd;
@@ -72,16 +72,19 @@ namespace birdstrike
     const auto midpoint = compute_midpoint(x, u, nodes.midpoint_normal);
     const auto strain =
       compute_strain_increments<physical>(midpoint, state.thickness, section.hourglass_coefficient, u, nodes);
-    Lanes            area = midpoint.area; // by itself: `midpoint` stays in registers
+    // of the undeformed volume over the thickness, both of before the step; by itself: `midpoint` stays in registers
+    Lanes area = midpoint.area * law.contraction(state) * (1. - 0.5 * (strain.membrane[0] + strain.membrane[1]));
     ShellWork<Lanes> work;
     if (!points[b].empty() || !law.update_elastic(strain, initial_yield, state, work))
       work = update_points(b, strain, area, dt);
 
     const auto end = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
-    batch.bound    = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, batch.radius2, law);
+    batch.bound    = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, batch.radius2, law,
+                                                  law.contraction(state));
     chunk.bound    = max(chunk.bound, Lanes(batch.owned * batch.bound));
     Corners force[2];
-    compute_corner_forces<physical>(end, state, section.hourglass_coefficient, nodes.normal, force);
+    compute_corner_forces<physical>(end, state, law.contraction(state), section.hourglass_coefficient, nodes.normal,
+                                    force);
     store_corner_forces(force, batch.corner, place.corner_force);
 
     area *= batch.owned;

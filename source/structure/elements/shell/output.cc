@@ -77,16 +77,16 @@ namespace birdstrike
       }
     for (std::size_t i = 0; i < group.n_in_plane; ++i)
       {
-        const auto  &s = group.section_of(b, i);
-        const double t = lane(s.thickness, k);
+        const auto &s = group.section_of(b, i);
+        const auto  r = compute_resultants(s, group.contraction(b, i));
         for (int c = 0; c < 3; ++c)
           {
-            state.membrane_force[c] += share * t * lane(s.mean[c], k);
-            state.moment[c] += share * t * t / 6. * lane(s.outer[c], k);
+            state.membrane_force[c] += share * lane(r.membrane[c], k);
+            state.moment[c] += share * lane(r.curvature[c], k);
           }
         for (int c = 0; c < 2; ++c)
-          state.shear_force[c] += share * t * lane(s.shear[c], k);
-        state.thickness += share * t;
+          state.shear_force[c] += share * lane(r.shear[c], k);
+        state.thickness += share * lane(s.thickness, k);
         for (const auto &point : group.points_of(b, i))
           state.max_plastic_strain = std::max(state.max_plastic_strain, lane(point.plastic_strain, k));
       }
@@ -101,13 +101,14 @@ namespace birdstrike
     std::array<double, 3> result{};
     for (std::size_t i = 0; i < group.n_in_plane; ++i)
       {
-        const auto &points = group.points_of(b, i);
-        const auto &s      = group.section_of(b, i);
+        const auto  &points = group.points_of(b, i);
+        const auto  &s      = group.section_of(b, i);
+        const double cauchy = share * lane(group.contraction(b, i), k);
         for (int c = 0; c < 3; ++c)
           if (points.empty())
-            result[c] += share * (lane(s.mean[c], k) + (int(layer) - 1) * lane(s.outer[c], k));
+            result[c] += cauchy * (lane(s.mean[c], k) + (int(layer) - 1) * lane(s.outer[c], k));
           else
-            result[c] += share * lane(points[point_of(layer, points.size())].stress[c], k);
+            result[c] += cauchy * lane(points[point_of(layer, points.size())].stress[c], k);
       }
     return result;
   }

@@ -7,8 +7,8 @@ namespace birdstrike
   /// Section and stabilisation of a one-point element.
   ///
   /// Stabilisation stresses grow with the elastic modulus times the mean tangent ratio of the points (at least
-  /// `smallest_tangent`, so that a fully plastic element keeps its shape), and are capped by the yield stress (3/2 of
-  /// it for bending, the plastic moment).
+  /// `smallest_tangent`, so that a fully plastic element keeps its shape), fall with the elastic modulus, and are
+  /// capped by the yield stress (3/2 of it for bending, the plastic moment).
   struct ShellSectionLaw : SectionLaw
   {
     explicit ShellSectionLaw(const ShellSection &section)
@@ -32,8 +32,8 @@ namespace birdstrike
       if (!add_if_elastic(e, yield, s, old_trace))
         return false;
       work           = {Number(0.), Number(0.)};
-      const auto add = [](Number &stress, const Number &increment) { stress += increment; };
-      update_stabilisation(e, Number(elasticity.young), Number(elasticity.young), s, work.hourglass, add, add);
+      const auto add = [this](Number &stress, const Number &strain) { stress += elasticity.young * strain; };
+      update_stabilisation(e, s, work.hourglass, add, add);
       update_shear_and_thickness(e, old_trace, s);
       return true;
     }
@@ -47,23 +47,25 @@ namespace birdstrike
       const Number          old_trace = s.mean[0] + s.mean[1], floor = Number(smallest_tangent);
       const Tangent<Number> tangent = update_points(e, dt, s, points, work.plastic, failing);
       const Number          one = 1., limit = is_capped ? tangent.yield : Number(std::numeric_limits<double>::max());
-      const Number          membrane = elasticity.young * (is_capped ? max(floor, tangent.membrane) : one);
-      const Number          bending  = elasticity.young * (is_capped ? max(floor, tangent.bending) : one);
-      const auto            cap      = [](const Number &most) {
-        return [most](Number &stress, const Number &increment) {
-          stress = min(max(Number(stress + increment), Number(-most)), most);
+      const Number          membrane = is_capped ? max(floor, tangent.membrane) : one;
+      const Number          bending  = is_capped ? max(floor, tangent.bending) : one;
+      const auto            flow     = [this](const Number &ratio, const Number &most) {
+        return [this, ratio, most](Number &stress, const Number &strain) {
+          const Number elastic = elasticity.young * strain;
+          // back elastically: at the modulus of flow a stress gives back more than it has taken
+          const Number increment = select(stress * elastic < Number(0.), elastic, Number(ratio * elastic));
+          stress                 = min(max(Number(stress + increment), Number(-most)), most);
         };
       };
-      update_stabilisation(e, membrane, bending, s, work.hourglass, cap(limit), cap(1.5 * limit));
+      update_stabilisation(e, s, work.hourglass, flow(membrane, limit), flow(bending, Number(1.5 * limit)));
       update_shear_and_thickness(e, old_trace, s);
       return work;
     }
 
   private:
-    /// `add_membrane` and `add_bending` add an increment to a stress and may limit it.
+    /// `add_membrane` and `add_bending` add what a strain increment makes of a stress.
     template <class Number, class AddMembrane, class AddBending>
-    [[gnu::always_inline]] void update_stabilisation(const ShellVector<Number> &e, const Number &membrane,
-                                                     const Number &bending, ShellStress<Number> &s, Number &work,
+    [[gnu::always_inline]] void update_stabilisation(const ShellVector<Number> &e, ShellStress<Number> &s, Number &work,
                                                      const AddMembrane &add_membrane,
                                                      const AddBending  &add_bending) const
     {
@@ -77,9 +79,9 @@ namespace birdstrike
       for (int c = 0; c < 2; ++c)
         {
           book(in_plane, s.linear_membrane[c], e.linear_membrane[c],
-               [&](Number &stress) { add_membrane(stress, Number(membrane * e.linear_membrane[c])); });
+               [&](Number &stress) { add_membrane(stress, e.linear_membrane[c]); });
           book(bent, s.linear_curvature[c], e.linear_curvature[c],
-               [&](Number &stress) { add_bending(stress, Number(half_t * bending * e.linear_curvature[c])); });
+               [&](Number &stress) { add_bending(stress, Number(half_t * e.linear_curvature[c])); });
           book(in_plane, s.linear_shear[c], e.linear_shear[c],
                [&](Number &stress) { stress += shear_modulus * e.linear_shear[c]; });
         }

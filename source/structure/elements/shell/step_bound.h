@@ -30,14 +30,15 @@ namespace birdstrike
   /// The inertia is that of the element at rest, which its nodes keep: with r of the present area, which stretching
   /// makes larger, transverse shear would seem slower than it is (an element of 1.6 times its length and width: the
   /// step 12 % too long). Of stresses nothing is counted: a compressive principal stress s adds about s/E to
-  /// omega^2/omega^2, 0.3 % of the step where titanium yields.
+  /// omega^2/omega^2, 0.3 % of the step where titanium yields. Stresses are Kirchhoff's, so that the elements are as
+  /// stiff as their undeformed volume: `contraction` of SectionLaw.
   template <bool is_fully_integrated, class Number>
-  [[gnu::always_inline]] inline Number compute_eigenvalue_bound(const ShellGeometry<Number> &g, const Number &thickness,
-                                                                const Number &inverse_mass, const Number &radius2,
-                                                                const ShellSectionLaw &law)
+  [[gnu::always_inline]] inline Number
+  compute_eigenvalue_bound(const ShellGeometry<Number> &g, const Number &thickness, const Number &inverse_mass,
+                           const Number &radius2, const ShellSectionLaw &law, const Number &contraction = Number(1.))
   {
     const double young = law.elasticity.young, nu = law.elasticity.poisson, plate = law.elasticity.plate_modulus();
-    const Number one = 1., half = 0.5, inverse_density = thickness * g.area * inverse_mass;
+    const Number one = 1., half = 0.5, inverse_density = thickness * g.area * contraction * inverse_mass;
 
     const auto root    = [](const Number &a) { return a * inverse_root(max(a, Number(1e-300))); };
     const auto combine = [&](const Number &a, const Number &b, const Number &cos2) {

@@ -4,7 +4,7 @@
 
 namespace birdstrike
 {
-  /// Stress state of a section, in the corotational frame of its element (or of a batch of elements).
+  /// Stress state (Kirchhoff's) of a section, in the corotational frame of its element (or of a batch of elements).
   template <class Number>
   struct SectionStress
   {
@@ -40,12 +40,12 @@ namespace birdstrike
     Number plastic, hourglass;
   };
 
-  /// Resultants of a section (N/m, N).
+  /// Resultants of a section (N/m, N). `contraction` as of SectionLaw.
   template <class Number>
-  inline SectionVector<Number> compute_resultants(const SectionStress<Number> &s)
+  inline SectionVector<Number> compute_resultants(const SectionStress<Number> &s, const Number &contraction)
   {
     SectionVector<Number> r;
-    const Number          t = s.thickness, t2 = t * t / Number(6.);
+    const Number          t = s.thickness * contraction, t2 = t * s.thickness / Number(6.);
     for (int c = 0; c < 3; ++c)
       {
         r.membrane[c]  = t * s.mean[c];
@@ -58,11 +58,11 @@ namespace birdstrike
 
   /// The same and those of the stabilisation.
   template <class Number>
-  inline ShellVector<Number> compute_resultants(const ShellStress<Number> &s)
+  inline ShellVector<Number> compute_resultants(const ShellStress<Number> &s, const Number &contraction)
   {
     const SectionStress<Number> &section = s;
-    const Number                 t = s.thickness, t2 = t * t / Number(6.);
-    ShellVector<Number>          r{compute_resultants(section), {}, {}, {}};
+    const Number                 t = s.thickness * contraction, t2 = t * s.thickness / Number(6.);
+    ShellVector<Number>          r{compute_resultants(section, contraction), {}, {}, {}};
     for (int c = 0; c < 2; ++c)
       {
         r.linear_membrane[c]  = t * s.linear_membrane[c];
