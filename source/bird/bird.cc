@@ -84,20 +84,17 @@ namespace birdstrike
   void Bird::set_closing_speed(const double speed)
   {
     hugoniot_slope = eos.hugoniot_slope(speed);
+    shock_pressure = speed / eos.reference_sound_speed();
+    shock_pressure *= 1. + hugoniot_slope * shock_pressure;
+    step_of_strike = shocked_step(speed);
     closing_energy = 0.5 * packed.particle_mass * packed.points.size() * speed * speed;
-  }
-
-  double Bird::largest_step() const
-  {
-    return parameters.courant_number * parameters.smoothing_ratio * packed.spacing / eos.reference_sound_speed();
   }
 
   double Bird::shocked_step(const double speed) const
   {
-    if (speed == 0.)
-      return INFINITY;
-    const HugoniotState shocked = eos.hugoniot(speed);
-    const double        c       = std::sqrt(eos.sound_speed_squared(shocked.density_ratio - 1., shocked.pressure));
+    const HugoniotState shocked = speed > 0. ? eos.hugoniot(speed) : HugoniotState();
+    const double c = speed > 0. ? std::sqrt(eos.sound_speed_squared(shocked.density_ratio - 1., shocked.pressure))
+                                : eos.reference_sound_speed();
     return parameters.courant_number * parameters.smoothing_ratio * packed.spacing / (c + 1.2 * speed);
   }
 

@@ -76,17 +76,19 @@ namespace birdstrike
         view.position[d] = particles.x[d].data();
         view.velocity[d] = particles.v[d].data();
       }
-    view.mass           = particle_masses.data();
-    view.volume         = particles.volume.data();
-    view.density        = particles.density.data();
-    view.sound_speed    = particles.sound_speed.data();
-    view.id             = particles.id.data();
-    view.n_ids          = particles.n_ids;
-    view.spacing        = packed.spacing;
-    view.hugoniot_slope = hugoniot_slope;
-    view.largest_step   = largest_step();
-    view.revision       = revision;
-    view.plane          = packed.plane;
+    view.mass                   = particle_masses.data();
+    view.density                = particles.density.data();
+    view.sound_speed            = particles.sound_speed.data();
+    view.id                     = particles.id.data();
+    view.n_ids                  = particles.n_ids;
+    view.spacing                = packed.spacing;
+    view.undeformed_density     = parameters.density;
+    view.undeformed_sound_speed = eos.reference_sound_speed();
+    view.hugoniot_slope         = hugoniot_slope;
+    view.shock_pressure         = shock_pressure;
+    view.strike_step            = strike_step();
+    view.revision               = revision;
+    view.plane                  = packed.plane;
     return view;
   }
 

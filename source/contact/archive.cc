@@ -116,12 +116,15 @@ namespace birdstrike
         bounds.assign(block.pair_bound.begin(),
                       block.pair_bound.begin() + static_cast<std::ptrdiff_t>(block.n_pairs()));
       row.list("pair bound", bounds);
+      const auto                &keys = block.facets.keys();
+      std::vector<std::uint32_t> beside(keys.begin() + static_cast<std::ptrdiff_t>(block.n_paired_facets), keys.end());
+      row.list("facets beside", beside);
       if (!archive.is_reading())
         return;
       block.pair_facet = pair_facets;
       block.pair_bound.assign(bounds.begin(), bounds.end());
       if (block.is_tracked)
-        block.number_surface(facets);
+        block.number_surface(facets, beside);
     });
     if (!archive.is_reading())
       return;

@@ -101,12 +101,14 @@ namespace birdstrike
             target.point_forces.component[d][i] += force[d];
             report.force[d] -= force[d];
           }
+        const auto  &loads = touch.loads;
+        const double total = has_friction || touch.is_oblique ? loads[0] + loads[1] + loads[2] + loads[3] : 1.;
         for (unsigned int k = 0; k < 4; ++k)
           {
             NodeSums::Sum &sum = target.node_sums[touch.nodes[k]];
             for (unsigned int d = 0; d < 3; ++d)
               sum[d] -= touch.weights[k] * force[d];
-            sum[3] += touch.loads[k] * tangent[t];
+            sum[3] += loads[k] * total * tangent[t]; // at least what a node's row of the stiffness sums up to
           }
         report.stored_energy += stored[t];
         touch.dissipative = Point3(dissipative[0][t], dissipative[1][t], dissipative[2][t]);

@@ -55,15 +55,18 @@ namespace birdstrike
 
     update_candidates(points, facets, pool);
     dissipation.book_past(points, facets, memory, step);
-    limit = {};
+    limit                    = {};
+    const double       range = topology.max_half_thickness() + 0.5 * memory.max_size();
+    const ContactScene scene{
+      points, facets, topology, step, range, last.calls, last.calls == 1, is_changed, search.nodes_motion()};
+    if (is_changed)
+      note_depths(points);
     if (search.n_near() > 0)
-      {
-        const double       range = topology.max_half_thickness() + 0.5 * memory.max_size();
-        const ContactScene scene{
-          points, facets, topology, step, range, last.calls, last.calls == 1, is_changed, search.nodes_motion()};
-        find_touches(scene, pool);
-        add_forces_of_touches(scene, sink, pool);
-      }
+      find_touches(scene, pool);
+    if (is_changed)
+      book_released(scene);
+    if (search.n_near() > 0)
+      add_forces_of_touches(scene, sink, pool);
     is_first = false;
     sum_report(points.plane);
     update_peaks(points.spacing);
@@ -83,7 +86,7 @@ namespace birdstrike
     if (change != SurfaceTopology::Change::none)
       areal_flexibility = compute_areal_flexibility(facets, memory.max_size());
     search.update(points, facets, topology.max_half_thickness() + 0.5 * memory.max_size(),
-                  parameters.search_margin * points.spacing, pool);
+                  parameters.search_margin * points.spacing, pool, &topology.sharp_edges());
     last.skipped = search.counts().apart;
     last.reused  = search.counts().reused;
     if (search.counts().searches > last.searches)
@@ -101,11 +104,11 @@ namespace birdstrike
   void Contact::size_touches()
   {
     touches.resize(search.blocks().size());
-    // at most two facets a point: steps without a search allocate nothing
+    // at most two facets a point, and where two faces meet the facets of both: steps without a search allocate nothing
     for (std::size_t b = 0; b < touches.size(); ++b)
       {
         CandidateBlock &block = search.blocks()[b];
-        touches[b].reserve(2 * block.points.size());
+        touches[b].reserve(4 * block.points.size());
         block.has_passed.reserve(block.points.size());
       }
   }
@@ -129,7 +132,7 @@ namespace birdstrike
           narrow_phase.update(scene, block, memory);
           block_reports[b].n_tested = block.n_awake;
           block_reports[b].n_active = narrow_phase.n_active();
-          record_touches(narrow_phase, block, scene.facets, parameters.friction > 0., touches[b]);
+          record_touches(narrow_phase, block, scene.points, scene.facets, parameters.friction > 0., touches[b]);
           double *weights = node_sums.mobility_of(block);
           for (const TouchRecord &touch : touches[b])
             {
@@ -140,6 +143,48 @@ namespace birdstrike
         }
     };
     pool.parallel_for_balanced(blocks.size(), cost.back() < min_cost ? blocks.size() : 1, cost.data(), std::ref(find));
+  }
+
+  void Contact::note_depths(const PointsView &points)
+  {
+    depths_before.resize(points.n);
+    for (std::size_t i = 0; i < points.n; ++i)
+      {
+        const PointRecord &record = memory[points.id[i]];
+        depths_before[i]          = record.last_call + 1 == last.calls ? record.sides[0].depth : 0.;
+      }
+  }
+
+  /// What a depth has lost besides the way of its point, as facets failed or edges came up beside it.
+  void Contact::book_released(const ContactScene &scene)
+  {
+    const ContactLaw constants = law(scene);
+    double           sum       = 0.;
+    for (const CandidateBlock &block : search.blocks())
+      for (std::size_t i = block.begin; i < block.end; ++i)
+        {
+          const PointRecord &record = memory[scene.points.id[i]];
+          const double       way    = std::sqrt(block.point_motions_squared[i - block.begin]) + scene.nodes_motion;
+          const double       now    = record.last_call == last.calls ? record.sides[0].depth : 0.;
+          const double       due    = depths_before[i] - way;
+          if (due <= now)
+            continue;
+          const double stiffness = constants.stiffness_scale * record.modulus * record.size;
+          const double beta      = constants.hardening() / record.size;
+          sum +=
+            ContactSpring<double>(stiffness, beta, due).energy - ContactSpring<double>(stiffness, beta, now).energy;
+        }
+    dissipation.add_released(sum);
+  }
+
+  ContactLaw Contact::law(const ContactScene &scene) const
+  {
+    return {parameters.stiffness_scale,
+            parameters.damping_scale,
+            parameters.friction,
+            scene.points.hugoniot_slope,
+            scene.step,
+            scene.points.shock_pressure};
   }
 
   void Contact::choose_modulus(const PointsView &points, const double step, const TouchRecord &touch,
@@ -153,7 +198,7 @@ namespace birdstrike
           flexibility += touch.weights[k] * areal_flexibility[block.nodes.keys()[touch.nodes[k]]];
         // N of a full layer of points is rho0 c0^2/(mu L)
         const double liquid  = record.density * record.sound_speed * record.sound_speed;
-        const double longest = std::max(points.largest_step, step);
+        const double longest = std::max(points.strike_step, step);
         const double bound   = parameters.stability_share * record.size / (longest * longest);
         record.modulus       = flexibility * parameters.stiffness_scale * liquid > bound
                                  ? bound / (flexibility * parameters.stiffness_scale)
@@ -172,13 +217,12 @@ namespace birdstrike
       return;
     node_sums.share_masses(scene.facets, pool);
 
-    const ContactLaw law{parameters.stiffness_scale, parameters.damping_scale, parameters.friction,
-                         scene.points.hugoniot_slope, scene.step};
-    const auto       add = [&](const std::size_t begin, const std::size_t end) {
+    const ContactLaw constants = law(scene);
+    const auto       add       = [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t b = begin; b < end; ++b)
         if (!touches[b].empty())
-          workspace().forces.add(law, memory,
-                                       {scene.points, scene.facets, sink.points, touches[b], patches, node_sums.of(blocks[b]),
+          workspace().forces.add(constants, memory,
+                                             {scene.points, scene.facets, sink.points, touches[b], patches, node_sums.of(blocks[b]),
                                   node_sums.mobility_of(blocks[b]), block_reports[b]});
     };
     pool.parallel_for_balanced(blocks.size(), cost.back() < min_cost ? blocks.size() : 1, cost.data(), std::ref(add));
@@ -210,69 +254,13 @@ namespace birdstrike
 
   double Contact::node_step_limit(const PointsView &points, const FacetsView &facets) const
   {
-    double size = 0., stiffest = 0.; // m; rho0 c0^2/L, N of a full layer times its areal mass
-    for (std::size_t i = 0; i < points.n; ++i)
-      {
-        const double own = std::cbrt(points.volume[i]);
-        size             = std::max(size, own);
-        stiffest         = std::max(stiffest, points.density[i] * points.sound_speed[i] * points.sound_speed[i] / own);
-      }
-    const AlignedVector<double> flexibility = compute_areal_flexibility(facets, size);
+    const double c0        = points.undeformed_sound_speed;
+    const double stiffness = points.undeformed_density * c0 * c0 / points.spacing; // N of a full layer * its areal mass
+    const AlignedVector<double> flexibility = compute_areal_flexibility(facets, points.spacing);
     const double                lightest    = *std::max_element(flexibility.begin(), flexibility.end());
     if (lightest == 0.)
       return std::numeric_limits<double>::infinity();
-    const double of_layer = std::sqrt(parameters.stability_share / (parameters.stiffness_scale * stiffest * lightest));
-    return std::max(of_layer, points.largest_step); // lighter facets meet a modulus chosen for that step
-  }
-
-  void Contact::sum_report(const SymmetryPlane &plane)
-  {
-    last.force         = {};
-    last.stored_energy = last.dissipation_power = last.penetration = 0.;
-    last.n_touching                                                = 0;
-    std::fill(last.patch_pressures.begin(), last.patch_pressures.end(), 0.);
-    for (const BlockReport &block : block_reports)
-      {
-        for (unsigned int d = 0; d < 3; ++d)
-          last.force[d] += block.force[d];
-        last.stored_energy += block.stored_energy;
-        last.dissipation_power += block.dissipation_power;
-        if (block.penetration > last.penetration)
-          {
-            last.penetration   = block.penetration;
-            last.deepest_point = block.deepest_point;
-            last.deepest_facet = block.deepest_facet;
-          }
-        last.n_touching += block.n_touching;
-        last.pairs_tested += block.n_tested;
-        last.points_active += block.n_active;
-        for (std::size_t k = 0; k < patches.size(); ++k)
-          last.patch_pressures[k] += block.patch_pressures[k];
-      }
-    last.force             = plane.whole(last.force);
-    last.stored_energy     = plane.whole(last.stored_energy);
-    last.dissipation_power = plane.whole(last.dissipation_power);
-    last.dissipated_energy = plane.whole(dissipation.energy());
-    last.staggering        = plane.whole(dissipation.to_be_given_back());
-    last.dissipation_fall  = plane.whole(dissipation.fall());
-    last.n_touching        = plane.whole(last.n_touching);
-    for (std::size_t k = 0; k < patches.size(); ++k)
-      if (patches[k].centre[1] == 0.) // half of the disc is computed
-        last.patch_pressures[k] = plane.whole(last.patch_pressures[k]);
-    last.touches += last.n_touching;
-    last.points_near += search.n_near();
-    last.pairs_listed += search.n_pairs();
-  }
-
-  void Contact::update_peaks(const double spacing)
-  {
-    const double norm = Point3(last.force[0], last.force[1], last.force[2]).norm();
-    if (norm > last.peak_force)
-      {
-        last.peak_force      = norm;
-        last.peak_force_time = clock;
-      }
-    last.max_penetration              = std::max(last.max_penetration, last.penetration);
-    last.max_penetration_over_spacing = spacing > 0. ? last.max_penetration / spacing : 0.;
+    const double of_layer = std::sqrt(parameters.stability_share / (parameters.stiffness_scale * stiffness * lightest));
+    return std::max(of_layer, points.strike_step); // lighter facets meet a modulus chosen for that step
   }
 } // namespace birdstrike

@@ -8,6 +8,11 @@
 
 namespace birdstrike
 {
+  namespace
+  {
+    constexpr double largest_load = 4.; // on a node, over the force
+  }
+
   Couple::Couple(const FacetsView &facets, const bool has_friction, const TouchRecord &touch)
     : touch(touch), arms(facet_nodes(facets, touch.facet))
   {
@@ -27,7 +32,9 @@ namespace birdstrike
         inverse.setZero();
         return;
       }
-    share = largest > 1. ? 1. / largest : 1.;
+    const auto &nodes  = facets.nodes[touch.facet];
+    const bool is_held = std::all_of(nodes.begin(), nodes.end(), [&](const auto n) { return !facets.inverse_mass[n]; });
+    share              = largest > largest_load && !is_held ? largest_load / largest : 1.;
   }
 
   double Couple::norm_of(const Point3 &arm) const

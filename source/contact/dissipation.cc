@@ -37,6 +37,13 @@ namespace birdstrike
     reported     = std::max(reported, booked);
   }
 
+  void Dissipation::add_released(const double energy)
+  {
+    booked += energy;
+    most     = std::max(most, booked);
+    reported = std::max(reported, booked);
+  }
+
   void Dissipation::add(const PointsView &points, const FacetsView &facets, const std::vector<TouchRecord> &touches,
                         const double step)
   {

@@ -32,7 +32,7 @@ namespace birdstrike
     Ray ray_of(const PointsView &points, const std::size_t i)
     {
       const auto vector = [i](const auto &v) { return Point3(v[0][i], v[1][i], v[2][i]); };
-      return {vector(points.position), vector(points.velocity), 0.5 * std::cbrt(points.volume[i])};
+      return {vector(points.position), vector(points.velocity), 0.5 * points.spacing};
     }
 
     bool is_plane(const std::array<Point3, 4> &x)
@@ -48,10 +48,7 @@ namespace birdstrike
       Surface(const PointsView &points, const FacetsView &facets) : facets(facets)
       {
         topology.update(facets);
-        double largest = 0.;
-        for (std::size_t i = 0; i < points.n; ++i)
-          largest = std::max(largest, std::cbrt(points.volume[i]));
-        topology.update_slowly(facets, largest);
+        topology.update_slowly(facets, points.spacing);
         boxes.resize(facets.n_facets);
         for (std::size_t f = 0; f < facets.n_facets; ++f)
           is_flat.push_back(is_plane(facet_nodes(facets, f)));

@@ -3,6 +3,7 @@
 #include <birdstrike/core/number.h>
 
 #include <array>
+#include <cmath>
 
 namespace birdstrike
 {
@@ -14,6 +15,19 @@ namespace birdstrike
     double friction        = 0.;
     double hugoniot_slope  = 0.; ///< s in p = rho c u (1 + s u/c)
     double step            = 0.; ///< s
+    double shock_pressure  = 0.; ///< over rho0 c0^2: the Hugoniot pressure of the speed at which bird and blade close
+
+    static constexpr double largest_shock_depth = 0.3; ///< over L
+
+    /// beta L of ContactSpring: 4 s/3 or, where that would carry the shock deeper than 0.3 L, what carries it there.
+    double hardening() const
+    {
+      const double d = largest_shock_depth, p = shock_pressure, usual = 4. / 3. * hugoniot_slope, rest = 1. - usual * d;
+      if (p * rest * rest <= d * (1. - 0.5 * usual * d))
+        return usual;
+      const double b = p - 0.25 * d; // p (1 - y)^2 = d (1 - y/2)
+      return (b - std::sqrt(b * b - p * (p - d))) / (p * d);
+    }
   };
 
   /// One point in touch with one facet.
@@ -48,9 +62,11 @@ namespace birdstrike
   /// It is a cell of the liquid, L long and of area L^2, compressed by eta = d/L: k is its stiffness, and beta makes
   /// the force follow its Hugoniot curve p = rho0 c0^2 eta/(1 - s eta)^2 to second order in eta, and be stiffer beyond.
   /// So the depth that carries a shock is 0.12 L at 177 m/s, 0.2 L at 500 m/s and 0.3 L at 1500 m/s in
-  /// Murnaghan's liquid, twice that in a linear one. Beyond y = 3/4 the force goes on along its tangent. Nothing in it
-  /// changes with time or with the state of the liquid: what the spring gives it has received. A stiffer one would ask
-  /// for shorter steps than the liquid itself, a metal's modulus for a thirtieth of them.
+  /// Murnaghan's liquid. A linear one would be pressed in twice as deep: beta is raised there so that the shock at the
+  /// speed of the strike is carried 0.3 L deep (ContactLaw::hardening; no shipped strike is as fast). Beyond y = 3/4
+  /// the force goes on along its tangent. Nothing in it changes with time or with the state of the liquid: what the
+  /// spring gives it has received. A stiffer one would ask for shorter steps than the liquid itself, a metal's modulus
+  /// for a thirtieth of them.
   template <class Number>
   struct ContactSpring
   {
@@ -102,7 +118,7 @@ namespace birdstrike
     const Number area = touch.size * touch.size;
 
     const ContactSpring<Number> spring(Number(law.stiffness_scale) * touch.modulus * touch.size,
-                                       Number(4. / 3.) * slope / touch.size, touch.penetration);
+                                       Number(law.hardening()) / touch.size, touch.penetration);
     const Number                shock =
       Number(law.damping_scale) * area * touch.density * approach * (touch.sound_speed + slope * approach);
     const Number damping = min(shock, Number(inertia * approach / squared));

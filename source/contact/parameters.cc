@@ -21,10 +21,11 @@ namespace birdstrike
     prm.add_parameter("Damping scale", damping_scale,
                       "Factor on the acoustic damper, which gives the shock pressure of the first touch. [-]",
                       Patterns::Double(0.));
-    prm.add_parameter("Step stability share", stability_share,
-                      "Largest stiffness of a full layer of particles on a light blade, in units of the blade's mass "
-                      "over the square of the bird's longest step; it softens contact with thin skins. [-]",
-                      Patterns::Double(0., 2.));
+    prm.add_parameter(
+      "Step stability share", stability_share,
+      "Largest stiffness of a full layer of particles on a light blade, in units of the blade's mass "
+      "over the square of the step with which the bird meets it; it softens contact with thin skins. [-]",
+      Patterns::Double(0., 2.));
     prm.add_parameter("Friction", friction, "Coefficient of Coulomb friction between bird and blade. [-]",
                       Patterns::Double(0.));
     prm.add_parameter("Search margin", search_margin,

@@ -18,9 +18,9 @@ namespace birdstrike
         record.index        = static_cast<std::uint32_t>(i);
         if (record.size > 0.)
           continue;
-        record.size        = std::cbrt(points.volume[i]);
-        record.density     = points.density[i];
-        record.sound_speed = points.sound_speed[i];
+        record.size        = points.spacing;
+        record.density     = points.undeformed_density;
+        record.sound_speed = points.undeformed_sound_speed;
         largest_size       = std::max(largest_size, record.size);
       }
   }

@@ -9,6 +9,6 @@
 namespace birdstrike
 {
   /// The touches of a block from what the narrow phase has found.
-  void record_touches(const NarrowPhase &narrow_phase, const CandidateBlock &block, const FacetsView &facets,
-                      bool has_friction, std::vector<TouchRecord> &touches);
+  void record_touches(const NarrowPhase &narrow_phase, const CandidateBlock &block, const PointsView &points,
+                      const FacetsView &facets, bool has_friction, std::vector<TouchRecord> &touches);
 } // namespace birdstrike

@@ -57,13 +57,9 @@ namespace birdstrike
     double find_earlier_touch(const PointsView &points, const FacetsView &facets, const Point3 &velocity)
     {
       const Point3 along = velocity.normalized();
-      double       front = -INFINITY, rear = INFINITY, margin = 0.;
+      double       front = -INFINITY, rear = INFINITY, margin = points.spacing;
       for (std::size_t p = 0; p < points.n; ++p)
-        {
-          front =
-            std::max(front, along.dot(Point3(points.position[0][p], points.position[1][p], points.position[2][p])));
-          margin = std::max(margin, std::cbrt(points.volume[p]));
-        }
+        front = std::max(front, along.dot(Point3(points.position[0][p], points.position[1][p], points.position[2][p])));
       for (std::size_t f = 0; f < facets.n_facets; ++f)
         {
           margin = std::max(margin, 2. * facets.half_thickness[f]);

@@ -112,7 +112,7 @@ namespace birdstrike
 
   bool Scene::is_contact_softened() const
   {
-    return largest_step_in_contact <= bird->largest_step();
+    return largest_step_in_contact <= bird->strike_step();
   }
 
   double Scene::limit_in_contact(const double bird_step) const

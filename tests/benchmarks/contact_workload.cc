@@ -37,9 +37,8 @@ namespace birdstrike::benchmarks
     velocity[2].assign(id.size(), 10.);
     for (auto &component : point_force)
       component.assign(id.size(), 0.);
-    volume.assign(id.size(), spacing * spacing * spacing);
     density.assign(id.size(), 1000.);
-    mass.assign(id.size(), 1000. * volume[0]);
+    mass.assign(id.size(), 1000. * spacing * spacing * spacing);
     sound_speed.assign(id.size(), 1100.);
   }
 
@@ -75,15 +74,16 @@ namespace birdstrike::benchmarks
         view.position[d] = position[d].data();
         view.velocity[d] = velocity[d].data();
       }
-    view.mass           = mass.data();
-    view.volume         = volume.data();
-    view.density        = density.data();
-    view.sound_speed    = sound_speed.data();
-    view.id             = id.data();
-    view.n_ids          = id.size();
-    view.spacing        = spacing;
-    view.hugoniot_slope = 2.;
-    view.revision       = revision;
+    view.mass                   = mass.data();
+    view.density                = density.data();
+    view.sound_speed            = sound_speed.data();
+    view.id                     = id.data();
+    view.n_ids                  = id.size();
+    view.spacing                = spacing;
+    view.hugoniot_slope         = 2.;
+    view.undeformed_density     = density.front();
+    view.undeformed_sound_speed = sound_speed.front();
+    view.revision               = revision;
     return view;
   }
 

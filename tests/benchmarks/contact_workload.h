@@ -86,7 +86,7 @@ namespace birdstrike::benchmarks
     std::uint64_t                        revision = 1;
     std::size_t                          n_slides = 0;
     std::array<AlignedVector<double>, 3> position, velocity, point_force;
-    AlignedVector<double>                mass, volume, density, sound_speed;
+    AlignedVector<double>                mass, density, sound_speed;
     std::vector<std::uint32_t>           id;
 
     std::vector<double>                       node_position, node_velocity, node_force, inverse_mass, half_thicknesses;

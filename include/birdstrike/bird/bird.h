@@ -55,8 +55,11 @@ namespace birdstrike
     /// this call it is the bird's own speed.
     void set_closing_speed(double speed);
 
-    /// Longest step (s) of the bird at rest, h/c0 times the Courant number.
-    double largest_step() const;
+    /// shocked_step() at the closing speed, s. Contact with light blades is softened for it.
+    double strike_step() const
+    {
+      return step_of_strike;
+    }
 
     /// Longest step behind the shock of a rigid surface that is met at the speed (m/s): h/(c + 1.2 v) with the sound
     /// speed of the Hugoniot state.
@@ -138,6 +141,8 @@ namespace birdstrike
     double                 staggered_contact = 0.;
     double                 staggering        = 0.; ///< J, by changes of the step
     double                 hugoniot_slope    = 0.;
+    double                 shock_pressure    = 0.; ///< over rho0 c0^2
+    double                 step_of_strike    = 0.; ///< s
     double                 closing_energy    = 0.; ///< J
     unsigned long          n_second          = 0;
     bool                   has_contact_force = false;

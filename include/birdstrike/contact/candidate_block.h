@@ -35,15 +35,17 @@ namespace birdstrike
     AlignedVector<double> pair_bound;
 
     LocalNumbers                              facets, nodes;
-    std::vector<std::array<std::uint32_t, 4>> facet_nodes;     ///< [facets], numbers in `nodes`
-    double                                    speed      = 0.; ///< m/s, bound of near point against facet
-    std::size_t                               first_node = 0;  ///< sum of nodes of all blocks before
-    std::size_t                               n_awake    = 0;  ///< pairs in the last call: its cost
+    std::size_t                               n_paired_facets = 0; ///< the first of them; those beside follow
+    std::vector<std::array<std::uint32_t, 4>> facet_nodes;         ///< [facets], numbers in `nodes`
+    double                                    speed      = 0.;     ///< m/s, bound of near point against facet
+    std::size_t                               first_node = 0;      ///< sum of nodes of all blocks before
+    std::size_t                               n_awake    = 0;      ///< pairs in the last call: its cost
 
     void clear();
 
-    /// Gives the facets of the pairs, so far by their global index, and their nodes the block's own numbers.
-    void number_surface(const FacetsView &facets);
+    /// Gives the facets of the pairs, so far by their global index, those `beside` them, which have no pairs, and the
+    /// nodes of all the block's own numbers.
+    void number_surface(const FacetsView &facets, const std::vector<std::uint32_t> &beside = {});
 
     void find_speed(const PointsView &points, const FacetsView &facets);
 

@@ -18,6 +18,8 @@
 
 namespace birdstrike
 {
+  struct ContactLaw;
+
   /// Penalty contact of points with facets: candidates (search.h), sides and depths (narrow_phase.h), forces (law.h),
   /// equal and opposite shares.
   ///
@@ -27,8 +29,8 @@ namespace birdstrike
   /// whatever the masses. step_limit() keeps (P + 2 N) dt^2 below 2 of leapfrog's 4; the rest is for the parts' own
   /// forces and for the damper. P follows the liquid's own Courant number. N grows as the target gets lighter than a
   /// layer of points; there the modulus of a point that begins to touch is taken as that with which a full layer gives
-  /// N dt^2 = Step stability share at the points' longest step, so that no foil, however thin, asks for shorter steps
-  /// than the liquid. Such a foil carries in proportion less pressure, so that depths stay small.
+  /// N dt^2 = Step stability share at the step with which points meet it, so that no foil, however thin, asks for
+  /// shorter steps than the liquid. Such a foil carries in proportion less pressure, so that depths stay small.
   ///
   /// The force on a point acts along the line to its closest point on the facet, and the facet's nodes take the
   /// opposite force in the shares that make up that closest point: linear and angular momentum are kept to round-off.
@@ -84,8 +86,11 @@ namespace birdstrike
     void set_clock(double time);
 
   private:
-    void update_candidates(const PointsView &points, const FacetsView &facets, ThreadPool &pool);
-    void find_touches(const ContactScene &scene, ThreadPool &pool);
+    void       update_candidates(const PointsView &points, const FacetsView &facets, ThreadPool &pool);
+    void       find_touches(const ContactScene &scene, ThreadPool &pool);
+    void       note_depths(const PointsView &points);
+    void       book_released(const ContactScene &scene);
+    ContactLaw law(const ContactScene &scene) const;
     void choose_modulus(const PointsView &points, double step, const TouchRecord &touch, const CandidateBlock &block);
     void add_forces_of_touches(const ContactScene &scene, const Sink &sink, ThreadPool &pool);
     void update_limit(const PointsView &points, const FacetsView &facets, const NodeSums::Largest &nodes);
@@ -107,6 +112,7 @@ namespace birdstrike
     std::vector<std::size_t> cost; // [blocks + 1], summed
 
     std::vector<std::vector<TouchRecord>> touches;           // [blocks]
+    std::vector<double>                   depths_before;     // [points], m, where facets have come or gone
     AlignedVector<double>                 areal_flexibility; // [n_nodes], area over mass, m^2/kg; 0 where held
     Dissipation                           dissipation;
     StepLimit                             limit;

@@ -30,6 +30,8 @@ namespace birdstrike
   /// step only the first half is known, and what it has added too much stands until the sum of finished steps has
   /// reached it. That sum itself must not fall (law.h: dampers take); fall() tells by how much it ever did.
   ///
+  /// What springs held whose facet has gone with an element that failed, or whose depth a new edge bounds, goes too.
+  ///
   /// Where one part takes several steps within one of the other, velocities are those at the ends of contact's steps.
   class Dissipation
   {
@@ -39,6 +41,9 @@ namespace birdstrike
 
     /// Takes up present forces and the first half of what they take, in half of the step (s) that has ended with them.
     void add(const PointsView &points, const FacetsView &facets, const std::vector<TouchRecord> &touches, double step);
+
+    /// Takes up energy (J, >= 0) that springs have lost with the facets they stood on.
+    void add_released(double energy);
 
     void archive(Archive &archive);
 

@@ -37,6 +37,19 @@ namespace birdstrike
         }
     }
 
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    /// The number of a key, or none.
+    std::uint32_t find(const std::uint32_t key) const
+    {
+      const std::size_t mask = slots.size() - 1;
+      for (std::size_t s = (key * 2654435769u) >> shift;; s = (s + 1) & mask)
+        if (slots[s] == 0)
+          return none;
+        else if (seen[slots[s] - 1] == key)
+          return slots[s] - 1;
+    }
+
     /// The key of each number.
     const std::vector<std::uint32_t> &keys() const
     {

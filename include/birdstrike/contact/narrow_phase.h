@@ -17,6 +17,7 @@ namespace birdstrike
     double        penetration;        ///< m, > 0
     Point3        normal;             ///< from the surface to the point
     bool          is_oblique = false; ///< not along the point's offset from q: the force leaves a couple
+    EdgePlace     edge{};             ///< where the force acts, if not at q
   };
 
   /// What the decision rests on.

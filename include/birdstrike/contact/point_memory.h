@@ -11,7 +11,7 @@ namespace birdstrike
 {
   /// What contact remembers of one point, by its persistent id.
   ///
-  /// Size and impedance are those of the first sight, of undeformed liquid. They make the spring (law.h), so that its
+  /// Size and impedance are those of the undeformed liquid. They make the spring (law.h), so that its
   /// energy is a function of position alone, and torn-off spray, whose numerical volume grows without bound, keeps the
   /// size of the liquid it is. To the damper density and sound speed are floors: a droplet strikes as liquid, however
   /// far its particles have parted.

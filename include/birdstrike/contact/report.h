@@ -13,7 +13,7 @@ namespace birdstrike
     std::array<double, 3> force{};                ///< N, on the facets
     double                stored_energy     = 0.; ///< J, of all springs
     double                dissipation_power = 0.; ///< W, of dampers and friction
-    double                dissipated_energy = 0.; ///< J, taken by them since the start (dissipation.h)
+    double                dissipated_energy = 0.; ///< J, taken by them and with failed facets (dissipation.h)
     double                staggering        = 0.; ///< J, what of it the next half step gives back
     double                dissipation_fall  = 0.; ///< J, by which its sum over finished steps ever fell: nothing
     double                largest_frequency = 0.; ///< 1/s, bound of the springs' largest angular frequency

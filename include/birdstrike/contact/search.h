@@ -2,6 +2,7 @@
 
 #include <birdstrike/contact/candidate_block.h>
 #include <birdstrike/contact/facet_grid.h>
+#include <birdstrike/contact/sharp_edges.h>
 #include <birdstrike/core/aligned_vector.h>
 #include <birdstrike/core/archive.h>
 #include <birdstrike/core/contact_views.h>
@@ -34,7 +35,9 @@ namespace birdstrike
     };
 
     /// Makes the pairs valid for the present positions. `range` is the largest distance at which a pair can touch, m.
-    void update(const PointsView &points, const FacetsView &facets, double range, double margin, ThreadPool &pool);
+    /// Blocks know the facets at `edges` near their own too.
+    void update(const PointsView &points, const FacetsView &facets, double range, double margin, ThreadPool &pool,
+                const SharpEdges *edges = nullptr);
 
     /// Lists that views of others have outdated are not written: the next call makes new ones.
     void archive(Archive &archive, const PointsView &points, const FacetsView &facets);
@@ -83,7 +86,8 @@ namespace birdstrike
     void   watch_facet_nodes(const FacetsView &facets, const Point3 &shift, std::size_t part);
     void   watch_node(const FacetsView &facets, const Point3 &shift, std::size_t node, NodePart &seen);
     double closest_away() const;
-    void   find_pairs(const PointsView &points, const FacetsView &facets, double reach, ThreadPool &pool);
+    void   find_pairs(const PointsView &points, const FacetsView &facets, double reach, ThreadPool &pool,
+                      const SharpEdges *edges);
     void   count_near();
 
     FacetGrid                   grid;

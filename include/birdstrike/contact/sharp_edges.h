@@ -10,6 +10,19 @@
 
 namespace birdstrike
 {
+  /// A place on an edge: what carries the edge's plane, so that forces on the plane act there.
+  struct EdgePlace
+  {
+    std::array<std::int32_t, 2> facets{{-1, -1}}; ///< at the edge, whose turns the plane follows; -1: none, or one only
+    std::array<std::uint32_t, 2> nodes{};         ///< of the edge
+    double                       share = 0.;      ///< from the first node (0) to the second (1)
+    Point3                       offset{0., 0., 0.}; ///< from there to the point, m
+
+    /// m, what the offset from the first facet has more and that from the second less: couples about the edge with
+    /// which the facets pay for a depth that grows as they open (edge_profile.h, round_share).
+    Point3 opening{0., 0., 0.};
+  };
+
   /// A point p over or beside a facet, and what a surface without edges would make of it; SharpEdges::cut() corrects
   /// it.
   struct EdgeTouch
@@ -28,12 +41,13 @@ namespace birdstrike
     bool   is_beyond      = false; ///< q lies on a free edge
     bool was_on_edge_face = false; ///< in touch with it in the last call; behind it, within the thickness, it still is
 
-    double  overlap = 0.;       ///< in: of a surface without edges; out: of the face. m
-    Point3  normal{0., 0., 0.}; ///< likewise, outwards
-    Feature feature    = Feature::face;
-    bool    is_oblique = false; ///< the normal does not pass through q
-    double  limit      = 1e300; ///< depth below the plane of the edge that bounds the face, m
-    Point3  limit_normal{0., 0., 0.};
+    double    overlap = 0.;       ///< in: of a surface without edges; out: of the face. m
+    Point3    normal{0., 0., 0.}; ///< likewise, outwards
+    Feature   feature    = Feature::face;
+    bool      is_oblique = false; ///< the normal does not pass through q
+    double    limit      = 1e300; ///< depth below the plane of the edge that bounds the face, m
+    Point3    limit_normal{0., 0., 0.};
+    EdgePlace place{}; ///< of the plane, and of the edge face, where they are not at q
 
     Point3 slope{0., 0., 0.}; ///< in: of a face's half thickness along the surface (thickness_slope.h)
   };
@@ -55,6 +69,9 @@ namespace birdstrike
     {
       return first[facet] != first[facet + 1];
     }
+
+    /// The facets at the edges that are near any of some facets.
+    void find_facets_at_edges(const std::vector<std::uint32_t> &facets, std::vector<std::uint32_t> &found) const;
 
     void cut(const FacetsView &facets, std::uint32_t facet, const Point3 &closest, EdgeTouch &touch) const;
 

@@ -16,17 +16,19 @@ namespace birdstrike
   struct PointsView
   {
     std::size_t                   n = 0;
-    std::array<const double *, 3> position{};               ///< m
-    std::array<const double *, 3> velocity{};               ///< m/s, at the half step
-    const double                 *mass           = nullptr; ///< kg
-    const double                 *volume         = nullptr; ///< m^3, current (mass/density)
-    const double                 *density        = nullptr; ///< kg/m^3
-    const double                 *sound_speed    = nullptr; ///< m/s, at the present density
-    const std::uint32_t          *id             = nullptr; ///< persistent identity, < n_ids
-    std::size_t                   n_ids          = 0;       ///< one more than the largest id that ever existed
-    double                        spacing        = 0.;      ///< m, cube root of a point's undeformed volume
+    std::array<const double *, 3> position{};                       ///< m
+    std::array<const double *, 3> velocity{};                       ///< m/s, at the half step
+    const double                 *mass                   = nullptr; ///< kg
+    const double                 *density                = nullptr; ///< kg/m^3
+    const double                 *sound_speed            = nullptr; ///< m/s, at the present density
+    const std::uint32_t          *id                     = nullptr; ///< persistent identity, < n_ids
+    std::size_t                   n_ids                  = 0;       ///< one more than the largest id that ever existed
+    double                        spacing                = 0.;      ///< m, cube root of a point's undeformed volume
+    double                        undeformed_density     = 0.;      ///< kg/m^3
+    double                        undeformed_sound_speed = 0.;      ///< m/s
     double                        hugoniot_slope = 0.; ///< s in p = rho c u (1 + s u/c), from the equation of state
-    double                        largest_step   = 0.; ///< s, the longest that these points can be stepped with
+    double                        shock_pressure = 0.; ///< over rho0 c0^2, of the speed at which they meet facets
+    double                        strike_step    = 0.; ///< s, with which these points meet facets
     std::uint64_t                 revision       = 0;  ///< grows whenever points are re-ordered or removed
     SymmetryPlane                 plane;               ///< beyond which there are as many
   };

@@ -15,6 +15,7 @@ namespace birdstrike
     pair_bound.clear();
     facets.restart(0);
     nodes.restart(0);
+    n_paired_facets = 0;
     facet_nodes.clear();
     path    = 0.;
     speed   = 0.;
@@ -22,11 +23,14 @@ namespace birdstrike
     is_new  = true;
   }
 
-  void CandidateBlock::number_surface(const FacetsView &surface)
+  void CandidateBlock::number_surface(const FacetsView &surface, const std::vector<std::uint32_t> &beside)
   {
-    facets.restart(n_pairs());
+    facets.restart(n_pairs() + beside.size());
     for (std::uint32_t &facet : pair_facet)
       facet = facets.number(facet);
+    n_paired_facets = facets.keys().size();
+    for (const std::uint32_t facet : beside)
+      facets.number(facet);
     nodes.restart(4 * facets.keys().size());
     for (const std::uint32_t facet : facets.keys())
       {

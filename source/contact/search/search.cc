@@ -26,7 +26,7 @@ namespace birdstrike
   }
 
   void CandidateSearch::update(const PointsView &points, const FacetsView &facets, const double range,
-                               const double margin, ThreadPool &pool)
+                               const double margin, ThreadPool &pool, const SharpEdges *const edges)
   {
     const bool is_same = is_of(points, facets);
     if (!is_same)
@@ -52,7 +52,7 @@ namespace birdstrike
       }
     ++(is_tracking ? n_calls.searches : n_calls.apart);
     if (is_tracking)
-      find_pairs(points, facets, range + margin, pool);
+      find_pairs(points, facets, range + margin, pool, edges);
   }
 
   bool CandidateSearch::is_of(const PointsView &points, const FacetsView &facets) const
@@ -94,7 +94,7 @@ namespace birdstrike
   }
 
   void CandidateSearch::find_pairs(const PointsView &points, const FacetsView &facets, const double reach,
-                                   ThreadPool &pool)
+                                   ThreadPool &pool, const SharpEdges *const edges)
   {
     Box region;
     for (const CandidateBlock &block : all_blocks)
@@ -103,7 +103,8 @@ namespace birdstrike
     grid.update(facets, reach, region);
     std::copy(facets.position, facets.position + old_nodes.size(), old_nodes.begin());
     const auto collect_blocks = [&](const std::size_t begin, const std::size_t end) {
-      static thread_local PairCollector collector;
+      static thread_local PairCollector              collector;
+      static thread_local std::vector<std::uint32_t> beside;
       for (std::size_t b = begin; b < end; ++b)
         {
           CandidateBlock &block = all_blocks[b];
@@ -114,7 +115,10 @@ namespace birdstrike
             std::copy(points.position[d] + block.begin, points.position[d] + block.end,
                       old_points[d].begin() + static_cast<std::ptrdiff_t>(block.begin));
           collector.collect(points, grid, reach, block);
-          block.number_surface(facets);
+          beside.clear();
+          if (edges)
+            edges->find_facets_at_edges(block.pair_facet, beside);
+          block.number_surface(facets, beside);
           block.find_speed(points, facets);
         }
     };

@@ -21,6 +21,11 @@ namespace birdstrike
   /// the two faces meets it at d = min(L/2 - s - r, ...), and does so behind it, up to 0.75 L deep, until it leaves
   /// between the planes, so that shell and solid end alike.
   ///
+  /// The plane stands at the edge, with the frame of the facet there, and its force acts on the edge's nodes: over a
+  /// bent face its normal is not that below the point. It turns by the mean of what the two faces of a ridge turn, so
+  /// each carries half of the force's moment, and as L/2 grows again where they open (round_share), a couple against
+  /// that.
+  ///
   /// *Reference r.* A point that comes in through that plane keeps the height it then has as its stand-off: r is what
   /// of the overlap it brings along, and only what it comes deeper carries a force. So who is held is decided by
   /// whether the path meets the true outline, whatever the place of the lattice and the ratio of thickness to L: for
@@ -50,5 +55,12 @@ namespace birdstrike
   inline double round_share(const double angle)
   {
     return std::clamp(std::cos(angle) / std::cos(std::numbers::pi / 6.), 0., 1.);
+  }
+
+  /// Its derivative by the angle, 1/rad.
+  inline double round_share_slope(const double angle)
+  {
+    const double share = round_share(angle);
+    return share > 0. && share < 1. ? -std::sin(angle) / std::cos(std::numbers::pi / 6.) : 0.;
   }
 } // namespace birdstrike

@@ -16,7 +16,7 @@ namespace birdstrike::test
     struct Point
     {
       Point3 position, velocity{0., 0., 0.};
-      double mass = 1e-6, volume = 1e-9, density = 1000., sound_speed = 1000.;
+      double mass = 1e-6, density = 1000., sound_speed = 1000.;
     };
     struct Node
     {
@@ -85,7 +85,6 @@ namespace birdstrike::test
           point_force[d].push_back(0.);
         }
       mass.push_back(p.mass);
-      volume.push_back(p.volume);
       density.push_back(p.density);
       sound_speed.push_back(p.sound_speed);
       id.push_back(static_cast<std::uint32_t>(id.size()));
@@ -100,13 +99,17 @@ namespace birdstrike::test
           view.position[d] = x[d].data();
           view.velocity[d] = v[d].data();
         }
-      view.mass           = mass.data();
-      view.volume         = volume.data();
-      view.density        = density.data();
-      view.sound_speed    = sound_speed.data();
-      view.id             = id.data();
-      view.n_ids          = id.size();
-      view.spacing        = spacing;
+      view.mass        = mass.data();
+      view.density     = density.data();
+      view.sound_speed = sound_speed.data();
+      view.id          = id.data();
+      view.n_ids       = id.size();
+      view.spacing     = spacing;
+      if (!id.empty())
+        {
+          view.undeformed_density     = density.front();
+          view.undeformed_sound_speed = sound_speed.front();
+        }
       view.hugoniot_slope = hugoniot_slope;
       view.revision       = points_revision;
       view.plane          = plane;
@@ -202,7 +205,7 @@ namespace birdstrike::test
     double contact_work = 0.; ///< J, on points and nodes
 
     std::array<std::vector<double>, 3> x, v, point_force;
-    std::vector<double>                mass, volume, density, sound_speed;
+    std::vector<double>                mass, density, sound_speed;
     std::vector<std::uint32_t>         id;
     std::vector<double>                node_position, node_velocity, node_force, inverse_mass;
 

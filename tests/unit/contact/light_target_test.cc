@@ -34,8 +34,7 @@ namespace
           FreeMasses::Point point;
           point.position    = Point3(x + jitter(random) * spacing, y + jitter(random) * spacing, 0.51 * spacing);
           point.velocity    = Point3(0., 0., -speed);
-          point.volume      = spacing * spacing * spacing;
-          point.mass        = density * point.volume;
+          point.mass        = density * spacing * spacing * spacing;
           point.density     = density;
           point.sound_speed = sound_speed;
           scene.add_point(point);

@@ -150,3 +150,28 @@ TEST(VanishingFacet, PiecesStayWhatTheyWere)
   const std::array<double, 4> second_edge{0., 0.5, 0.5, 0.};
   EXPECT_TRUE(topology.is_on_rim(scene.facets(), 0, second_edge)) << "towards the facet that has gone";
 }
+
+TEST(VanishingFacet, WhatItsSpringHeldIsBookedAsDissipated)
+{
+  ContactParameters parameters;
+  parameters.damping_scale = 0.;
+  FreeMasses scene         = strip();
+  scene.add_point({Point3(7.5e-3, 2.5e-3, 1.2e-3)});
+  Contact    contact(parameters);
+  ThreadPool pool;
+  for (const double z : {1.6e-3, 1.1e-3, 1.1e-3})
+    {
+      scene.place(0, Point3(7.5e-3, 2.5e-3, z));
+      scene.compute_contact(contact, step, pool);
+    }
+  const double held = contact.report().stored_energy;
+  EXPECT_NEAR(held, 0.5 * 1e6 * 0.4e-3 * 0.4e-3, 1e-9);
+  EXPECT_EQ(contact.report().dissipated_energy, 0.);
+  scene.remove_facet(1);
+  scene.compute_contact(contact, step, pool);
+  EXPECT_EQ(contact.report().stored_energy, 0.);
+  EXPECT_NEAR(contact.report().dissipated_energy, held, 1e-12);
+  scene.remove_facet(1);
+  scene.compute_contact(contact, step, pool);
+  EXPECT_NEAR(contact.report().dissipated_energy, held, 1e-12) << "once";
+}
