@@ -6,10 +6,11 @@ import strike
 
 # Shares of the energy at the start, of the largest momentum, of a particle's spacing.
 NEGATIVE, ENERGY, MOMENTUM, DEEP = 1e-4, 1e-2, 1e-9, 0.5
-# Pairs of the standard formulation, and of riemann's without its correction of gradients, push along the line between them (what float
-# rounds off: 6e-8 a pair). Corrected gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the
-# offset of a touch a part of its couple is lost (couple.h); forces in a warped element of Belytschko and Tsay leave one.
-ANGULAR, ANGULAR_OF_METHOD, ANGULAR_OF_WARPED = 1e-6, 1e-2, 1e-1
+# Pairs of the standard formulation, and of riemann's without its correction of gradients, push along the line between them: round-off,
+# of float pairs 6e-8 of the sum of m |x| |v|, of which the program's scale is a hundredth where the bird aims at the origin. Corrected
+# gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the offset of a touch a part of its couple is
+# lost (couple.h); forces in a warped element of Belytschko and Tsay leave one.
+ANGULAR, ANGULAR_OF_FLOAT, ANGULAR_OF_METHOD, ANGULAR_OF_WARPED = 1e-9, 1e-5, 1e-2, 1e-1
 
 
 def angular_limit(scene):
@@ -18,7 +19,10 @@ def angular_limit(scene):
         return ANGULAR_OF_WARPED
     is_corrected = settings["Bird/Formulation"] == "riemann" and settings.get("Bird/Gradient correction", "true") == "true"
     has_couples = info.get("element", math.inf) < info["spacing"] + info["thickness"]
-    return ANGULAR_OF_METHOD if is_corrected or has_couples else ANGULAR
+    if is_corrected or has_couples:
+        return ANGULAR_OF_METHOD
+    has_float = settings["Bird/Formulation"] == "riemann" and settings.get("Bird/Pair precision", "float") == "float"
+    return ANGULAR_OF_FLOAT if has_float else ANGULAR
 
 
 def energy_residual(result):
