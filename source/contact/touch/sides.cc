@@ -134,7 +134,7 @@ namespace birdstrike
     taken = before.last_call + 1 == scene.call ? find_remembered(before, nodes, piece, is_other_sheet, taken) : -1;
     side  = taken < 0 ? PointRecord::Side() : before.sides[taken];
     const bool is_elsewhere = taken >= 0 && count_common_nodes(side.nodes, nodes) == 0;
-    const bool is_next      = side.nodes != nodes; // another facet than in the last call, or none
+    const bool is_next      = side.nodes != nodes || side.was_beyond; // another face than in the last call
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
@@ -177,19 +177,17 @@ namespace birdstrike
     if (const SharpEdges &edges = scene.topology.sharp_edges(); edges.are_near(facet))
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
-    const bool   was_beyond  = side.was_beyond;
     const bool   was_limited = side.is_touching && side.depth < side.overlap - side.reference;
     const double closing     = -velocity.dot(edge.normal - edge.slope) * scene.step;
     const bool   is_inside   = edge.overlap > 0. && edge.limit > 0.;
     const bool   is_new      = scene.is_changed || is_other_sheet;
     side.reference = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, std::max(0., closing)), 0.);
-    side.is_touching     = is_inside;
-    side.is_through      = is_inside && sign < 0.;
-    side.was_beyond      = edge.feature == EdgeTouch::Feature::beyond;
-    side.is_on_edge_face = edge.feature == EdgeTouch::Feature::edge_face;
-    const bool can_leap =
-      (is_next || was_limited || was_beyond || side.is_on_edge_face) && before.last_call + 1 == scene.call;
-    const double own_way = 2. * velocity.norm() * scene.step + leap * before.size;
+    side.is_touching      = is_inside;
+    side.is_through       = is_inside && sign < 0.;
+    side.was_beyond       = edge.feature == EdgeTouch::Feature::beyond;
+    side.is_on_edge_face  = edge.feature == EdgeTouch::Feature::edge_face;
+    const bool   can_leap = (is_next || was_limited || side.is_on_edge_face) && before.last_call + 1 == scene.call;
+    const double own_way  = 2. * velocity.norm() * scene.step + leap * before.size;
     settle_depth(edge, closing, can_leap ? own_way : INFINITY, was_limited && !is_elsewhere, side, result);
     result.place = place;
     return result.penetration > 0.;
