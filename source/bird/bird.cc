@@ -92,9 +92,8 @@ namespace birdstrike
 
   double Bird::shocked_step(const double speed) const
   {
-    const HugoniotState shocked = speed > 0. ? eos.hugoniot(speed) : HugoniotState();
-    const double c = speed > 0. ? std::sqrt(eos.sound_speed_squared(shocked.density_ratio - 1., shocked.pressure))
-                                : eos.reference_sound_speed();
+    const HugoniotState shocked = eos.hugoniot(speed);
+    const double        c       = std::sqrt(eos.sound_speed_squared(shocked.density_ratio - 1., shocked.pressure));
     return parameters.courant_number * parameters.smoothing_ratio * packed.spacing / (c + 1.2 * speed);
   }
 

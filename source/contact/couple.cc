@@ -50,7 +50,7 @@ namespace birdstrike
     Point3 moment = Point3::Zero();
     for (unsigned int k = 0; k < 4; ++k)
       moment += arms[k].cross(Point3(facets.velocity + facets.nodes[touch.facet][k] * facets.velocity_stride));
-    return share * (inverse * moment).cross(touch.offset);
+    return share * (inverse * moment).cross(touch.lever);
   }
 
   std::array<double, 4> Couple::loads(const Point3 &direction) const

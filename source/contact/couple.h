@@ -23,7 +23,7 @@ namespace birdstrike
     /// Of the nodes, for a force F (N) on the point: N/m.
     Point3 turn(const Point3 &force) const
     {
-      return share * (inverse * touch.offset.cross(force));
+      return share * (inverse * touch.lever.cross(force));
     }
     /// The force on node k of the facet is -turn x this, m.
     const Point3 &arm(const unsigned int k) const

@@ -71,6 +71,7 @@ namespace birdstrike
         record.normal       = touch.normal;
         record.velocity     = pairs.velocity_of(touch.place);
         record.offset       = pairs.offset_of(touch.place);
+        record.lever        = record.offset;
         record.weights      = pairs.weights_of(touch.place);
         record.penetration  = touch.penetration;
         record.share        = touch.share;
@@ -91,7 +92,7 @@ namespace birdstrike
           {
             record.nodes = block.facet_nodes[carriers[c]];
             move_to_edge(points, facets, touch.edge, block.facets.keys()[carriers[c]], record);
-            record.offset += (c == 0 ? 1. : -1.) * touch.edge.opening;
+            record.lever = record.offset + (c == 0 ? 1. : -1.) * touch.edge.opening;
             complete();
           }
         if (n_carriers == 0)

@@ -10,7 +10,7 @@ NEGATIVE, ENERGY, MOMENTUM, DEEP = 1e-4, 1e-2, 1e-9, 0.5
 # of float pairs 6e-8 of the sum of m |x| |v|, of which the program's scale is a hundredth where the bird aims at the origin. Corrected
 # gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the offset of a touch a part of its couple is
 # lost (couple.h); forces in a warped element of Belytschko and Tsay leave one.
-ANGULAR, ANGULAR_OF_FLOAT, ANGULAR_OF_METHOD, ANGULAR_OF_WARPED = 1e-9, 1e-5, 1e-2, 1e-1
+ANGULAR, ANGULAR_OF_FLOAT, ANGULAR_OF_METHOD, ANGULAR_OF_WARPED = 1e-9, 6e-6, 1e-2, 1e-1
 
 
 def angular_limit(scene):

@@ -14,6 +14,7 @@ namespace birdstrike
     Point3                normal;   ///< -grad d: from the surface to the point (law.h)
     Point3                velocity; ///< of the point relative to the facet's closest point and spin (couple.h), m/s
     Point3                offset;   ///< from there to the point, m
+    Point3                lever;    ///< of its couple, m: the offset, at a ridge with what the faces' opening takes
     std::array<double, 4> weights;  ///< of the facet's nodes in its closest point
     std::array<double, 4> loads;    ///< sizes of their forces for a unit force: the weights, if there is no couple
     Point3                dissipative = Point3::Zero(); ///< force of damper and friction on the point, N

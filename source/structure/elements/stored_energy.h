@@ -8,12 +8,10 @@
 namespace birdstrike
 {
   /// What elements store, from their stresses and volumes alone: a function of the present state, so that it can
-  /// neither be negative nor hide what a path has made (a sum of V du over time does: a law in rates, ds = C : de,
-  /// takes in V s : de = V du on any path, and does not come back to zero on a closed one). With the energy density u =
-  /// s : C^{-1} : s / 2 and the elastic volume strain e of the mean stress it is V u (1 - e/3), the integral of V du on
-  /// a straight path up to e^2. Other paths differ by the order of e: nothing in metals, in rubber at strains of 20 %
-  /// some percent of what it stores. Bricks, whose law is one for Kirchhoff's stress, store V_0 u on every path. Two
-  /// kinds go side by side: of the stress that the element is integrated with, and of its stabilisation.
+  /// neither be negative nor hide what a path has made (a sum of V du over time does: a law in rates, ds = C : de, does
+  /// not come back to zero on a closed path). Stresses are Kirchhoff's, in shells and bricks: with the energy density
+  /// u = s : C^{-1} : s / 2 an element stores V_0 u, and takes in V_0 s : de = V_0 du on every path. Two kinds go side
+  /// by side: of the stress that the element is integrated with, and of its stabilisation.
   struct StoredEnergy
   {
     static constexpr std::size_t n_kinds = 2;

@@ -78,13 +78,13 @@ namespace birdstrike
     if (!points[b].empty() || !law.update_elastic(strain, initial_yield, state, work))
       work = update_points(b, strain, area, dt);
 
-    const auto end = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
-    batch.bound    = compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, batch.radius2, law,
-                                                  law.contraction(state));
-    chunk.bound    = max(chunk.bound, Lanes(batch.owned * batch.bound));
+    const auto  end         = ShellGeometry<Lanes>::of_modes(x, nodes.normal);
+    const Lanes contraction = law.contraction(state);
+    batch.bound =
+      compute_eigenvalue_bound<false>(end, state.thickness, batch.inverse_mass, batch.radius2, law, contraction);
+    chunk.bound = max(chunk.bound, Lanes(batch.owned * batch.bound));
     Corners force[2];
-    compute_corner_forces<physical>(end, state, law.contraction(state), section.hourglass_coefficient, nodes.normal,
-                                    force);
+    compute_corner_forces<physical>(end, state, contraction, section.hourglass_coefficient, nodes.normal, force);
     store_corner_forces(force, batch.corner, place.corner_force);
 
     area *= batch.owned;
