@@ -6,4 +6,5 @@
 namespace birdstrike
 {
   const NamedChoices<HardeningLaw> &hardening_laws();
+  const NamedChoices<RateLaw>      &rate_laws();
 } // namespace birdstrike

@@ -28,9 +28,15 @@ namespace birdstrike
           break;
         case HardeningLaw::elastic:
         case HardeningLaw::perfect:
+        case HardeningLaw::curve:
           break;
         }
-      if (h.rate_factor > 0.)
+      if (h.rate_law == RateLaw::cowper_symonds)
+        {
+          all.push_back({"cowper_symonds_rate", "1/s", h.reference_rate});
+          all.push_back({"rate_exponent", "-", h.rate_exponent});
+        }
+      else if (h.rate_factor > 0.)
         {
           all.push_back({"rate_factor", "-", h.rate_factor});
           all.push_back({"reference_rate", "1/s", h.reference_rate});
@@ -78,6 +84,15 @@ namespace birdstrike
     text += fmt::format(", yield {:.5g} MPa", 1e-6 * h.yield);
     if (h.law == HardeningLaw::perfect)
       text += ", no hardening";
+    else if (h.law == HardeningLaw::curve)
+      {
+        const auto &last = h.curve.segments[h.curve.n_segments - 1];
+        double      top  = h.yield;
+        for (std::size_t k = 0; k < h.curve.n_segments; ++k)
+          top += h.curve.segments[k].slope * h.curve.segments[k].length;
+        text +=
+          fmt::format(", by a curve to {:.5g} MPa at a plastic strain of {:.4g}", 1e-6 * top, last.begin + last.length);
+      }
     else
       {
         text += ", " + hardening_name(metal) + " hardening";
@@ -88,7 +103,10 @@ namespace birdstrike
         if (h.law == HardeningLaw::swift)
           text += fmt::format(", strain {:.4g}", h.strain);
       }
-    text += h.rate_factor > 0. ? fmt::format(", rate {:.4g}", h.rate_factor) : ", no rate dependence";
+    if (h.rate_law == RateLaw::cowper_symonds)
+      text += fmt::format(", Cowper-Symonds {:.4g} 1/s, {:.4g}", h.reference_rate, h.rate_exponent);
+    else
+      text += h.rate_factor > 0. ? fmt::format(", rate {:.4g}", h.rate_factor) : ", no rate dependence";
     if (h.heat_capacity > 0.)
       text += ", softened by its heat";
     switch (metal.failure.law)

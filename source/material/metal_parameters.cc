@@ -2,7 +2,9 @@
 #include "material/table_entry.h"
 
 #include "material/metal_table.h"
+#include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text_lists.h>
 #include <birdstrike/material/metal_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -23,7 +25,15 @@ namespace birdstrike
     static const NamedChoices<HardeningLaw> laws{
       {"elastic", HardeningLaw::elastic}, {"perfect", HardeningLaw::perfect},
       {"linear", HardeningLaw::linear},   {"swift", HardeningLaw::swift},
-      {"voce", HardeningLaw::voce},       {"johnson-cook", HardeningLaw::johnson_cook}};
+      {"voce", HardeningLaw::voce},       {"johnson-cook", HardeningLaw::johnson_cook},
+      {"curve", HardeningLaw::curve}};
+    return laws;
+  }
+
+  const NamedChoices<RateLaw> &rate_laws()
+  {
+    static const NamedChoices<RateLaw> laws{{"johnson-cook", RateLaw::johnson_cook},
+                                            {"cowper-symonds", RateLaw::cowper_symonds}};
     return laws;
   }
 
@@ -38,18 +48,33 @@ namespace birdstrike
     prm.add_parameter("Density", density, "Density" + table + "[kg/m^3]", text);
     prm.add_parameter("Young's modulus", young, "Young's modulus" + table + "[Pa]", text);
     prm.add_parameter("Poisson's ratio", poisson, "Poisson's ratio" + table + "[-]", text);
-    prm.add_parameter("Hardening", hardening,
-                      "Law of the flow stress: A (perfect), A + B p (linear), A (1 + p/e0)^n (swift), "
-                      "A + B (1 - exp(-n p)) (voce), A + B p^n (johnson-cook), or 'table'. [-]",
-                      Patterns::Selection("table|" + hardening_laws().selection()));
+    prm.add_parameter(
+      "Hardening", hardening,
+      "Law of the flow stress: A (perfect), A + B p (linear), A (1 + p/e0)^n (swift), "
+      "A + B (1 - exp(-n p)) (voce), A + B p^n (johnson-cook), points of a test (curve), or 'table'. [-]",
+      Patterns::Selection("table|" + hardening_laws().selection()));
     prm.add_parameter("Yield stress", yield, "Initial yield stress A" + table + "[Pa]", text);
     prm.add_parameter("Hardening modulus", modulus, "Hardening modulus B" + table + "[Pa]", text);
     prm.add_parameter("Hardening exponent", exponent, "Hardening exponent n" + table + "[-]", text);
     prm.add_parameter("Hardening strain", strain, "Reference strain e0 of Swift's law" + table + "[-]", text);
+    prm.add_parameter("Hardening curve", curve,
+                      "Flow stress by straight lines between points 'plastic strain: stress; ...' of increasing strain "
+                      "from 0 on, up to 16, e.g. '0: 880e6; 0.02: 915e6; 0.1: 970e6'; constant beyond the last. True "
+                      "stress, logarithmic strain. The first is the yield stress. [Pa]",
+                      text);
+    declare_choice(prm, "Rate law", rate_law, rate_laws(),
+                   "How flow stress grows with the plastic strain rate r: 1 + C ln(r/reference) above the reference "
+                   "(johnson-cook), or 1 + (r/D)^(1/P) with D the reference rate and P the rate exponent "
+                   "(cowper-symonds). [-]");
+    prm.add_parameter("Rate exponent", rate_exponent, "Exponent P of Cowper and Symonds. [-]",
+                      Patterns::Double(0.1, 100.));
     prm.add_parameter("Rate factor", rate_factor,
                       "Factor C of Johnson and Cook's rate term 1 + C ln(rate/reference)" + table + "[-]", text);
-    prm.add_parameter("Reference rate", reference_rate,
-                      "Plastic strain rate below which the rate term is one" + table + "[1/s]", text);
+    prm.add_parameter(
+      "Reference rate", reference_rate,
+      "Plastic strain rate below which Johnson and Cook's rate term is one, or D of Cowper and Symonds" + table +
+        "[1/s]",
+      text);
     prm.add_parameter("Adiabatic heating", is_adiabatic,
                       "Whether plastic work heats the metal and softens it by 1 - T*^m. [-]");
     prm.add_parameter("Softening exponent", softening_exponent, "Exponent m of the thermal softening" + table + "[-]",
@@ -89,12 +114,64 @@ namespace birdstrike
       h.heat_capacity = 0.;
   }
 
+  void MetalParameters::set_curve(Hardening &h, const double young, const std::string &where) const
+  {
+    const std::string here = where + "Hardening curve";
+    if (h.law != HardeningLaw::curve)
+      {
+        if (!curve.empty())
+          throw InputError(here + " is given, and Hardening is " + hardening_laws().name(h.law) +
+                           ".\nSet Hardening = curve, or leave it empty.");
+        return;
+      }
+    if (yield != "table")
+      throw InputError(where +
+                       "Yield stress: with Hardening = curve it is the first stress of the curve.\nLeave it out.");
+    std::vector<std::array<double, 2>> points;
+    for (const auto &[strain_text, stress_text] : parse_pairs(curve, here))
+      points.push_back({parse_numbers(strain_text, 1, here)[0], parse_numbers(stress_text, 1, here)[0]});
+    if (points.size() < 2 || points.size() > HardeningCurve::most_points || points[0][0] != 0. || !(points[0][1] > 0.))
+      throw InputError(
+        here + ": " + std::to_string(points.size()) +
+        " points were read.\nAllowed: 2 to 16 points 'plastic strain: stress', the first at strain 0 with "
+        "a stress above 0: '0: 880e6; 0.1: 970e6'.");
+    h.yield            = points[0][1];
+    h.curve.n_segments = points.size() - 1;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      {
+        const double length = points[k + 1][0] - points[k][0], slope = (points[k + 1][1] - points[k][1]) / length;
+        if (!(length > 0.) || !(slope >= 0.) || !(slope < young))
+          throw InputError(fmt::format("{}: from point {} to {} the strain must grow and the stress not fall, nor rise "
+                                       "faster than elastically.\nRead: {:g}: {:g}; {:g}: {:g}.",
+                                       here, k + 1, k + 2, points[k][0], points[k][1], points[k + 1][0],
+                                       points[k + 1][1]));
+        h.curve.segments[k] = {points[k][0], length, slope};
+      }
+  }
+
+  void MetalParameters::set_rate(Hardening &h, const std::string &where) const
+  {
+    replace(h.rate_factor, rate_factor, where + "Rate factor", 0., 10.);
+    replace(h.reference_rate, reference_rate, where + "Reference rate", 1e-12, 1e30);
+    h.rate_law      = rate_law;
+    h.rate_exponent = rate_exponent;
+    if (rate_law != RateLaw::cowper_symonds)
+      return;
+    h.rate_factor = 1.;
+    if (reference_rate == "table")
+      throw InputError(where + "Reference rate is not given: Cowper and Symonds need their D.\nGive a number, 40.4 1/s "
+                               "for mild steel, or set Rate law = johnson-cook.");
+    if (rate_factor != "table")
+      throw InputError(where + "Rate factor is Johnson and Cook's; Rate law is cowper-symonds.\nLeave it out.");
+  }
+
   Metal MetalParameters::metal(const std::string &where) const
   {
     if (name == "custom")
       for (const auto &[value, entry] : {std::pair(density, "Density"), std::pair(young, "Young's modulus"),
                                          std::pair(poisson, "Poisson's ratio"), std::pair(yield, "Yield stress")})
-        if (value == "table" && !(entry == std::string("Yield stress") && hardening == "elastic"))
+        if (value == "table" &&
+            !(entry == std::string("Yield stress") && (hardening == "elastic" || hardening == "curve")))
           throw InputError(
             where + entry +
             " is not given, and the metal 'custom' has no data of its own.\nGive a number, or choose Name = " +
@@ -110,12 +187,12 @@ namespace birdstrike
     replace(h.modulus, modulus, where + "Hardening modulus", 0., big);
     replace(h.exponent, exponent, where + "Hardening exponent", 1e-6, big);
     replace(h.strain, strain, where + "Hardening strain", 1e-12, big);
-    replace(h.rate_factor, rate_factor, where + "Rate factor", 0., 10.);
-    replace(h.reference_rate, reference_rate, where + "Reference rate", 1e-12, big);
+    set_rate(h, where);
     replace(h.softening_exponent, softening_exponent, where + "Softening exponent", 1e-6, 100.);
     replace(result.elongation, elongation, where + "Elongation", 0., 10.);
     if (hardening != "table")
       h.law = hardening_laws().at(hardening);
+    set_curve(h, result.elasticity.young, where);
     h.density             = result.density;
     h.taylor_quinney      = taylor_quinney;
     h.initial_temperature = initial_temperature;

@@ -2,6 +2,8 @@
 
 #include <birdstrike/core/number.h>
 
+#include <array>
+#include <cstddef>
 #include <limits>
 
 namespace birdstrike
@@ -15,11 +17,29 @@ namespace birdstrike
     swift,        ///< s = A (1 + p / e0)^n                     (Swift 1952)
     voce,         ///< s = A + Q (1 - exp(-b p))                (Voce 1948)
     johnson_cook, ///< s = (A + B p^n) (1 + C ln r*) (1 - T*^m) (Johnson & Cook 1983, eq. 1)
+    curve,        ///< s(p) by straight lines between points, constant beyond the last (LS-DYNA: *MAT_024, LCSS)
   };
 
-  /// Constants of a flow stress. Johnson-Cook's rate term, r* = max(p_dot / reference_rate, 1), may be added to every
-  /// law by rate_factor C > 0, its softening by heat_capacity > 0 (adiabatic: all plastic work times taylor_quinney
-  /// heats).
+  enum class RateLaw
+  {
+    johnson_cook,   ///< 1 + C ln(max(p_dot/reference_rate, 1)), C = rate_factor
+    cowper_symonds, ///< 1 + (p_dot/D)^(1/P), D = reference_rate, P = rate_exponent (Cowper & Symonds 1957)
+  };
+
+  /// A flow stress by points: straight segments that rise or are level.
+  struct HardeningCurve
+  {
+    static constexpr std::size_t most_points = 16;
+    struct Segment
+    {
+      double begin, length, slope; ///< -, -, Pa
+    };
+    std::array<Segment, most_points - 1> segments{};
+    std::size_t                          n_segments = 0;
+  };
+
+  /// Constants of a flow stress. A rate term (RateLaw) may be added to every law, Johnson and Cook's softening by
+  /// heat_capacity > 0 (adiabatic: all plastic work times taylor_quinney heats).
   struct Hardening
   {
     HardeningLaw law      = HardeningLaw::perfect;
@@ -28,8 +48,12 @@ namespace birdstrike
     double       exponent = 1.;    ///< n (Swift, Johnson-Cook) or b (Voce), -
     double       strain   = 0.01;  ///< e0 (Swift), -
 
-    double rate_factor    = 0.; ///< C, -
-    double reference_rate = 1.; ///< 1/s
+    RateLaw rate_law       = RateLaw::johnson_cook;
+    double  rate_factor    = 0.; ///< C, -; of Cowper and Symonds 1. With 0 there is no rate term
+    double  reference_rate = 1.; ///< 1/s
+    double  rate_exponent  = 1.; ///< P, -
+
+    HardeningCurve curve; ///< begins at `yield`
 
     double softening_exponent  = 1.; ///< m, -
     double heat_capacity       = 0.; ///< c_p, J/(kg K); 0: isothermal
@@ -50,6 +74,41 @@ namespace birdstrike
 
   namespace internal
   {
+    // Apart and by value: laws without them keep their registers.
+
+    template <class Number>
+    [[gnu::noinline]] Number value_on_curve(const Hardening &h, const Number p)
+    {
+      Number s(h.yield);
+      for (std::size_t k = 0; k < h.curve.n_segments; ++k)
+        {
+          const auto &segment = h.curve.segments[k];
+          s += segment.slope * min(max(Number(p - segment.begin), Number(0.)), Number(segment.length));
+        }
+      return s;
+    }
+
+    template <class Number>
+    [[gnu::noinline]] Number slope_on_curve(const Hardening &h, const Number p)
+    {
+      Number slope(0.);
+      for (std::size_t k = 0; k < h.curve.n_segments; ++k)
+        {
+          const auto  &segment = h.curve.segments[k];
+          const Number into    = p - segment.begin;
+          slope = select(into >= Number(0.) && into < Number(segment.length), Number(segment.slope), slope);
+        }
+      return slope;
+    }
+
+    /// (dp/(dt D))^(1/P), of the plastic strain dp of a step.
+    template <class Number>
+    [[gnu::noinline]] Number cowper_symonds_overstress(const Hardening &h, const Number dp, const double dt)
+    {
+      const Number some = max(dp, Number(1e-30));
+      return select(dp > Number(0.), exp(log(some / (dt * h.reference_rate)) / h.rate_exponent), Number(0.));
+    }
+
     /// The quasi-static curve s(p) and s'(p). Power laws start with a vertical tangent: below p = 1e-9 it is cut.
     template <class Number>
     inline FlowStress<Number> static_flow_stress(const Hardening &h, const Number &p)
@@ -73,6 +132,8 @@ namespace birdstrike
             const Number q = max(p, Number(1e-9)), s = h.modulus * exp(h.exponent * log(q));
             return {h.yield + s, h.exponent * s / q};
           }
+        case HardeningLaw::curve:
+          return {value_on_curve(h, p), slope_on_curve(h, p)};
         case HardeningLaw::elastic:
           return {Number(std::numeric_limits<double>::max()), Number(0.)};
         case HardeningLaw::perfect:
@@ -133,11 +194,20 @@ namespace birdstrike
     FlowStress<Number> s = internal::static_flow_stress(h, Number(p + dp));
     if (h.rate_factor > 0.)
       {
-        const Number rate   = dp / (dt * h.reference_rate);
-        const Number factor = Number(1.) + h.rate_factor * log(select(fast, rate, Number(1.)));
-        const Number growth = select(fast, h.rate_factor / max(dp, Number(1e-30)), Number(0.));
-        s.slope             = s.slope * factor + s.value * growth;
-        s.value             = s.value * factor;
+        if (h.rate_law == RateLaw::cowper_symonds)
+          {
+            const Number over = internal::cowper_symonds_overstress(h, dp, dt);
+            s.slope = s.slope * (Number(1.) + over) + s.value * over / (h.rate_exponent * max(dp, Number(1e-30)));
+            s.value = s.value * (Number(1.) + over);
+          }
+        else
+          {
+            const Number rate   = dp / (dt * h.reference_rate);
+            const Number factor = Number(1.) + h.rate_factor * log(select(fast, rate, Number(1.)));
+            const Number growth = select(fast, h.rate_factor / max(dp, Number(1e-30)), Number(0.));
+            s.slope             = s.slope * factor + s.value * growth;
+            s.value             = s.value * factor;
+          }
       }
     return {s.value * softening, s.slope * softening};
   }
@@ -157,7 +227,7 @@ namespace birdstrike
                                                   const Number &softening, const StressLeft &stress_left)
   {
     const auto none = Number(0.) > Number(0.);
-    if (h.rate_factor <= 0.)
+    if (h.rate_factor <= 0. || h.rate_law == RateLaw::cowper_symonds)
       return none;
     const Number kink(dt * h.reference_rate);
     return stress_left(kink) > internal::softened_static_stress(h, Number(p + kink), softening);

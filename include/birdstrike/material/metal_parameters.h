@@ -28,8 +28,12 @@ namespace birdstrike
     std::string exponent  = "table"; ///< -
     std::string strain    = "table"; ///< -
 
+    std::string curve = ""; ///< "0: 880e6; 0.02: 910e6", plastic strain and Pa
+
+    RateLaw     rate_law       = RateLaw::johnson_cook;
     std::string rate_factor    = "table"; ///< -
     std::string reference_rate = "table"; ///< 1/s
+    double      rate_exponent  = 5.;      ///< -, of Cowper and Symonds
 
     bool        is_adiabatic        = false;
     std::string heat_capacity       = "table"; ///< J/(kg K)
@@ -63,5 +67,7 @@ namespace birdstrike
 
   private:
     void set_heating(Hardening &hardening, const std::string &where) const;
+    void set_curve(Hardening &hardening, double young, const std::string &where) const;
+    void set_rate(Hardening &hardening, const std::string &where) const;
   };
 } // namespace birdstrike

@@ -51,6 +51,42 @@ TEST(MetalParameters, BadValuesAreRefused)
   EXPECT_NO_THROW(parameters.metal());
 }
 
+TEST(MetalParameters, ACurveRisesFromTheYieldStress)
+{
+  MetalParameters parameters;
+  parameters.hardening = "curve";
+  parameters.curve     = "0: 300e6; 0.02: 380e6; 0.2: 400e6";
+  const Hardening h    = parameters.metal().hardening;
+  EXPECT_EQ(h.yield, 300e6);
+  ASSERT_EQ(h.curve.n_segments, 2u);
+  EXPECT_DOUBLE_EQ(h.curve.segments[0].slope, 4e9);
+  EXPECT_NEAR(compute_flow_stress(h, 0.01, 0.01, 1., 1.).value, 380e6, 1e-3);
+  EXPECT_NEAR(compute_flow_stress(h, 0.5, 0.1, 1., 1.).value, 400e6, 1e-3) << "constant beyond";
+  for (const char *bad : {"", "0: 300e6", "0.01: 300e6; 0.1: 400e6", "0: 300e6; 0: 400e6", "0: 300e6; 0.1: 299e6",
+                          "0: 300e6; 1e-4: 400e6", "0: 0; 0.1: 1e6", "0: 300e6; 0.1: x"})
+    {
+      parameters.curve = bad;
+      EXPECT_THROW(parameters.metal(), InputError) << bad;
+    }
+  parameters.curve = "0: 300e6; 0.02: 380e6";
+  parameters.yield = "310e6";
+  EXPECT_THROW(parameters.metal(), InputError) << "two yield stresses";
+  parameters.yield     = "table";
+  parameters.hardening = "linear";
+  EXPECT_THROW(parameters.metal(), InputError) << "a curve that no law reads";
+}
+
+TEST(MetalParameters, CowperAndSymondsNeedTheirRate)
+{
+  MetalParameters parameters;
+  parameters.rate_law = RateLaw::cowper_symonds;
+  EXPECT_THROW(parameters.metal(), InputError);
+  parameters.reference_rate = "40.4";
+  EXPECT_EQ(parameters.metal().hardening.rate_law, RateLaw::cowper_symonds);
+  parameters.rate_factor = "0.01";
+  EXPECT_THROW(parameters.metal(), InputError);
+}
+
 TEST(MetalParameters, HeatingTakesTheHeatDataOfItsMetal)
 {
   MetalParameters parameters;

@@ -113,6 +113,30 @@ TEST(PlaneStressReturn, TheStateLiesOnEveryCurve)
         }
 }
 
+TEST(PlaneStressReturn, LiesOnACurveWithCowperAndSymonds)
+{
+  Hardening h        = make(HardeningLaw::curve, 0.);
+  h.curve.segments   = {{{0., 0.005, 0.}, {0.005, 0.02, 3e9}, {0.025, 0.1, 2e8}}};
+  h.curve.n_segments = 3;
+  for (const double rate : {0., 40.4, 1e5})
+    for (const double size : {0.0085, 0.012, 0.03, 0.3})
+      {
+        h.rate_law        = rate > 0. ? RateLaw::cowper_symonds : RateLaw::johnson_cook;
+        h.reference_rate  = rate > 0. ? rate : 1.;
+        h.rate_factor     = rate > 0. ? 1. : 0.;
+        h.rate_exponent   = 5.;
+        const double dt   = 1e-5;
+        const double e[3] = {size, 0.2 * size, -0.7 * size};
+        double       s[3] = {0., 0., 0.};
+        add_plane_stress(titanium, e, s);
+        const auto   step = plane_stress_return(titanium, h, 0., h.yield, 1., dt, s);
+        const double p = step.strain, over = rate > 0. ? std::pow(p / (dt * rate), 0.2) : 0.;
+        const double curve = h.yield + 3e9 * std::clamp(p - 0.005, 0., 0.02) + 2e8 * std::clamp(p - 0.025, 0., 0.1);
+        ASSERT_GT(p, 0.);
+        EXPECT_NEAR(von_mises_plane(s) / (curve * (1. + over)), 1., 1e-12) << rate << ' ' << size;
+      }
+}
+
 TEST(PlaneStressReturn, JohnsonCookRateIsThatOfTheStep)
 {
   Hardening h   = make(HardeningLaw::johnson_cook, 331e6, 0.34);

@@ -106,6 +106,43 @@ TEST(RadialReturn, MeetsEveryHardeningCurve)
       }
 }
 
+TEST(RadialReturn, FollowsACurveAndCowperAndSymonds)
+{
+  // a level stretch, a steep one and the constant end; steps that end in each, begin at none of its corners
+  Hardening h;
+  h.law              = HardeningLaw::curve;
+  h.yield            = 300e6;
+  h.curve.segments   = {{{0., 0.01, 0.}, {0.01, 0.02, 4e9}, {0.03, 0.2, 1e8}}};
+  h.curve.n_segments = 3;
+  const auto curve   = [](const double p) {
+    return p < 0.01 ? 300e6 : p < 0.03 ? 300e6 + 4e9 * (p - 0.01) : 380e6 + 1e8 * std::min(p - 0.03, 0.2);
+  };
+  for (const double size : {1e-3, 3e-3, 0.01, 0.05, 0.4})
+    for (const double rate : {0., 40.4, 6500.})
+      {
+        h.rate_law       = rate > 0. ? RateLaw::cowper_symonds : RateLaw::johnson_cook;
+        h.reference_rate = rate > 0. ? rate : 1.;
+        h.rate_factor    = rate > 0. ? 1. : 0.;
+        h.rate_exponent  = rate > 100. ? 4. : 5.;
+        Point        point;
+        const double dt = 1e-6;
+        double       p  = 0.;
+        for (int k = 0; k < 12; ++k)
+          {
+            const double strain[6] = {size, -0.3 * size, -0.4 * size, 0.4 * size, 0.1 * size, -0.2 * size};
+            const double dp        = point.strain(h, strain, dt).strain;
+            p += dp;
+            const double over = rate > 0. && dp > 0. ? std::pow(dp / (dt * rate), 1. / h.rate_exponent) : 0.;
+            if (dp > 0.)
+              {
+                EXPECT_NEAR(von_mises(point.stress) / (curve(p) * (1. + over)), 1., 1e-12)
+                  << size << ' ' << rate << ' ' << k;
+              }
+          }
+        EXPECT_GT(p, 0.);
+      }
+}
+
 TEST(RadialReturn, SteadyFlowHasTheStressOfItsRate)
 {
   // In steady shear all strain is plastic: the equivalent rate is that of the strain, below and above the reference.
