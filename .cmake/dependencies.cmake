@@ -14,6 +14,14 @@ foreach(feature MPI P4EST TRILINOS HDF5)
     "deal.II was built without ${feature}: install libdeal.ii-dev (Debian) or rebuild deal.II with -DDEAL_II_WITH_${feature}=ON.")
 endforeach()
 
+# Of Trilinos what static equilibrium and modes need.
+foreach(header Amesos.h AnasaziEpetraAdapter.hpp)
+  string(MAKE_C_IDENTIFIER ${header} name)
+  find_path(BIRDSTRIKE_${name} ${header} HINTS ${DEAL_II_INCLUDE_DIRS} NO_CACHE)
+  birdstrike_require(BIRDSTRIKE_${name}
+    "deal.II's Trilinos has no ${header}: install libtrilinos-amesos-dev and libtrilinos-anasazi-dev (Debian), or rebuild Trilinos with them.")
+endforeach()
+
 find_package(Eigen3 3.4 QUIET NO_MODULE)
 birdstrike_require(Eigen3_FOUND "Eigen 3.4 or newer is needed: apt-get install libeigen3-dev.")
 find_package(spdlog 1.10 QUIET)

@@ -104,7 +104,8 @@ namespace birdstrike
         angular.reference = momentum_of(state, true);
         has_reference     = true;
       }
-    scale = std::abs(reference_energy) + std::abs(external_work_of(state));
+    // against the strike, not the rotation of the blade, which may be thirty times as much
+    scale = std::abs(reference_energy - state.blade.driven) + std::abs(external_work_of(state));
     error.update(scale > 0. ? (current_energy - reference_energy) / scale : 0.);
     most_dissipated = std::max(most_dissipated, state.contact.dissipated);
     fall            = std::max({fall, most_dissipated - state.contact.dissipated, state.contact_dissipation_fall});

@@ -232,8 +232,8 @@ namespace birdstrike
   {
     const auto  &given     = balance.state().blade_momentum.contact_impulse;
     const double tolerated = parameters.time.bird_phase_tolerance * std::hypot(given[0], given[1], given[2]);
-    if (tolerated == 0. || now - last_touch < quiet_time)
-      return false;
+    if (tolerated == 0. || now - last_touch < quiet_time || scene.blade->rotor() != nullptr)
+      return false; // of a blade that turns what is left may be met a turn later: it stays until it is removed
     reachable_impulse = scene.compute_reachable_impulse(horizon);
     return reachable_impulse <= tolerated;
   }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace birdstrike
 {
@@ -75,6 +76,26 @@ namespace birdstrike
       return text + " m";
     }
 
+    void add_spin(TextTable &table, const Blade &blade)
+    {
+      const Rotor *const rotor = blade.rotor();
+      if (rotor == nullptr)
+        return;
+      const Point3 w = rotor->angular_velocity();
+      table.add("turns with its hub at",
+                fmt::format("{:.4g} rad/s, {:.4g} rpm, about {}", w.norm(), w.norm() * 30. / std::numbers::pi,
+                            vector_text({{w[0] / w.norm(), w[1] / w.norm(), w[2] / w.norm()}}, "")));
+      const StaticReport found = blade.static_report();
+      if (found.n_unknowns == 0)
+        table.add("centrifugal tension", "none at the start: Blade/Spin/Prestress is false");
+      else
+        table.add("centrifugal tension",
+                  fmt::format("from static equilibrium, {} unknowns, {} iterations; root {}, tip {} off its mesh",
+                              format_count(found.n_unknowns), found.n_iterations,
+                              format_quantity(blade.root_section().normal_force, "N"),
+                              format_quantity(blade.tip_deflection().mid_chord, "m")));
+    }
+
     void add_blade(TextTable &table, const Blade &blade, const BladeParameters &parameters)
     {
       const BladeCensus census = blade.census();
@@ -93,6 +114,7 @@ namespace birdstrike
       table.add("held unknowns", format_count(census.n_held_dofs));
       for (const SupportCensus &support : census.supports)
         table.add("support", describe(support, blade.kind() == BladeKind::solid ? 3 : 6));
+      add_spin(table, blade);
       const auto of = parameters.by_section();
       for (const SectionCensus &section : census.sections)
         table.add(section.number == 0 ? "the blade's own section" : "section " + std::to_string(section.number),

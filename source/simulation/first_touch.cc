@@ -32,6 +32,20 @@ namespace birdstrike
       return Point3(facets.velocity + facets.velocity_stride * nearest);
     }
 
+    /// Puts a bird, which stands off along its own velocity, where it flies through the aim point as the blade sees it
+    /// come: back by the way that the blade has still to go.
+    void aim_in_fixed_axes(Bird &bird, const BirdParameters &parameters, const Point3 &frame)
+    {
+      const PointsView points = bird.points();
+      Point3           centre = Point3::Zero();
+      for (std::size_t p = 0; p < points.n; ++p)
+        centre += Point3(points.position[0][p], points.position[1][p], points.position[2][p]);
+      centre /= static_cast<double>(points.n);
+      const Point3 velocity(parameters.velocity.data()), to_aim = Point3(parameters.target().data()) - centre;
+      const double time = to_aim.dot(velocity) / velocity.squaredNorm();
+      bird.advance_in_flight(time, velocity - frame); // by time times `frame`
+    }
+
     /// The points moved by `shift`, all with one velocity, and a view of them.
     struct MovedPoints
     {
@@ -84,6 +98,8 @@ namespace birdstrike
     if (touch.closing_speed == 0.)
       throw InputError("The bird does not close in on the blade: Bird/Velocity is that of the blade where it aims.\n"
                        "Set Bird/Velocity, in m/s, to what carries it to the blade.");
+    if (blade.rotor() != nullptr)
+      aim_in_fixed_axes(bird, parameters, frame);
     const double before           = clearance * parameters.spacing / touch.closing_speed; // s
     const bool   is_free_to_start = parameters.stand_off == 0. && parameters.shape != BirdShape::slab;
     if (is_free_to_start)

@@ -22,6 +22,10 @@ namespace birdstrike
   /// frame. Without a stand-off of the user's, a bird that would have touched before its automatic start (at grazing
   /// incidence, wider than the blade) is taken back to that touch.
   ///
+  /// Of a blade that turns with its hub the velocity is that of the rotation where the bird aims, and its approach is
+  /// taken as straight in that frame; the bird then comes through the aim point as the blade sees it, whose place in
+  /// the mesh is that of the first touch.
+  ///
   /// @throws InputError for a bird that misses the blade or starts inside it.
   FirstTouch place_at_first_touch(Bird &bird, Blade &blade, const BirdParameters &parameters);
 } // namespace birdstrike

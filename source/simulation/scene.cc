@@ -19,6 +19,10 @@ namespace birdstrike
 {
   namespace
   {
+    /// Places on the arc of a node that turns with its hub, from now to the horizon of removal: between them it leaves
+    /// their box by 1/500 of the radius at most (2 ms at 600 rad/s), less than particles lie beyond a box.
+    constexpr unsigned int n_on_arc = 10;
+
     /// Largest growth of the bird's step from one macro step to the next.
     constexpr double step_growth = 1.02;
 
@@ -187,13 +191,22 @@ namespace birdstrike
     Box              box;
     if (facets.n_facets == 0)
       return 0; // nothing is left to meet: the bird's phase ends by itself
+    const Rotor *const rotor = blade->rotor();
     for (std::size_t f = 0; f < facets.n_facets; ++f)
       for (const std::uint32_t n : facets.nodes[f]) // nodes without a facet meet nothing
         {
           const Point3 now(facets.position + 3 * n);
-          const Point3 then = now + horizon * Point3(facets.velocity + facets.velocity_stride * n);
+          const Point3 velocity(facets.velocity + facets.velocity_stride * n);
           box.add(now.data());
-          box.add(then.data());
+          for (unsigned int k = 1; k <= (rotor != nullptr ? n_on_arc : 1); ++k)
+            {
+              const double time = horizon * k / (rotor != nullptr ? n_on_arc : 1);
+              const Point3 then = rotor != nullptr
+                                    ? Point3(rotor->carried(now, time) +
+                                             rotor->turned(Point3(time * (velocity - rotor->velocity(now))), time))
+                                    : Point3(now + time * velocity);
+              box.add(then.data());
+            }
         }
     return bird->retire(box);
   }

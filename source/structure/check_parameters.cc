@@ -1,4 +1,5 @@
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/expression.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/structure/parameters.h>
 
@@ -29,10 +30,31 @@ namespace birdstrike
                        [](const auto &section) { return section.second.material.metal().failure.can_fail(); });
   }
 
+  void BladeParameters::check_spin() const
+  {
+    if (spin.speed == 0.)
+      return;
+    const auto refuse = [](const bool is_there, const std::string &entry, const std::string &why) {
+      require(!is_there, entry + " does not go with Spin/Speed: " + why);
+    };
+    require(std::isfinite(spin.speed), "Spin/Speed: not a finite number.");
+    require(std::hypot(spin.axis[0], spin.axis[1], spin.axis[2]) > 0.,
+            "Spin/Axis: the axis has no length.\nAllowed: any three numbers that are not all zero.");
+    require(is_deformable(), "Spin/Speed: a rigid surface does not turn.\nSet it to 0, or Kind to shell or solid.");
+    require(!is_halved, "Spin/Speed: a blade that turns has no plane of symmetry.\nSet Symmetry to none.");
+    refuse(is_present(supports.driven), "Supports/Driven", "what is held follows the hub.\nLeave it empty.");
+    refuse(is_present(loads.initial_velocity), "Loads/Initial velocity", "the blade starts turning.\nLeave it empty.");
+    refuse(is_present(loads.initial_spin), "Loads/Initial spin", "the hub turns with the blade.\nLeave one of them.");
+    refuse(loads.damping != 0., "Loads/Damping", "it would brake the rotation.\nSet it to 0.");
+    refuse(mass_scaling.method != MassScalingMethod::off, "Mass scaling/Method",
+           "it does not know driven supports.\nSet it to off.");
+  }
+
   void BladeParameters::check() const
   {
     if (kind == BladeKind::none)
       return;
+    check_spin();
     if (is_deformable() || rigid.surface == RigidSurface::mesh)
       require(
         mesh.generator != MeshGenerator::file || !mesh.file.empty(),

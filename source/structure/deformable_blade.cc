@@ -1,5 +1,7 @@
 #include "structure/deformable_blade.h"
 #include "structure/histories/watched_blade.h"
+#include "structure/implicit/modes.h"
+#include "structure/implicit/static_solve.h"
 
 namespace birdstrike
 {
@@ -19,25 +21,50 @@ namespace birdstrike
   DeformableBlade<Kind>::DeformableBlade(const BladeParameters &parameters, ThreadPool &pool)
     : plane(parameters.is_halved)
     , mesh(parameters)
-    , supports(parameters.supports, mesh)
+    , hub(parameters.spin)
+    , supports(parameters.supports, mesh, hub.turns())
     , sections(parameters, mesh.material_ids, mesh.material_names)
     , lumped(Kind::compute_mass(mesh, sections, supports))
     , elements(Kind::make_elements(mesh, lumped, sections, pool))
     , pressed(Kind::find_pressed(mesh, parameters.loads))
-    , motion(mesh, Kind::masses(lumped), supports, Loads(parameters.loads, mesh, pressed.facets), pool)
+    , motion(mesh, Kind::masses(lumped), supports, Loads(parameters.loads, mesh, pressed.facets), hub, pool)
     , surface(Kind::make_surface(mesh, lumped))
     , can_fail(parameters.can_fail())
+    , n_load_steps(parameters.spin.n_load_steps)
   {
     elements.set_owned(mesh.space.n_owned(), mesh.owned_cells());
     elements.use_nodal_masses(lumped.node);
     scaling = Kind::finish(parameters, mesh, lumped, elements, motion);
-    motion.initialize_velocity(parameters.loads);
+    if (hub.turns() && parameters.spin.has_prestress)
+      find_equilibrium();
+    if (hub.turns())
+      motion.turn_with_hub();
+    else
+      motion.initialize_velocity(parameters.loads);
     motion.watch(parameters.probes, mesh);
     probe_warnings = warn_of_far_probes(parameters.probes, mesh);
     roles =
       BladeRoles(mesh, supports.root_ids, supports.tip_ids, compute_strike(parameters, motion.momenta(), lumped.total));
     root = typename Kind::Root(mesh, roles.root);
     tip  = TipRow(mesh, roles.tip);
+  }
+
+  template <class Kind>
+  StaticReport DeformableBlade<Kind>::find_equilibrium()
+  {
+    if (prestress.n_unknowns == 0)
+      {
+        BladeEquilibrium<Kind::n_unknowns> equilibrium(mesh, motion, elements, supports.held_dofs, hub);
+        prestress = solve_static(equilibrium, n_load_steps);
+      }
+    return prestress;
+  }
+
+  template <class Kind>
+  VibrationModes DeformableBlade<Kind>::compute_modes(const std::size_t n)
+  {
+    BladeEquilibrium<Kind::n_unknowns> equilibrium(mesh, motion, elements, supports.held_dofs, hub);
+    return birdstrike::compute_modes(equilibrium, n);
   }
 
   template <class Kind>

@@ -17,7 +17,10 @@ namespace birdstrike
   /// Elements of a metal that can fail do so (elements/erosion.h); what is left keeps the surface that contact meets,
   /// and nothing presses on what has failed.
   ///
-  /// Not here: spin of the hub, several ranks.
+  /// A hub that turns: the blade starts in the static equilibrium of its tension, what is held follows the rotation
+  /// exactly, and root and tip are reported as somebody on the hub sees them; probes and fields are in fixed axes.
+  ///
+  /// Not here: several ranks.
   template <class Kind>
   class DeformableBlade final : public Blade
   {
@@ -105,6 +108,18 @@ namespace birdstrike
     FailureReport           failure() const override;
     std::optional<SpanLine> span_line() const override;
 
+    const Rotor *rotor() const override
+    {
+      return hub.turns() ? &hub : nullptr;
+    }
+    StaticReport static_report() const override
+    {
+      return prestress;
+    }
+
+    StaticReport   find_equilibrium() override;
+    VibrationModes compute_modes(std::size_t n) override;
+
     NodeArrays nodes() ///< for initial states and checks
     {
       return motion.arrays();
@@ -116,6 +131,7 @@ namespace birdstrike
 
     SymmetryPlane                    plane;
     typename Kind::Mesh              mesh;
+    Rotor                            hub;
     Supports                         supports;
     SectionTable                     sections;
     typename Kind::Mesh::Mass        lumped;
@@ -130,6 +146,8 @@ namespace birdstrike
     bool                             can_fail;
     Warnings                         probe_warnings;
     std::size_t                      n_failed = 0; ///< elements, as the surface knows them
+    unsigned int                     n_load_steps;
+    StaticReport                     prestress;
   };
 
   using ShellBlade = DeformableBlade<ShellKind>;

@@ -1,6 +1,7 @@
 #include "structure/census.h"
 #include "structure/deformable_blade.h"
 #include "structure/histories/watched_blade.h"
+#include <birdstrike/core/errors.h>
 
 namespace birdstrike
 {
@@ -116,6 +117,12 @@ namespace birdstrike
   template <class Kind>
   BladeHistories DeformableBlade<Kind>::make_histories(const HistoryRequests &requests) const
   {
+    if (hub.turns() && !requests.stations.empty())
+      throw InputError("Output/Histories/Stations: forces on sections of a blade that turns are not there.\nLeave it "
+                       "empty; root forces are reported in the frame of the hub.");
+    if (hub.turns() && requests.is_any() && requests.axes != HistoryRequests().axes)
+      throw InputError(
+        "Output/Histories/Axes: on a blade that turns components are in global axes.\nSet it to global.");
     BladeHistories histories = make_blade_histories<Kind>({mesh, elements, motion, roles, plane}, requests);
     histories.warnings.insert(histories.warnings.begin(), probe_warnings.begin(), probe_warnings.end());
     return histories;
@@ -124,7 +131,15 @@ namespace birdstrike
   template <class Kind>
   RootSectionReport DeformableBlade<Kind>::root_section() const
   {
-    RootSectionReport report = root.compute_report(motion.element_forces(), motion.positions(), elements);
+    const Turned  turned{hub, motion.present_time()};
+    const double *force = motion.element_forces(), *position = motion.positions();
+    if (hub.turns())
+      {
+        const auto &seen = motion.in_turning_frame();
+        force            = seen.force.data();
+        position         = seen.position.data();
+      }
+    RootSectionReport report = root.compute_report(force, position, elements, turned);
     for (double *sum : {&report.normal_force, &report.bending_moment, &report.transverse_force})
       *sum = plane.whole(*sum);
     return report;
@@ -133,7 +148,8 @@ namespace birdstrike
   template <class Kind>
   TipDeflection DeformableBlade<Kind>::tip_deflection() const
   {
-    return tip.compute_deflection(motion.displacements(), Kind::n_unknowns);
+    return tip.compute_deflection(hub.turns() ? motion.in_turning_frame().displacement.data() : motion.displacements(),
+                                  Kind::n_unknowns);
   }
 
   template <class Kind>

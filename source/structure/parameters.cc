@@ -147,6 +147,26 @@ namespace birdstrike
       prm.leave_subsection();
     }
 
+    void declare_spin(dealii::ParameterHandler &prm, BladeParameters::Spin &p)
+    {
+      prm.enter_subsection("Spin");
+      prm.add_parameter("Speed", p.speed,
+                        "Speed at which the hub turns, right-handed about the axis; '5730 rpm' is allowed. What is "
+                        "clamped follows the rotation, and the blade starts in the steady state of its tension. 0: "
+                        "the hub stands still. [rad/s]",
+                        Double());
+      declare_vector(prm, "Axis", p.axis, "Direction of the axis, of any length. [-]");
+      declare_vector(prm, "Centre", p.centre, "A point on the axis. [m]");
+      prm.add_parameter("Prestress", p.has_prestress,
+                        "Whether static equilibrium under spin and the loads of t = 0 is found before the first step; "
+                        "without it the blade starts unstressed and rings. [-]");
+      prm.add_parameter("Load steps", p.n_load_steps,
+                        "Steps in which the static solve applies spin and loads; halved where one does not converge. "
+                        "[-]",
+                        Integer(1, 1000));
+      prm.leave_subsection();
+    }
+
     void declare_rigid(dealii::ParameterHandler &prm, BladeParameters::Rigid &p)
     {
       prm.enter_subsection("Rigid");
@@ -234,6 +254,7 @@ namespace birdstrike
       declare_section(prm, "Section " + std::to_string(k + 1), sections[k]);
     declare_supports(prm, supports);
     declare_loads(prm, loads);
+    declare_spin(prm, spin);
     declare_rigid(prm, rigid);
   }
 } // namespace birdstrike

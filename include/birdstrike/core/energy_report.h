@@ -40,7 +40,8 @@ namespace birdstrike
     double external_work = 0.; ///< by loads and prescribed motion
     double contact_work  = 0.; ///< by contact forces
     double internal      = 0.; ///< work of the part's own forces; no part of the sum
-    double retired_made  = 0.; ///< what `retired` has of stored and dissipated energy more than of `internal`; neither
+    double driven = 0.; ///< of the kinetic energy, what a hub that turns had given at the start: no scale of errors
+    double retired_made = 0.; ///< what `retired` has of stored and dissipated energy more than of `internal`; neither
 
     /// `sum` and all that is held (see energy_kinds), one kind after the other.
     double add_held(double sum) const;
@@ -68,7 +69,7 @@ namespace birdstrike
   };
 
   /// Every kind once. Sums are taken in this order.
-  inline constexpr std::array<EnergyKind, 14> energy_kinds{{
+  inline constexpr std::array<EnergyKind, 15> energy_kinds{{
     {&EnergyReport::kinetic, "kinetic", Account::held, true, false},
     {&EnergyReport::staggering, "staggering", Account::held, false, false},
     {&EnergyReport::elastic, "elastic", Account::held, true, true},
@@ -82,6 +83,7 @@ namespace birdstrike
     {&EnergyReport::external_work, "external work", Account::external, false, false},
     {&EnergyReport::contact_work, "contact work", Account::memorandum, false, false},
     {&EnergyReport::internal, "internal", Account::memorandum, false, false},
+    {&EnergyReport::driven, "driven", Account::memorandum, true, false},
     {&EnergyReport::retired_made, "retired made", Account::memorandum, false, true},
   }};
 

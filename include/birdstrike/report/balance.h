@@ -14,9 +14,10 @@ namespace birdstrike
   /// comes from can be told: each part's stored and dissipated energies against the work of its forces, contact's
   /// against the works of its impulses; the rest is of the steps in time.
   ///
-  /// Errors are relative to the scale of the run: initial energy plus |external work|; largest of the initial momentum,
-  /// the impulse through contact, the supports' and the loads' (all as norms), or a hundredth of the sum of m |v| if
-  /// that is more: a free vibration has none. Of angular momentum the same with moments and the sum of m |x| |v|.
+  /// Errors are relative to the scale of the run: initial energy (of a blade that turns, without its rotation) plus
+  /// |external work|; largest of the initial momentum, the impulse through contact, the supports' and the loads' (all
+  /// as norms), or a hundredth of the sum of m |v| if that is more: a free vibration has none. Of angular momentum the
+  /// same with moments and the sum of m |x| |v|.
   ///
   /// A run ends where the energy error passes its limit, where a kind that cannot be negative is below -1e-3 of the
   /// scale (they are sums of squares and of dissipation rates: 1e-6 of round-off in pairs of floats, up to 1e-4 of

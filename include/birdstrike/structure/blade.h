@@ -9,7 +9,9 @@
 #include <birdstrike/core/step_limit.h>
 #include <birdstrike/structure/choices.h>
 #include <birdstrike/structure/histories.h>
+#include <birdstrike/structure/modes.h>
 #include <birdstrike/structure/reports.h>
+#include <birdstrike/structure/rotor.h>
 
 #include <optional>
 #include <span>
@@ -91,6 +93,22 @@ namespace birdstrike
     {
       return {};
     }
+
+    /// Of the hub, where it turns; of the blade it is the motion but for strains. Null where it stands still.
+    virtual const Rotor *rotor() const
+    {
+      return nullptr;
+    }
+
+    virtual StaticReport static_report() const ///< of the equilibrium that it started from
+    {
+      return {};
+    }
+    /// Static equilibrium with the loads of t = 0 and the spin of the hub; before the first step. What the constructor
+    /// has found is kept. Throws NumericalFailure where there is none.
+    /// InputError of a rigid surface, as compute_modes.
+    virtual StaticReport   find_equilibrium();
+    virtual VibrationModes compute_modes(std::size_t n); ///< the lowest n, about the present equilibrium
 
     /// What is asked for besides; the blade outlives it. Throws InputError, naming the entry, for what it cannot give.
     virtual BladeHistories make_histories(const HistoryRequests &requests) const;

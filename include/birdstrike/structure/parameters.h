@@ -82,6 +82,15 @@ namespace birdstrike
       std::string initial_spin;              ///< rad/s, "wx; wy; wz": rigid rotation about the origin
     };
 
+    struct Spin
+    {
+      double                speed = 0.; ///< rad/s, 0: the hub stands still
+      std::array<double, 3> axis{{0., 0., 1.}};
+      std::array<double, 3> centre{{0., 0., 0.}}; ///< m, a point on the axis
+      bool                  has_prestress = true;
+      unsigned int          n_load_steps  = 4;
+    };
+
     struct Rigid
     {
       RigidSurface          surface = RigidSurface::rectangle;
@@ -101,6 +110,7 @@ namespace birdstrike
     MassScaling                     mass_scaling;
     Supports                        supports;
     Loads                           loads;
+    Spin                            spin;
     Rigid                           rigid;
     std::string                     probes; ///< "name: x y z; ..."
     /// m/s, of the bird that strikes: it gives reports their signs (orientation.h). Set by the case; none without a
@@ -135,6 +145,7 @@ namespace birdstrike
 
   private:
     void check_elements(std::size_t section) const;
+    void check_spin() const;
     bool has_points_through_thickness() const;
   };
 } // namespace birdstrike

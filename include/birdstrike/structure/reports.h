@@ -106,6 +106,14 @@ namespace birdstrike
     std::array<double, 3> normal{}; ///< unit, of the tip, away from the struck side: along it deflections are taken
   };
 
+  /// How static equilibrium was found (source/structure/implicit/static_solve.h); without unknowns none was asked for.
+  struct StaticReport
+  {
+    std::size_t         n_unknowns   = 0;
+    unsigned int        n_load_steps = 0, n_iterations = 0;
+    std::vector<double> residuals; ///< of the last load step: norm of the forces over that of loads and spin
+  };
+
   struct PeakPlasticStrain
   {
     double                value   = 0.;

@@ -11,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <tuple>
 
 namespace birdstrike
 {
@@ -164,6 +165,12 @@ namespace birdstrike
       batches[b].inverse_mass[k]   = 0.; // no vote
       for (std::uint32_t i = 0; i < n_corners; ++i)
         batches[b].record[i][k] = static_cast<std::uint32_t>((place.n_nodes + i) * (sizeof(Record) / sizeof(double)));
+    }
+
+    /// What an update of the elements changes, of every kind.
+    auto changing()
+    {
+      return std::tie(batches, chunks);
     }
 
     std::size_t bytes_of_group() const

@@ -75,6 +75,12 @@ namespace birdstrike
     /// An equal part of each element's mass to each of its nodes (kg), [n_nodes].
     std::vector<double> compute_nodal_masses() const;
 
+    /// All that compute_internal_forces changes, in memory: what it did is undone by setting the state of before. Not
+    /// of elements that have failed meanwhile, see n_failed().
+    struct Saved;
+    std::shared_ptr<const Saved> save();
+    void                         restore(const Saved &saved);
+
     /// All that the next step depends on, by section and element; `position` as of the last forces. What has been
     /// summed up over elements (dissipated energies, work) is booked with the first element of each sum: totals are the
     /// same in any build, and the sums to the last bit in this one.

@@ -30,6 +30,11 @@ namespace birdstrike
       for (unsigned int d = 0; d < 3; ++d)
         if (std::binary_search(support.dofs.begin(), support.dofs.end(), n_unknowns * node + d))
           motion[2][d] = (support.at(time + h) - 2. * support.at(time) + support.at(time - h)) / (h * h);
+    if (std::binary_search(hub_dofs.begin(), hub_dofs.end(), n_unknowns * node))
+      {
+        const Point3 a = -rotor.centrifugal_acceleration(Point3(vectors->position.begin() + 3 * node));
+        motion[2]      = {{a[0], a[1], a[2]}};
+      }
     return motion;
   }
 

@@ -65,25 +65,44 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::drive(const double half_step, const bool is_first)
   {
-    const double  damped = 1. - std::exp(-loads.damping() * half_step);
-    const double *u = vectors->displacement.begin(), *f = vectors->force.begin(),
-                 *f_external = vectors->external.begin();
-    double *v                = vectors->velocity.begin();
+    if (driven.empty() && hub_dofs.empty())
+      return;
+    const DrivenKick kick{half_step, 1. - std::exp(-loads.damping() * half_step), is_first};
+    const double     before = time - half_step, after = time + (is_first ? 2. : 1.) * half_step;
+    const double    *u = vectors->displacement.begin();
     for (const Supports::Driven &support : driven)
       {
-        const double to = support.at(time + (is_first ? 2. : 1.) * half_step), from = support.at(time - half_step);
+        const double to = support.at(after), from = support.at(before);
         for (const std::uint32_t dof : support.dofs)
-          {
-            // what kick_loaded has left of it, and with what velocity it has booked loads and damping
-            const double now = v[dof], before = now / (1. - damped), booked_with = is_first ? now : before;
-            const double after = (to - (is_first ? u[dof] : from)) / (2. * half_step);
-            const double drift = is_first ? after : before, m = vectors->mass.begin()[dof];
-            booked.external_work += 0.5 * m * (after * after - before * before) - half_step * f[dof] * drift +
-                                    (m * damped * before - half_step * f_external[dof]) * booked_with;
-            book_support(dof, -m * (after - before + damped * before));
-            v[dof] = after;
-          }
+          drive(kick, dof, is_first ? u[dof] : from, to);
       }
+    for (std::size_t k = 0; k < hub_dofs.size(); k += n_unknowns) // whole nodes
+      {
+        const std::uint32_t dof = hub_dofs[k];
+        const Point3        reference(vectors->reference.begin() + 3 * (dof / n_unknowns));
+        const Point3        to = rotor.displacement(reference, after), from = rotor.displacement(reference, before);
+        const Point3        way = rotor.angular_velocity();
+        for (unsigned int c = 0; c < 3; ++c)
+          drive(kick, dof + c, is_first ? u[dof + c] : from[c], to[c]);
+        for (unsigned int c = 3; c < n_unknowns; ++c)
+          drive(kick, dof + c, is_first ? u[dof + c] : way[c - 3] * before, way[c - 3] * after);
+      }
+  }
+
+  template <unsigned int n_unknowns>
+  void NodalMechanics<n_unknowns>::drive(const DrivenKick &kick, const std::uint32_t dof, const double from,
+                                         const double to)
+  {
+    // what kick_loaded has left of it, and with what velocity it has booked loads and damping
+    double      &v = vectors->velocity.begin()[dof];
+    const double f = vectors->force.begin()[dof], f_external = vectors->external.begin()[dof];
+    const double now = v, before = now / (1. - kick.damped), booked_with = kick.is_first ? now : before;
+    const double after = (to - from) / (2. * kick.half_step);
+    const double drift = kick.is_first ? after : before, m = vectors->mass.begin()[dof];
+    booked.external_work += 0.5 * m * (after * after - before * before) - kick.half_step * f * drift +
+                            (m * kick.damped * before - kick.half_step * f_external) * booked_with;
+    book_support(dof, -m * (after - before + kick.damped * before));
+    v = after;
   }
 
   template <unsigned int n_unknowns>
@@ -197,6 +216,8 @@ namespace birdstrike
     for (const Supports::Driven &support : driven) // takes what contact does to it
       for (const std::uint32_t dof : support.dofs)
         booked.external_work -= half_step * f[dof] * v[dof];
+    for (const std::uint32_t dof : hub_dofs)
+      booked.external_work -= half_step * f[dof] * v[dof];
     left_half    = first ? contact_half : 0.;
     contact_half = first ? 0. : half_step;
   }

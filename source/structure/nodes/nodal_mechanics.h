@@ -11,6 +11,7 @@
 #include <birdstrike/core/half_kick.h>
 #include <birdstrike/core/thread_pool.h>
 #include <birdstrike/structure/reports.h>
+#include <birdstrike/structure/rotor.h>
 
 #include <span>
 
@@ -31,7 +32,7 @@ namespace birdstrike
   /// where the reference follows the step when it has changed by more than a thousandth: what the change does to the
   /// energy that the scheme conserves is booked then.
   ///
-  /// Driven unknowns follow a formula u(t): with h the half step,
+  /// Driven unknowns follow a formula u(t), or the rotation of the hub: with h the half step,
   ///   v^{n+1/2} = (u(t_n + 2h) - u^n)/(2h),    v^n = (u(t_n + h) - u(t_n - h))/(2h),
   /// so that displacements are exact at whole steps. Of every half kick the support gives the impulse m dv - h f, and
   /// the work m (v_after^2 - v_before^2)/2 - h f v^{n+-1/2}, f all forces on the unknown: the ledger closes to
@@ -56,7 +57,9 @@ namespace birdstrike
       std::vector<double> rotation;    ///< kg m^2, [n_nodes]; empty for a solid
     };
 
-    NodalMechanics(const Mesh &mesh, const Masses &masses, const Supports &supports, Loads loads, ThreadPool &pool);
+    /// Where the rotor turns, all that is held follows it.
+    NodalMechanics(const Mesh &mesh, const Masses &masses, const Supports &supports, Loads loads, const Rotor &rotor,
+                   ThreadPool &pool);
     ~NodalMechanics();
 
     /// Velocities of formulas and of a rigid spin about the origin, held unknowns excepted. Throws InputError.
@@ -82,6 +85,24 @@ namespace birdstrike
     void compute_internal_forces(Elements &elements);
 
     void add_internal_forces(std::span<const NodalForce> forces); ///< see Blade
+    /// Those of formulas at a time (s) and the present positions, to `force` [n_nodes][n_unknowns] (N, N m).
+    void add_loads(const double at, double *force) const
+    {
+      if (loads.is_active())
+        loads.add_forces(at, positions(), force);
+    }
+    /// Everything turns with the hub from now on.
+    void turn_with_hub();
+    /// As somebody on the hub sees them: positions (m), displacements and element_forces().
+    struct InTurningFrame
+    {
+      std::vector<double> position, displacement, force;
+    };
+    const InTurningFrame &in_turning_frame() const;
+    double                present_time() const ///< s
+    {
+      return time;
+    }
 
     void archive(Archive &archive);
 
@@ -112,6 +133,13 @@ namespace birdstrike
     void book_damping_of_scaling(double half_step, bool is_first);
     void book_support(std::uint32_t dof, double impulse);
     void drive(double half_step, bool is_first); ///< after the other unknowns have been kicked
+    /// One of them, from a displacement half a step before to one half a step after (a whole one, in first kicks).
+    struct DrivenKick
+    {
+      double half_step, damped;
+      bool   is_first;
+    };
+    void drive(const DrivenKick &kick, std::uint32_t dof, double from, double to);
     /// Of half kicks of this length (s) by internal and contact forces: kinetic energy of v^n, and |J|^2 / (2 m) (J).
     std::array<double, 2> kinetic(double half, double half_of_contact) const;
     void                  follow_step(double half_step);
@@ -138,6 +166,8 @@ namespace birdstrike
     Loads                         loads;
     std::vector<std::uint32_t>    held_dofs;
     std::vector<Supports::Driven> driven;
+    Rotor                         rotor;
+    std::vector<std::uint32_t>    hub_dofs;         ///< those that follow it, sorted
     std::size_t                   n_nodes, n_owned; ///< ghosts come last
 
     std::unique_ptr<Vectors>                           vectors;
@@ -145,6 +175,7 @@ namespace birdstrike
     std::unique_ptr<ScaledNodes>                       scaled;      ///< none: masses are those of the nodes
     std::vector<NodalForce>                            added;       ///< to the forces, since they were computed
     mutable std::vector<double>                        of_elements; ///< N, forces without them
+    mutable InTurningFrame                             turned_back;
 
     double time           = 0.;                   ///< s
     double increment_time = 0.;                   ///< s since the last compute_internal_forces

@@ -12,11 +12,13 @@ namespace birdstrike
 {
   template <unsigned int n_unknowns>
   NodalMechanics<n_unknowns>::NodalMechanics(const Mesh &mesh, const Masses &masses, const Supports &supports,
-                                             Loads given_loads, ThreadPool &pool)
+                                             Loads given_loads, const Rotor &rotor, ThreadPool &pool)
     : pool(pool)
     , loads(std::move(given_loads))
     , held_dofs(supports.held_dofs)
     , driven(supports.driven)
+    , rotor(rotor)
+    , hub_dofs(rotor.turns() ? supports.held_dofs : std::vector<std::uint32_t>())
     , n_nodes(mesh.space.size())
     , n_owned(mesh.space.n_owned())
     , vectors(std::make_unique<Vectors>(mesh.space))

@@ -50,9 +50,9 @@ namespace birdstrike
       std::set<std::uint32_t> dofs;
     };
 
-    /// Components of an entry; single rotations mean something on a shell only.
+    /// Components of an entry; single rotations mean something on a shell only. `turns`: all, or none turn with a hub.
     template <unsigned int n_unknowns>
-    std::array<bool, 6> read_components(const std::string &text, const std::string &entry)
+    std::array<bool, 6> read_components(const std::string &text, const std::string &entry, const bool turns = false)
     {
       const auto held     = parse_components(text, "Blade/" + entry);
       const bool has_some = held[3] || held[4] || held[5], has_all = held[3] && held[4] && held[5];
@@ -61,6 +61,11 @@ namespace birdstrike
                          "' holds rotations, which the nodes of a solid do not have.\n"
                          "Allowed for a solid: ux uy uz, clamped or hinged (both all three). Two layers of held "
                          "displacements hold a rotation.");
+      if (turns && std::count(held.begin(), held.begin() + n_unknowns, true) != n_unknowns)
+        throw InputError(
+          "Blade/" + entry + ": '" + text +
+          "' holds single components, which have no fixed direction on a blade that turns.\nAllowed with "
+          "Blade/Spin: clamped.");
       return held;
     }
 
@@ -82,16 +87,16 @@ namespace birdstrike
     }
   } // namespace
 
-  Supports::Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh)
+  Supports::Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh, const bool turns)
   {
     find_roles(parameters, mesh);
-    find_held<6>(parameters, mesh);
+    find_held<6>(parameters, mesh, turns);
   }
 
-  Supports::Supports(const BladeParameters::Supports &parameters, const VolumeMesh &mesh)
+  Supports::Supports(const BladeParameters::Supports &parameters, const VolumeMesh &mesh, const bool turns)
   {
     find_roles(parameters, mesh);
-    find_held<3>(parameters, mesh);
+    find_held<3>(parameters, mesh, turns);
   }
 
   template <class Mesh>
@@ -113,7 +118,7 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns, class Mesh>
-  void Supports::find_held(const BladeParameters::Supports &parameters, const Mesh &mesh)
+  void Supports::find_held(const BladeParameters::Supports &parameters, const Mesh &mesh, const bool turns)
   {
     constexpr std::array<bool, 6> all{{true, true, true, true, true, true}};
     HeldSet<n_unknowns>           held;
@@ -123,7 +128,7 @@ namespace birdstrike
     for (const auto &[key, components] : parse_pairs(parameters.held, "Blade/Supports/Held"))
       {
         const auto ids = require_ids(key, mesh, "Held");
-        held.add(mesh.nodes_on(ids), read_components<n_unknowns>(components, "Supports/Held"));
+        held.add(mesh.nodes_on(ids), read_components<n_unknowns>(components, "Supports/Held", turns));
       }
     for (const auto &[key, components] : parse_pairs(parameters.held_boxes, "Blade/Supports/Held boxes"))
       {
@@ -131,7 +136,7 @@ namespace birdstrike
         if (nodes.empty() && mesh.space.is_whole())
           throw InputError("Blade/Supports/Held boxes: no node lies in the box '" + key + "'.\n" +
                            "Order: xmin ymin zmin xmax ymax zmax, in metres.");
-        held.add(nodes, read_components<n_unknowns>(components, "Supports/Held boxes"));
+        held.add(nodes, read_components<n_unknowns>(components, "Supports/Held boxes", turns));
       }
     for (const auto &[key, text] : parse_pairs(parameters.driven, "Blade/Supports/Driven"))
       {

@@ -17,8 +17,9 @@ namespace birdstrike
   /// solid, a formula that cannot be read, is not 0 at t = 0, or drives across a plane of symmetry.
   struct Supports
   {
-    Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh);
-    Supports(const BladeParameters::Supports &parameters, const VolumeMesh &mesh);
+    /// `turns`: with the hub, and what is held follows it; then only whole nodes can be.
+    Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh, bool turns = false);
+    Supports(const BladeParameters::Supports &parameters, const VolumeMesh &mesh, bool turns = false);
 
     struct Driven
     {
@@ -42,6 +43,6 @@ namespace birdstrike
     template <class Mesh>
     void find_roles(const BladeParameters::Supports &parameters, const Mesh &mesh);
     template <unsigned int n_unknowns, class Mesh>
-    void find_held(const BladeParameters::Supports &parameters, const Mesh &mesh);
+    void find_held(const BladeParameters::Supports &parameters, const Mesh &mesh, bool turns);
   };
 } // namespace birdstrike

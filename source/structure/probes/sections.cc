@@ -54,7 +54,7 @@ namespace birdstrike
   }
 
   RootSectionReport RootSection::compute_report(const double *force, const double *position,
-                                                const ShellElements &elements) const
+                                                const ShellElements &elements, const Turned &turned) const
   {
     RootSectionReport report = compute_section_forces(root, force, position, 6);
     for (auto *list : {&report.chord_position, &report.stress_struck, &report.stress_rear})
@@ -62,7 +62,7 @@ namespace birdstrike
     for (const auto &element : elements_at_root)
       {
         // The element turns with the blade: its span direction is the reference one without the part out of its plane.
-        const auto stress = elements.outer_stresses_along(element.index, element.span);
+        const auto stress = elements.outer_stresses_along(element.index, turned(element.span));
         report.chord_position.push_back(element.chord_position);
         report.stress_struck.push_back(stress[root.is_turned ? 1 : 0]);
         report.stress_rear.push_back(stress[root.is_turned ? 0 : 1]);

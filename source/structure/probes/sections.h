@@ -4,6 +4,7 @@
 #include <birdstrike/core/function_ref.h>
 #include <birdstrike/mesh/roles.h>
 #include <birdstrike/structure/reports.h>
+#include <birdstrike/structure/rotor.h>
 
 #include <cstdint>
 #include <optional>
@@ -30,7 +31,9 @@ namespace birdstrike
 
     /// From the nodal forces [n_nodes][6] that elements exert (N, N m) at positions [n_nodes][3], and the layer
     /// stresses.
-    RootSectionReport compute_report(const double *force, const double *position, const ShellElements &elements) const;
+    /// On a blade that turns, forces and positions are those in the turning frame; stresses are turned back.
+    RootSectionReport compute_report(const double *force, const double *position, const ShellElements &elements,
+                                     const Turned &turned = {}) const;
     std::size_t       count_failed(const ShellElements &elements) const; ///< of the elements at the edge
 
   private:

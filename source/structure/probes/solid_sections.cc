@@ -78,7 +78,8 @@ namespace birdstrike
     return made;
   }
 
-  double SolidRootSection::stress(const Facet &facet, const double *position, const SolidElements &elements) const
+  double SolidRootSection::stress(const Facet &facet, const double *position, const SolidElements &elements,
+                                  const Turned &turned) const
   {
     if (elements.is_failed(facet.cell))
       return 0.;
@@ -94,11 +95,11 @@ namespace birdstrike
     limit(flow, mean);
     const auto   x       = [&](const unsigned int k) { return Point3(position + 3 * facet.nodes[k]); };
     const Point3 outward = (x(2) - x(0)).cross(x(3) - x(1)).normalized();
-    return stress_along(root.span, outward, mean);
+    return stress_along(turned(root.span), turned(outward), mean);
   }
 
   RootSectionReport SolidRootSection::compute_report(const double *force, const double *position,
-                                                     const SolidElements &elements) const
+                                                     const SolidElements &elements, const Turned &turned) const
   {
     RootSectionReport report = compute_section_forces(root, force, position, 3);
     for (auto *list : {&report.chord_position, &report.stress_struck, &report.stress_rear})
@@ -106,8 +107,8 @@ namespace birdstrike
     for (std::size_t k = 0; k < facets[0].size(); ++k)
       {
         report.chord_position.push_back(facets[0][k].chord_position);
-        report.stress_struck.push_back(stress(facets[0][k], position, elements));
-        report.stress_rear.push_back(stress(facets[1][k], position, elements));
+        report.stress_struck.push_back(stress(facets[0][k], position, elements, turned));
+        report.stress_rear.push_back(stress(facets[1][k], position, elements, turned));
       }
     return report;
   }

@@ -3,6 +3,7 @@
 #include "structure/elements/solid/elements.h"
 #include "structure/probes/sections.h"
 #include <birdstrike/mesh/cell_mesh.h>
+#include <birdstrike/structure/rotor.h>
 
 #include <vector>
 
@@ -20,7 +21,9 @@ namespace birdstrike
 
     /// From the nodal forces [n_nodes][3] that elements exert (N) at positions [n_nodes][3] (m), and the stresses of
     /// the corners. Each facet of the struck side is paired with the nearest of the rear.
-    RootSectionReport compute_report(const double *force, const double *position, const SolidElements &elements) const;
+    /// On a blade that turns, forces and positions are those in the turning frame; stresses are turned back.
+    RootSectionReport compute_report(const double *force, const double *position, const SolidElements &elements,
+                                     const Turned &turned = {}) const;
 
     std::size_t count_failed(const SolidElements &elements) const; ///< of the elements whose stress it reports
 
@@ -33,7 +36,8 @@ namespace birdstrike
       double                       chord_position; ///< m from the middle of the section
     };
     std::vector<Facet> make_facets(const VolumeMesh &mesh, const std::vector<std::size_t> &faces) const;
-    double             stress(const Facet &facet, const double *position, const SolidElements &elements) const;
+    double             stress(const Facet &facet, const double *position, const SolidElements &elements,
+                              const Turned &turned) const;
 
     BladeEnd                          root;
     std::array<std::vector<Facet>, 2> facets; ///< struck and rear, as many, by chord position

@@ -44,7 +44,8 @@ namespace birdstrike
         : mesh(mesh)
         , mass(mass_of(mesh))
         , elements(make_elements(mesh, formulation, pool, yield))
-        , motion(mesh, masses(mass), Supports(p.supports, mesh), Loads(p.loads, mesh, mesh.surface().cells), pool)
+        , motion(mesh, masses(mass), Supports(p.supports, mesh), Loads(p.loads, mesh, mesh.surface().cells), Rotor(),
+                 pool)
       {
         elements.set_owned(mesh.space.n_owned(), mesh.owned_cells());
         elements.use_nodal_masses(mass.node);

@@ -47,6 +47,11 @@ namespace birdstrike
     double elastic_energy() const; ///< J
     double hourglass_energy() const;
 
+    Point3 director(const std::size_t node) const ///< unit, the averaged normal there
+    {
+      return Point3(nodes.records[node].normal);
+    }
+
     ShellState state(std::size_t element) const;
     /// sxx, syy, sxy (Pa) in the element frame; the mean of the points in the plane.
     std::array<double, 3> layer_stress(std::size_t element, ShellLayer layer) const;

@@ -33,6 +33,10 @@ namespace birdstrike
     void update_chunk(std::size_t chunk, double dt);
     void update_bounds_at_rest();
     void archive(Archive &archive); ///< stresses
+    auto changing()                 ///< see Elements::save
+    {
+      return std::tuple_cat(ElementGroup::changing(), std::tie(points, stress, sections, has_new_failed));
+    }
 
     bool                   has_points(std::size_t batch) const;                 ///< any of its sections
     Lanes                  contraction(std::size_t batch, std::size_t k) const; ///< of a section: SectionLaw

@@ -44,6 +44,10 @@ namespace birdstrike
     void update_chunk(std::size_t chunk, double dt);
     void update_bounds_at_rest();
     void archive(Archive &archive); ///< stresses, and what failure needs of them
+    auto changing()                 ///< see Elements::save
+    {
+      return std::tuple_cat(ElementGroup::changing(), std::tie(points, layers, stabilisation));
+    }
 
     bool                has_points(std::size_t batch) const;
     double              largest_plastic_strain(std::size_t element) const;

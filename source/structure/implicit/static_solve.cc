@@ -1,0 +1,154 @@
+#include "structure/implicit/static_solve.h"
+#include "structure/implicit/direct_solver.h"
+#include <birdstrike/core/numerical_failure.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr double       tolerance       = 1e-10; // of the forces, to the norm of loads and spin
+    constexpr double       round_off       = 1e-7; // likewise: below it a norm that no longer falls is one of round-off
+    constexpr unsigned int most_iterations = 30;
+    constexpr unsigned int patience        = 8;          // iterations within which the norm must halve
+    constexpr std::size_t  easy            = 5;          // residuals of a load step after which the next is longer
+    constexpr double       shortest_step   = 1. / 1024.; // of the load factor
+
+    double norm_of(const std::vector<double> &v)
+    {
+      double sum = 0.;
+      for (const double x : v)
+        sum += x * x;
+      return std::sqrt(sum);
+    }
+
+    /// One load step: from the accepted state to `step`.
+    class Newton
+    {
+    public:
+      Newton(Equilibrium &equilibrium, const double scale) : equilibrium(equilibrium), scale(scale)
+      {
+      }
+
+      /// False where it does not converge. `step` is the guess, and the result.
+      bool solve(std::vector<double> &step)
+      {
+        residuals.clear();
+        try
+          {
+            equilibrium.compute_forces(step, forces);
+          }
+        catch (const NumericalFailure &)
+          {
+            return false;
+          }
+        for (unsigned int k = 0; k <= most_iterations; ++k)
+          {
+            const double norm = norm_of(forces) / scale;
+            residuals.push_back(norm);
+            if (!(norm < 1e10))
+              return false;
+            if (norm < tolerance || (norm < round_off && k > 0 && norm > 0.5 * residuals[k - 1]))
+              return true;
+            if (k == most_iterations || (k >= patience && norm > 0.5 * residuals[k - patience]) || !improve(step))
+              return norm < round_off;
+          }
+        return false;
+      }
+
+      std::vector<double> residuals;
+
+    private:
+      /// A step of Newton's, as long as it makes the forces smaller.
+      bool improve(std::vector<double> &step)
+      {
+        try
+          {
+            DirectSolver(equilibrium.compute_tangent(step)).solve(forces, correction);
+          }
+        catch (const NumericalFailure &)
+          {
+            return false; // singular, or an element on the point of turning inside out
+          }
+        const double before = norm_of(forces);
+        for (double length = 1.; length > 0.05; length *= 0.5)
+          {
+            tried.resize(step.size());
+            for (std::size_t i = 0; i < step.size(); ++i)
+              tried[i] = step[i] + length * correction[i];
+            try
+              {
+                equilibrium.compute_forces(tried, forces_there);
+              }
+            catch (const NumericalFailure &)
+              {
+                continue;
+              }
+            // steps of bending make membrane forces that the next ones take away: the norm may grow for a while
+            if (norm_of(forces_there) < (residuals.size() < 3 ? 1e4 : residuals.size() < 8 ? 30. : 1.) * before)
+              {
+                step.swap(tried);
+                forces.swap(forces_there);
+                return true;
+              }
+          }
+        return false;
+      }
+
+      Equilibrium        &equilibrium;
+      double              scale;
+      std::vector<double> forces, forces_there, correction, tried;
+    };
+  } // namespace
+
+  StaticReport solve_static(Equilibrium &equilibrium, const unsigned int n_load_steps)
+  {
+    StaticReport report;
+    const double scale = equilibrium.load_norm();
+    if (scale == 0.)
+      return report;
+    Newton              newton(equilibrium, scale);
+    double              factor = 0., length = 1. / n_load_steps;
+    std::vector<double> step(equilibrium.unknowns().size(), 0.);
+    double              last_length = 0.;
+    while (factor < 1.)
+      {
+        const double to = factor + length > 1. - 1e-9 ? 1. : factor + length;
+        for (double &x : step)
+          x *= last_length > 0. ? (to - factor) / last_length : 0.;
+        equilibrium.set_load_factor(to);
+        const bool was_guessed = last_length > 0.;
+        bool       is_solved   = newton.solve(step);
+        if (!is_solved && was_guessed)
+          {
+            std::fill(step.begin(), step.end(), 0.);
+            is_solved = newton.solve(step);
+          }
+        if (!is_solved)
+          {
+            length *= 0.5;
+            last_length = 0.;
+            if (length < shortest_step)
+              throw NumericalFailure(fmt::format(
+                "Static solve: no equilibrium beyond {:.4g} of loads and spin (forces left over: {:.2g} of "
+                "theirs).\nThe "
+                "blade buckles, flows without bound or is not held. Look at 'birdstrike static' with smaller loads.",
+                factor, newton.residuals.back()));
+            continue;
+          }
+        equilibrium.accept(step);
+        report.n_iterations += newton.residuals.size() - 1;
+        report.residuals = newton.residuals;
+        ++report.n_load_steps;
+        last_length = to - factor;
+        factor      = to;
+        if (newton.residuals.size() <= easy)
+          length *= 2.;
+      }
+    report.n_unknowns = equilibrium.unknowns().size();
+    return report;
+  }
+} // namespace birdstrike

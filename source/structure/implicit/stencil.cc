@@ -1,0 +1,94 @@
+#include "structure/implicit/stencil.h"
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    void append_sorted(std::vector<std::uint32_t> &list, NodeLists &lists)
+    {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+      lists.nodes.insert(lists.nodes.end(), list.begin(), list.end());
+      lists.begin.push_back(lists.nodes.size());
+      list.clear();
+    }
+  } // namespace
+
+  NodeLists find_neighbours(const std::span<const std::uint32_t> cells, const std::size_t n_corners,
+                            const std::size_t n_nodes)
+  {
+    std::vector<std::vector<std::uint32_t>> of_node(n_nodes);
+    for (std::size_t c = 0; c < cells.size(); c += n_corners)
+      for (std::size_t i = 0; i < n_corners; ++i)
+        of_node[cells[c + i]].insert(of_node[cells[c + i]].end(), cells.begin() + c, cells.begin() + c + n_corners);
+    NodeLists lists{{0}, {}};
+    for (auto &list : of_node)
+      append_sorted(list, lists);
+    return lists;
+  }
+
+  NodeLists widen(const NodeLists &neighbours)
+  {
+    NodeLists                  lists{{0}, {}};
+    std::vector<std::uint32_t> list;
+    for (std::size_t n = 0; n + 1 < neighbours.begin.size(); ++n)
+      {
+        for (const std::uint32_t neighbour : neighbours.of(n))
+          list.insert(list.end(), neighbours.of(neighbour).begin(), neighbours.of(neighbour).end());
+        append_sorted(list, lists);
+      }
+    return lists;
+  }
+
+  std::vector<std::uint32_t> find_colours(const NodeLists &reach)
+  {
+    constexpr std::uint32_t    none = -1;
+    const std::size_t          n    = reach.begin.size() - 1;
+    std::vector<std::uint32_t> colour(n, none), taken_by;
+    for (std::uint32_t node = 0; node < n; ++node)
+      {
+        for (const std::uint32_t reached : reach.of(node))
+          for (const std::uint32_t other : reach.of(reached))
+            if (colour[other] != none)
+              taken_by[colour[other]] = node;
+        std::uint32_t free = 0;
+        while (free < taken_by.size() && taken_by[free] == node)
+          ++free;
+        if (free == taken_by.size())
+          taken_by.push_back(none);
+        colour[node] = free;
+      }
+    return colour;
+  }
+
+  double &SparseRows::at(const std::size_t row, const std::uint32_t column_number)
+  {
+    const auto found = std::lower_bound(column.begin() + begin[row], column.begin() + begin[row + 1], column_number);
+    return value[found - column.begin()];
+  }
+
+  SparseRows make_pattern(const FreeUnknowns &unknowns, const NodeLists &displacements, const NodeLists &rotations)
+  {
+    SparseRows                 rows{{0}, {}, {}};
+    std::vector<std::uint32_t> columns;
+    for (std::uint32_t node = 0; node < unknowns.n_nodes(); ++node)
+      {
+        columns.clear();
+        for (const bool is_rotation : {false, true})
+          for (const std::uint32_t other : (is_rotation ? rotations : displacements).of(node))
+            for (auto [k, end] = unknowns.of(other, is_rotation); k < end; ++k)
+              columns.push_back(k);
+        std::sort(columns.begin(), columns.end());
+        const std::size_t n_rows = unknowns.of(node, true).second - unknowns.of(node, false).first;
+        for (std::size_t row = 0; row < n_rows; ++row)
+          {
+            rows.column.insert(rows.column.end(), columns.begin(), columns.end());
+            rows.begin.push_back(rows.column.size());
+          }
+      }
+    rows.value.assign(rows.column.size(), 0.);
+    return rows;
+  }
+} // namespace birdstrike
