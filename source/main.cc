@@ -36,6 +36,7 @@ namespace
   using birdstrike::ConvergeRequest;
   using birdstrike::ExitCode;
   using birdstrike::MeasurementRequest;
+  using birdstrike::ModesRequest;
   using birdstrike::ResumeRequest;
   using birdstrike::StudyRequest;
 
@@ -48,6 +49,7 @@ namespace
     StudyRequest       of_study;
     ConvergeRequest    of_ladder;
     MeasurementRequest of_measurement;
+    ModesRequest       of_modes;
     bool               as_json = false;
     std::string        target_error; ///< of run
   };
@@ -103,6 +105,21 @@ namespace
     ladder->callback([&] { action = [&] { birdstrike::converge(request); }; });
   }
 
+  void declare_modes(CLI::App &app, ModesRequest &request, std::function<void()> &action)
+  {
+    CLI::App *modes = app.add_subcommand("modes", "Natural frequencies and shapes of the blade, at rest or turning");
+    modes->add_option("FILE", request.of_case.prm_file, "Parameter file")->required();
+    modes->add_option("--number", request.n_modes, "How many, from the lowest on")
+      ->check(CLI::Range(std::size_t(1), std::size_t(1000)))
+      ->capture_default_str();
+    modes->add_option("--speeds", request.speeds,
+                      "Speeds of the hub, as study takes values: \"0:900:4\" (rad/s), \"0, 3000 rpm, 6000 rpm\"; with "
+                      "several a Campbell diagram");
+    declare_overrides(modes, request.of_case.overrides);
+    modes->add_option("--output", request.of_case.output, "Folder, instead of runs/modes/FILE");
+    modes->callback([&] { action = [&] { birdstrike::run_modes(request); }; });
+  }
+
   void declare_measurement(CLI::App *compare, MeasurementRequest &request)
   {
     auto *measured = compare
@@ -140,7 +157,8 @@ namespace
       CaseRequest &request = requests.of_case;
       command->add_option("FILE", request.prm_file, "Parameter file")->required();
       declare_overrides(command, request.overrides);
-      command->add_option("--output", request.output, "Run folder, instead of the one in the parameter file");
+      command->add_option("--output", request.output,
+                          "Folder of the results, instead of the one in the parameter file");
       command->callback([&, verb] { action = [&, verb] { verb(requests.of_case); }; });
     };
     case_command("run", "Run a case to its end", birdstrike::run_case);
@@ -152,6 +170,9 @@ namespace
       "(folder: runs/target/FILE)");
     case_command("explain", "Say what would be computed, before it is", birdstrike::explain_case);
     case_command("validate", "Read and check a case, compute nothing", birdstrike::validate_case);
+
+    case_command("static", "Static equilibrium of the blade under spin and steady loads", birdstrike::run_static);
+    declare_modes(app, requests.of_modes, action);
 
     CLI::App *resume = app.add_subcommand("resume", "Go on with a run from its newest checkpoint");
     resume->add_option("RUN", requests.of_resumption.run, "Run folder")->required();

@@ -37,6 +37,22 @@ namespace birdstrike
   /// Reads and checks the case, mesh and first touch included. Builds the parts, takes no step, writes nothing.
   void validate_case(const CaseRequest &request);
 
+  /// Static equilibrium of the blade under the spin of its hub and the loads of t = 0, without the bird: a table on the
+  /// screen, static.json and a field file in a folder (runs/static/FILE).
+  void run_static(const CaseRequest &request);
+
+  /// What the command line says about modes.
+  struct ModesRequest
+  {
+    CaseRequest of_case;
+    std::size_t n_modes = 10;
+    std::string speeds; ///< of the hub, values as a study takes them: "0:6000 rpm:5"; empty: that of the case
+  };
+
+  /// Natural frequencies and shapes about static equilibrium, at one speed or several: modes.csv, a field file with the
+  /// shapes for each speed, and of several speeds the Campbell diagram, in a folder (runs/modes/FILE).
+  void run_modes(const ModesRequest &request);
+
   /// Expected run time of a case on one core (s), as explain_case prints it.
   double forecast_run_time(const std::string &prm_file, const std::vector<std::string> &overrides);
 
