@@ -9,14 +9,15 @@ NEGATIVE, ENERGY, MOMENTUM, DEEP = 1e-4, 1e-2, 1e-9, 0.5
 # Pairs of the standard formulation, and of riemann's without its correction of gradients, push along the line between them: round-off,
 # of float pairs 6e-8 of the sum of m |x| |v|, of which the program's scale is a hundredth where the bird aims at the origin. Corrected
 # gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the offset of a touch a part of its couple is
-# lost (couple.h); forces in a warped element of Belytschko and Tsay leave one.
-ANGULAR, ANGULAR_OF_FLOAT, ANGULAR_OF_METHOD, ANGULAR_OF_WARPED = 1e-9, 6e-6, 1e-2, 1e-1
+# lost (couple.h). Forces in a warped element of Belytschko and Tsay leave one, of a size that hangs on the warp alone (0.4 of what little
+# there is in a strike at the clamp): there the run has to say so.
+ANGULAR, ANGULAR_OF_FLOAT, ANGULAR_OF_METHOD, SILENT = 1e-9, 6e-6, 1e-2, 1e-4
 
 
-def angular_limit(scene):
+def angular_limit(scene, result):
     info, settings = scene.info, scene.settings
     if info["formulation"] == "Belytschko-Tsay":
-        return ANGULAR_OF_WARPED
+        return math.inf if "The balance of angular momentum was off" in result.text else SILENT
     is_corrected = settings["Bird/Formulation"] == "riemann" and settings.get("Bird/Gradient correction", "true") == "true"
     has_couples = info.get("element", math.inf) < info["spacing"] + info["thickness"]
     if is_corrected or has_couples:
@@ -85,7 +86,7 @@ def judge(scene, result):
         if result.least(name) < -NEGATIVE * scale:
             faults.append(f"{name} {result.least(name) / scale:.2g} E0")
     for name, limit in (("error", ENERGY), ("sum", ENERGY), ("momentum", MOMENTUM), ("depth", DEEP),
-                        ("angular", angular_limit(scene))):
+                        ("angular", angular_limit(scene, result))):
         if not figures[name] < limit:
             faults.append(f"{name} {figures[name]:.2g} above {limit:g}")
     origins = dict(result["energy/error_origins"])
