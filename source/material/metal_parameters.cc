@@ -124,9 +124,6 @@ namespace birdstrike
                            ".\nSet Hardening = curve, or leave it empty.");
         return;
       }
-    if (yield != "table")
-      throw InputError(where +
-                       "Yield stress: with Hardening = curve it is the first stress of the curve.\nLeave it out.");
     std::vector<std::array<double, 2>> points;
     for (const auto &[strain_text, stress_text] : parse_pairs(curve, here))
       points.push_back({parse_numbers(strain_text, 1, here)[0], parse_numbers(stress_text, 1, here)[0]});
@@ -135,6 +132,9 @@ namespace birdstrike
         here + ": " + std::to_string(points.size()) +
         " points were read.\nAllowed: 2 to 16 points 'plastic strain: stress', the first at strain 0 with "
         "a stress above 0: '0: 880e6; 0.1: 970e6'.");
+    if (yield != "table" && h.yield != points[0][1]) // the same: as written files have it
+      throw InputError(where +
+                       "Yield stress: with Hardening = curve it is the first stress of the curve.\nLeave it out.");
     h.yield            = points[0][1];
     h.curve.n_segments = points.size() - 1;
     for (std::size_t k = 0; k + 1 < points.size(); ++k)

@@ -93,6 +93,17 @@ namespace birdstrike
   {
   }
 
+  /// Of a blade that turns, the strike as the hub sees it: its rotation may be thirty times as much, and the bird's
+  /// energy in fixed axes next to nothing.
+  double Balance::scale_of(const SystemState &state) const
+  {
+    const double work = std::abs(external_work_of(state)), driven = state.blade.driven;
+    if (driven == 0.)
+      return std::abs(reference_energy) + work;
+    const double strike = std::max(std::abs(reference_energy - driven), state.seen_from_hub);
+    return std::max({scale, strike + work + std::abs(state.blade.kinetic - driven), least_of_rotation * driven});
+  }
+
   void Balance::update(const SystemState &state, const double time, const unsigned long step)
   {
     last           = state;
@@ -104,8 +115,7 @@ namespace birdstrike
         angular.reference = momentum_of(state, true);
         has_reference     = true;
       }
-    // against the strike, not the rotation of the blade, which may be thirty times as much
-    scale = std::abs(reference_energy - state.blade.driven) + std::abs(external_work_of(state));
+    scale = scale_of(state);
     error.update(scale > 0. ? (current_energy - reference_energy) / scale : 0.);
     most_dissipated = std::max(most_dissipated, state.contact.dissipated);
     fall            = std::max({fall, most_dissipated - state.contact.dissipated, state.contact_dissipation_fall});

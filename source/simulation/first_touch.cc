@@ -36,6 +36,9 @@ namespace birdstrike
     /// come: back by the way that the blade has still to go.
     void aim_in_fixed_axes(Bird &bird, const BirdParameters &parameters, const Point3 &frame)
     {
+      if (Point3(parameters.velocity.data()).norm() == 0.)
+        throw InputError("Bird/Velocity: a bird at rest has no path that could be aimed.\nGive it the speed of the "
+                         "aircraft, in m/s.");
       const PointsView points = bird.points();
       Point3           centre = Point3::Zero();
       for (std::size_t p = 0; p < points.n; ++p)

@@ -69,6 +69,9 @@ namespace birdstrike
         contact     = std::make_unique<Contact>(parameters.contact);
         first_touch = place_at_first_touch(*bird, *blade, parameters.bird);
         bird->set_closing_speed(first_touch.closing_speed);
+        if (blade->rotor() != nullptr)
+          seen_from_hub = bird->energies().kinetic * std::pow(first_touch.closing_speed, 2) /
+                          std::max(1e-300, Point3(parameters.bird.velocity.data()).squaredNorm());
         largest_bird_step = bird->shocked_step(first_touch.closing_speed);
         limit_multirate();
       }
@@ -170,6 +173,7 @@ namespace birdstrike
     if (blade)
       {
         state.blade          = blade->energies();
+        state.seen_from_hub  = seen_from_hub;
         state.blade_momentum = blade->momenta();
       }
     const ContactReport &of_contact = contact ? contact->report() : gone_contact;

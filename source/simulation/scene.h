@@ -90,6 +90,7 @@ namespace birdstrike
     const char           *advice_on_crushed_elements;
     EnergyReport          gone_energy;
     MomentumReport        gone_momentum;
+    double                seen_from_hub = 0.; // J, see SystemState
 
     void   limit_multirate();
     bool   is_contact_softened() const;

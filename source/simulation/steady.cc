@@ -95,6 +95,17 @@ namespace birdstrike
       return json.dump(2) + "\n";
     }
 
+    /// Of an earlier analysis in the same folder, which may have had more speeds.
+    void remove_shapes(const fs::path &folder)
+    {
+      for (const fs::path &where : {folder, folder / "fields"})
+        if (std::error_code none; fs::is_directory(where, none))
+          for (const auto &entry : fs::directory_iterator(where))
+            if (const std::string name = entry.path().filename().string();
+                name.starts_with("modes") && (name.ends_with(".pvd") || name.ends_with(".vtu")))
+              fs::remove(entry.path(), none);
+    }
+
     /// The deformed blade with the shapes as further fields.
     FieldSnapshot show_shapes(const Blade &blade, const VibrationModes &modes)
     {
@@ -127,6 +138,7 @@ namespace birdstrike
     const ReportKind kind{"modal analysis", {"modes", "campbell"}};
     const fs::path   output = folder_of(request.of_case, "modes");
     ReportFolder::require_usable(output, kind);
+    remove_shapes(output);
     std::vector<std::string> speeds{""};
     if (!request.speeds.empty())
       speeds = read_varied_entry("Blade/Spin/Speed=" + request.speeds).values;
@@ -138,6 +150,10 @@ namespace birdstrike
         if (!speed.empty())
           of_speed.overrides.push_back("Blade/Spin/Speed=" + speed);
         SteadyBlade steady(of_speed);
+        if (steady.parameters.blade.is_halved)
+          throw InputError(
+            "Case/Symmetry plane: half a blade has half of its modes, those that mirror into themselves.\n"
+            "Set it to none.");
         steady.blade->find_equilibrium();
         all.push_back({steady.parameters.blade.spin.speed, steady.blade->compute_modes(request.n_modes)});
         if (!folder)

@@ -1,26 +1,9 @@
 #include "structure/deformable_blade.h"
 #include "structure/rigid_plate.h"
-#include <birdstrike/core/errors.h>
 #include <birdstrike/structure/make_blade.h>
 
 namespace birdstrike
 {
-  namespace
-  {
-    const char *const has_no_elements =
-      "Blade/Kind: a rigid surface has neither static equilibrium nor modes.\nSet it to shell or solid.";
-  }
-
-  StaticReport Blade::find_equilibrium()
-  {
-    throw InputError(has_no_elements);
-  }
-
-  VibrationModes Blade::compute_modes(std::size_t)
-  {
-    throw InputError(has_no_elements);
-  }
-
   std::unique_ptr<Blade> make_blade(const BladeParameters &parameters, ThreadPool &pool)
   {
     parameters.check();

@@ -146,6 +146,18 @@ def judge_refusals():
                          ("Blade/Kind=rigid", "does not turn"), ("Output/Histories/Stations=0.5", "turn")):
         text = call("validate", BAR, sets=(entry,), code=2)
         assert words in text, (entry, text)
+    for speed in ("0, 0, 0", "0, 1, 0"):  # a slow bird: the scale of the balance is what the hub sees
+        call("run", BAR, "--output", "slow", "--force", sets=FAST + (f"Bird/Velocity={speed}",), code=2 if speed == "0, 0, 0" else 0)
+    call("run", BAR, "--output", "ringing", sets=FAST + ("Bird/Enabled=false", "Blade/Spin/Prestress=false"))
+    metal = ("Blade/Material/Hardening=curve", "Blade/Material/Hardening curve=0: 880e6; 0.02: 915e6; 0.1: 970e6")
+    call("run", BAR, "--output", "curve", sets=FAST + metal)
+    call("validate", "curve/parameters.prm")  # what is written reads back
+    # trial steps beyond what the metal bears are taken back
+    call("static", BAR, "--output", "brittle", sets=("Blade/Material/Failure=plastic strain", "Blade/Material/Failure strain=0.05",
+                                                     "Blade/Spin/Speed=1500", "Blade/Material/Hardening=linear",
+                                                     "Blade/Material/Hardening modulus=1.25e9"))
+    text = call("modes", BAR, "--output", "half", sets=("Blade/Spin/Speed=0", "Case/Symmetry plane=y"), code=2)
+    assert "half of its modes" in text or "symmetr" in text, text
     text = call("static", BAR, sets=("Blade/Spin/Speed=0",), code=2)
     assert "Nothing loads the blade" in text
     assert "none" in call("modes", BAR, sets=("Blade/Kind=none",), code=2)

@@ -28,7 +28,8 @@ namespace birdstrike
     /// An infinite limit switches all checks off: for those who only look.
     explicit Balance(double energy_error_limit);
 
-    static constexpr double negative_limit = 1e-3; ///< -, share of the energy scale
+    static constexpr double negative_limit    = 1e-3; ///< -, share of the energy scale
+    static constexpr double least_of_rotation = 1e-5; ///< -, share of a driven rotation that the scale is at least
 
     /// Books a state; the first one is the reference.
     /// @throws NumericalFailure if a limit is passed or the energy is not a number.
@@ -72,9 +73,11 @@ namespace birdstrike
     void update(Momentum &momentum, bool is_axial, double MomentumReport::*smallest_scale);
     void check(double time, unsigned long step) const;
 
-    double        limit;
-    bool          has_reference = false;
-    SystemState   last;
+    double      limit;
+    bool        has_reference = false;
+    SystemState last;
+    double      scale_of(const SystemState &state) const; ///< J
+
     double        reference_energy = 0., current_energy = 0., scale = 0.;
     double        most_dissipated = 0., fall = 0.; ///< J, by contact
     RelativeError error;

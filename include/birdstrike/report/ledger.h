@@ -15,6 +15,7 @@ namespace birdstrike
     EnergyReport   bird, blade, contact, self_contact;
     MomentumReport bird_momentum, blade_momentum;
     double         contact_dissipation_fall = 0.; ///< J, by which what dampers took has ever fallen
+    double         seen_from_hub            = 0.; ///< J, of the bird at the start, for somebody on a hub that turns
   };
 
   using PartOfSystem = EnergyReport SystemState::*;

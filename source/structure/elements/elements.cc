@@ -104,8 +104,8 @@ namespace birdstrike
   }
 
   template <class Group>
-  void Elements<Group>::compute_internal_forces(const double *position, const double *increment, const double dt,
-                                                double *force)
+  bool Elements<Group>::try_internal_forces(const double *position, const double *increment, const double dt,
+                                            double *force)
   {
     for (const auto &block : blocks.blocks)
       {
@@ -117,7 +117,17 @@ namespace birdstrike
         pool.parallel_for(block.chunk_end - block.chunk_begin, 1, std::cref(body));
         gather_forces(block, force);
       }
-    if (can_fail())
+    return std::none_of(groups.begin(), groups.end(), [](const Group &group) {
+      return group.erosion && std::any_of(group.erosion->batches.begin(), group.erosion->batches.end(),
+                                          [](const Erosion::OfBatch &batch) { return batch.dying != 0; });
+    });
+  }
+
+  template <class Group>
+  void Elements<Group>::compute_internal_forces(const double *position, const double *increment, const double dt,
+                                                double *force)
+  {
+    if (!try_internal_forces(position, increment, dt, force))
       erode(position);
   }
 

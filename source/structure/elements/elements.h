@@ -61,6 +61,8 @@ namespace birdstrike
     /// since the last call, which took dt (s); force, of the same shape, is overwritten with what the elements exert on
     /// the nodes, -f_int (N, N m).
     void compute_internal_forces(const double *position, const double *increment, double dt, double *force);
+    /// The same, to be taken back by restore(): elements that fail are not taken out. False if there are such.
+    bool try_internal_forces(const double *position, const double *increment, double dt, double *force);
 
     /// The largest dt for which central differences are stable: 2/omega_max by a bound on the largest eigenvalue of
     /// every element, for nodal masses and inertias that are not smaller than those of the functions below; of bricks

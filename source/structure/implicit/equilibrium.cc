@@ -10,7 +10,7 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr double long_time = 1e6; ///< s, a step takes: neither viscosity nor strain rates
+    constexpr double long_time = 1e300; ///< s, a step takes: neither viscosity nor strain rates
     /// Of an edge, and rad: of the differences that make the tangent. Strains are of increments, free of round-off; ten
     /// times smaller, and positions a metre away would be rounded to a ten-millionth of it. Larger, and it would more
     /// often lie across the onset of yield, where Newton's steps halve the error instead of squaring it.
@@ -94,8 +94,7 @@ namespace birdstrike
     const NodeArrays arrays = motion.arrays();
     difference              = find_differences({arrays.reference, arrays.reference + 3 * n_nodes}, neighbours);
     accepted.assign(arrays.displacement, arrays.displacement + n_unknowns * n_nodes);
-    saved    = elements.save();
-    n_failed = elements.n_failed();
+    saved = elements.save();
     find_unknowns();
   }
 
@@ -142,9 +141,8 @@ namespace birdstrike
     elements.restore(*saved);
     move(step);
     nodal.resize(is_held.size());
-    elements.compute_internal_forces(motion.arrays().position, increment.data(), long_time, nodal.data());
-    if (elements.n_failed() != n_failed)
-      throw NumericalFailure("Steady loads and spin: an element fails on the way to equilibrium.");
+    if (!elements.try_internal_forces(motion.arrays().position, increment.data(), long_time, nodal.data()))
+      throw NumericalFailure("Static solve: an element fails on the way to equilibrium.");
     add_loads(load_factor, nodal);
     free->restrict(nodal, forces);
   }

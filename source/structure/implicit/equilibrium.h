@@ -81,6 +81,5 @@ namespace birdstrike
     std::vector<double> nodal, increment;
 
     std::shared_ptr<const typename Elements::Saved> saved;
-    std::size_t                                     n_failed;
   };
 } // namespace birdstrike

@@ -212,6 +212,8 @@ namespace birdstrike
       }
     std::sort(result.modes.begin(), result.modes.end(),
               [](const auto &a, const auto &b) { return a.frequency < b.frequency; });
+    if (result.modes.size() > n) // where the cut falls into a pair of equal ones, both come
+      result.modes.resize(n);
     return result;
   }
 } // namespace birdstrike

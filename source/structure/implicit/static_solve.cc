@@ -37,12 +37,14 @@ namespace birdstrike
       bool solve(std::vector<double> &step)
       {
         residuals.clear();
+        why.clear();
         try
           {
             equilibrium.compute_forces(step, forces);
           }
-        catch (const NumericalFailure &)
+        catch (const NumericalFailure &failure)
           {
+            why = failure.what();
             return false;
           }
         for (unsigned int k = 0; k <= most_iterations; ++k)
@@ -60,6 +62,7 @@ namespace birdstrike
       }
 
       std::vector<double> residuals;
+      std::string         why; ///< what has gone wrong last, empty where forces were only left over
 
     private:
       /// A step of Newton's, as long as it makes the forces smaller.
@@ -69,8 +72,9 @@ namespace birdstrike
           {
             DirectSolver(equilibrium.compute_tangent(step)).solve(forces, correction);
           }
-        catch (const NumericalFailure &)
+        catch (const NumericalFailure &failure)
           {
+            why = failure.what();
             return false; // singular, or an element on the point of turning inside out
           }
         const double before = norm_of(forces);
@@ -83,8 +87,9 @@ namespace birdstrike
               {
                 equilibrium.compute_forces(tried, forces_there);
               }
-            catch (const NumericalFailure &)
+            catch (const NumericalFailure &failure)
               {
+                why = failure.what();
                 continue;
               }
             // steps of bending make membrane forces that the next ones take away: the norm may grow for a while
@@ -132,11 +137,14 @@ namespace birdstrike
             length *= 0.5;
             last_length = 0.;
             if (length < shortest_step)
-              throw NumericalFailure(fmt::format(
-                "Static solve: no equilibrium beyond {:.4g} of loads and spin (forces left over: {:.2g} of "
-                "theirs).\nThe "
-                "blade buckles, flows without bound or is not held. Look at 'birdstrike static' with smaller loads.",
-                factor, newton.residuals.back()));
+              throw NumericalFailure(
+                fmt::format("Static solve: no equilibrium beyond {:.4g} of loads and spin{}.\nThe blade buckles, flows "
+                            "without bound, fails or is not held. Look at 'birdstrike static' with smaller loads.{}",
+                            factor,
+                            newton.residuals.empty()
+                              ? ""
+                              : fmt::format(" (forces left over: {:.2g} of theirs)", newton.residuals.back()),
+                            newton.why.empty() ? "" : "\nThe last attempt ended with: " + newton.why));
             continue;
           }
         equilibrium.accept(step);

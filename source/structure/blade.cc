@@ -1,0 +1,22 @@
+#include <birdstrike/core/errors.h>
+#include <birdstrike/structure/blade.h>
+
+// By itself: what reads requests needs no blade of any kind (tests/fuzz).
+namespace birdstrike
+{
+  namespace
+  {
+    const char *const has_no_elements =
+      "Blade/Kind: a rigid surface has neither static equilibrium nor modes.\nSet it to shell or solid.";
+  }
+
+  StaticReport Blade::find_equilibrium()
+  {
+    throw InputError(has_no_elements);
+  }
+
+  VibrationModes Blade::compute_modes(std::size_t)
+  {
+    throw InputError(has_no_elements);
+  }
+} // namespace birdstrike
