@@ -10,14 +10,14 @@ NEGATIVE, ENERGY, MOMENTUM, DEEP = 1e-4, 1e-2, 1e-9, 0.5
 # of float pairs 6e-8 of the sum of m |x| |v|, of which the program's scale is a hundredth where the bird aims at the origin. Corrected
 # gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the offset of a touch a part of its couple is
 # lost (couple.h). Forces in a warped element of Belytschko and Tsay leave one, of a size that hangs on the warp alone (0.4 of what little
-# there is in a strike at the clamp): there the run has to say so.
-ANGULAR, ANGULAR_OF_FLOAT, ANGULAR_OF_METHOD, SILENT = 1e-9, 6e-6, 1e-2, 1e-4
+# there is in a strike at the clamp): the run has to say so besides.
+ANGULAR, ANGULAR_OF_FLOAT, ANGULAR_OF_METHOD, ANGULAR_OF_WARPED, SILENT = 1e-9, 6e-6, 1e-2, 1e-1, 1e-4
 
 
 def angular_limit(scene, result):
     info, settings = scene.info, scene.settings
     if info["formulation"] == "Belytschko-Tsay":
-        return math.inf if "The balance of angular momentum was off" in result.text else SILENT
+        return ANGULAR_OF_WARPED if "The balance of angular momentum was off" in result.text else SILENT
     is_corrected = settings["Bird/Formulation"] == "riemann" and settings.get("Bird/Gradient correction", "true") == "true"
     has_couples = info.get("element", math.inf) < info["spacing"] + info["thickness"]
     if is_corrected or has_couples:
