@@ -14,10 +14,10 @@ namespace birdstrike
   /// comes from can be told: each part's stored and dissipated energies against the work of its forces, contact's
   /// against the works of its impulses; the rest is of the steps in time.
   ///
-  /// Errors are relative to the scale of the run: initial energy (of a blade that turns, without its rotation) plus
-  /// |external work|; largest of the initial momentum, the impulse through contact, the supports' and the loads' (all
-  /// as norms), or a hundredth of the sum of m |v| if that is more: a free vibration has none. Of angular momentum the
-  /// same with moments and the sum of m |x| |v|.
+  /// Errors are relative to the scale of the run: initial energy plus |external work|, of a blade that turns the
+  /// strike as the hub sees it; largest of the initial momentum, the impulse through contact, the supports' and the
+  /// loads' (all as norms), or a hundredth of the sum of m |v| if that is more: a free vibration has none. Of angular
+  /// momentum the same with moments and the sum of m |x| |v|.
   ///
   /// A run ends where the energy error passes its limit, where a kind that cannot be negative is below -1e-3 of the
   /// scale (they are sums of squares and of dissipation rates: 1e-6 of round-off in pairs of floats, up to 1e-4 of
@@ -72,11 +72,12 @@ namespace birdstrike
 
     void update(Momentum &momentum, bool is_axial, double MomentumReport::*smallest_scale);
     void check(double time, unsigned long step) const;
+    /// J.
+    double scale_of(const SystemState &state) const;
 
     double      limit;
     bool        has_reference = false;
     SystemState last;
-    double      scale_of(const SystemState &state) const; ///< J
 
     double        reference_energy = 0., current_energy = 0., scale = 0.;
     double        most_dissipated = 0., fall = 0.; ///< J, by contact

@@ -11,9 +11,9 @@ namespace birdstrike
   namespace
   {
     constexpr double long_time = 1e300; ///< s, a step takes: neither viscosity nor strain rates
-    /// Of an edge, and rad: of the differences that make the tangent. Strains are of increments, free of round-off; ten
-    /// times smaller, and positions a metre away would be rounded to a ten-millionth of it. Larger, and it would more
-    /// often lie across the onset of yield, where Newton's steps halve the error instead of squaring it.
+    /// Of an edge, and rad: of the differences that make the tangent. Strains are of increments, free of round-off;
+    /// what positions a metre away are rounded to is a millionth of it. Larger, and it would more often lie across the
+    /// onset of yield, where Newton's steps halve the error instead of squaring it.
     constexpr double variation = 1e-7;
 
     std::vector<double> find_differences(const std::vector<double> &reference, const NodeLists &neighbours)
@@ -96,6 +96,13 @@ namespace birdstrike
     accepted.assign(arrays.displacement, arrays.displacement + n_unknowns * n_nodes);
     saved = elements.save();
     find_unknowns();
+  }
+
+  template <unsigned int n_unknowns>
+  BladeEquilibrium<n_unknowns>::~BladeEquilibrium()
+  {
+    elements.restore(*saved);
+    move(std::vector<double>(free->size(), 0.));
   }
 
   template <unsigned int n_unknowns>

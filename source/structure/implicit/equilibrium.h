@@ -5,7 +5,6 @@
 #include <birdstrike/structure/rotor.h>
 
 #include <memory>
-#include <optional>
 
 namespace birdstrike
 {
@@ -62,6 +61,7 @@ namespace birdstrike
     /// `held` are the unknowns that do not move in the turning frame, driven ones among them.
     BladeEquilibrium(const typename Motion::Mesh &mesh, Motion &motion, Elements &elements,
                      std::span<const std::uint32_t> held, const Rotor &rotor);
+    ~BladeEquilibrium() override; ///< leaves motion and elements in the accepted state, whatever was tried
 
     void                compute_forces(std::span<const double> step, std::vector<double> &forces) override;
     void                accept(std::span<const double> step) override;
