@@ -10,14 +10,6 @@ namespace birdstrike
     /// Particles per thread range: whole registers and whole cache lines of every column.
     constexpr std::size_t grain = 64;
 
-    /// Energy that the prediction of an evaluation may make, over that with which the bird closes in. The first ten
-    /// steps of a shock make two (2.5 mm particles) to forty times as much (8 mm) each, steady flow a hundredth.
-    constexpr double largest_prediction_error = 1e-4;
-
-    /// How far the second prediction goes from the old rates to those of the first evaluation. What damps answers a
-    /// change of the prediction by -g times it, 0 < g < 1 up to the largest Courant number; 1/(1 + g) is right.
-    constexpr double relaxation = 2. / 3.;
-
     double speed_of(const BirdParameters &parameters)
     {
       return std::hypot(parameters.velocity[0], parameters.velocity[1], parameters.velocity[2]);
@@ -84,9 +76,12 @@ namespace birdstrike
   void Bird::set_closing_speed(const double speed)
   {
     hugoniot_slope = eos.hugoniot_slope(speed);
-    shock_pressure = speed / eos.reference_sound_speed();
+    struck_sound   = eos.struck_sound_speed(speed);
+    shock_pressure = speed / struck_sound;
     shock_pressure *= 1. + hugoniot_slope * shock_pressure;
     step_of_strike = shocked_step(speed);
+    is_soft        = struck_sound > eos.reference_sound_speed();
+    rates->set_slowest_sound(is_soft ? struck_sound : 0.);
     closing_energy = 0.5 * packed.particle_mass * packed.points.size() * speed * speed;
   }
 
@@ -146,53 +141,6 @@ namespace birdstrike
       return;
     list.update(particles, pool);
     ++revision;
-  }
-
-  void Bird::compute_rates()
-  {
-    std::swap(particles.force, particles.predicting_force);
-    std::swap(particles.compression_rate, particles.predicting_compression_rate);
-    rates->update(particles, half_step, list, pool);
-    if (!is_badly_predicted())
-      return;
-    relax_prediction();
-    rates->update(particles, half_step, list, pool);
-    ++n_second;
-  }
-
-  bool Bird::is_badly_predicted() const
-  {
-    const double *const error = particles.prediction_error.data();
-    const double        total = pool.ordered_sum(
-             particles.size(),
-             [&](const std::size_t begin, const std::size_t end) {
-        Lanes  whole = 0.;
-        double rest  = 0.;
-        sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
-          if constexpr (std::is_same_v<Number, Lanes>)
-            whole += load<Lanes>(error + p);
-          else
-            rest += error[p];
-        });
-        return rest + stdx::reduce(whole);
-      },
-             8192);
-    return closing_energy > 0. && total > largest_prediction_error * closing_energy;
-  }
-
-  void Bird::relax_prediction()
-  {
-    pool.parallel_for(particles.size(), grain, [&](const std::size_t begin, const std::size_t end) {
-      sweep(begin, end, [&]<class Number>(const Number &, const std::size_t p) {
-        const auto relax = [p](Particles::Column &predicting, const Particles::Column &found) {
-          const Number before = load<Number>(&predicting[p]);
-          store(before + relaxation * (load<Number>(&found[p]) - before), &predicting[p]);
-        };
-        for (int d = 0; d < 3; ++d)
-          relax(particles.predicting_force[d], particles.force[d]);
-        relax(particles.predicting_compression_rate, particles.compression_rate);
-      });
-    });
   }
 
   void Bird::kick(const double dt, const HalfKick half, const double contact_dt)

@@ -83,7 +83,7 @@ namespace birdstrike
     view.n_ids                  = particles.n_ids;
     view.spacing                = packed.spacing;
     view.undeformed_density     = parameters.density;
-    view.undeformed_sound_speed = eos.reference_sound_speed();
+    view.undeformed_sound_speed = struck_sound;
     view.hugoniot_slope         = hugoniot_slope;
     view.shock_pressure         = shock_pressure;
     view.strike_step            = strike_step();
@@ -106,6 +106,8 @@ namespace birdstrike
     limit.value         = parameters.courant_number * parameters.smoothing_ratio * packed.spacing / fastest;
     limit.reason        = "bird particle, sound and approach speed";
     limit.where         = {"particle", particles.id[p], {{particles.x[0][p], particles.x[1][p], particles.x[2][p]}}};
+    if (is_soft && step_of_strike < limit.value)
+      limit = {step_of_strike, "bird, sound speed of its pores closed", {}};
     return limit;
   }
 

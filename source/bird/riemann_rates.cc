@@ -46,7 +46,7 @@ namespace birdstrike
                                        Bounds<N> &bound)
   {
     const N m  = prediction.mu;
-    const N p0 = eos.pressure(m), c = sqrt(eos.sound_speed_squared(m, p0));
+    const N p0 = eos.pressure(m), c = max(sqrt(eos.sound_speed_squared(m, p0)), N(slowest_sound));
     const N rho      = eos.reference_density() * (1. + m);
     const N pressure = has_cutoff ? max(p0, N(0.)) : p0;
     // A cavity belongs to nobody: what contact meets is liquid at its reference density.
@@ -158,7 +158,8 @@ namespace birdstrike
           }
       }
     // at rest and at zero pressure: a billionth of the bulk modulus
-    const double c0 = eos.reference_sound_speed(), smallest_stress = 1e-9 * eos.reference_density() * c0 * c0;
+    const double c0              = std::max(eos.reference_sound_speed(), slowest_sound),
+                 smallest_stress = 1e-9 * eos.reference_density() * c0 * c0;
     const double speed =
       std::hypot(all.fastest[0] - all.slowest[0], all.fastest[1] - all.slowest[1], all.fastest[2] - all.slowest[2]);
     const double stress  = std::max(2. * all.pressure + all.impedance * speed, smallest_stress);

@@ -61,7 +61,7 @@ namespace birdstrike
   template <class Number>
   void StandardRates::update_records(Particles &particles, const Number &m, const std::size_t p)
   {
-    const Number p0 = eos.pressure(m), c = sqrt(eos.sound_speed_squared(m, p0));
+    const Number p0 = eos.pressure(m), c = max(sqrt(eos.sound_speed_squared(m, p0)), Number(slowest_sound));
     const Number rho      = eos.reference_density() * (1. + m);
     const Number pressure = has_cutoff ? max(p0, Number(0.)) : p0;
     // A cavity belongs to nobody: what contact meets is liquid at its reference density.

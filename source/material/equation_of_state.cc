@@ -1,3 +1,5 @@
+#include "material/porous_liquid.h"
+#include "material/tabulated_liquid.h"
 #include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/material/equation_of_state.h>
@@ -5,14 +7,40 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
 namespace birdstrike
 {
+  namespace
+  {
+    constexpr double air_over_pressure = 1. / (287.05 * 288.15); ///< kg/m^3/Pa, dry air at 15 degrees C
+
+    PressureTable make_porous(const EosParameters &parameters, const double reference_density)
+    {
+      const double z      = parameters.porosity;
+      const double liquid = (reference_density - z * parameters.ambient_pressure * air_over_pressure) / (1. - z);
+      if (parameters.liquid_density > 0. && std::abs(parameters.liquid_density / liquid - 1.) > 0.01)
+        throw InputError(
+          fmt::format("Section 'Equation of state', entry 'Liquid density': {:g} kg/m^3 with a porosity of {:g} makes "
+                      "a bird of {:.5g} kg/m^3, and Bird/Density is {:g}.\nSet Bird/Density = {:.5g}, or Liquid "
+                      "density = {:.5g}, or leave Liquid density out: it then follows from the other two.",
+                      parameters.liquid_density, z, reference_density + (1. - z) * (parameters.liquid_density - liquid),
+                      reference_density, reference_density + (1. - z) * (parameters.liquid_density - liquid), liquid));
+      const double exponent = 4. * parameters.shock_slope - 1.;
+      return PorousLiquid{z, liquid * parameters.sound_speed * parameters.sound_speed / exponent, exponent,
+                          parameters.ambient_pressure}
+        .tabulate();
+    }
+  } // namespace
+
   const NamedChoices<EosType> &eos_types()
   {
-    static const NamedChoices<EosType> choices{{"linear", EosType::linear},
-                                               {"murnaghan", EosType::murnaghan},
-                                               {"polynomial", EosType::polynomial},
-                                               {"us-up", EosType::us_up}};
+    static const NamedChoices<EosType> choices{{"linear", EosType::linear},         {"murnaghan", EosType::murnaghan},
+                                               {"polynomial", EosType::polynomial}, {"us-up", EosType::us_up},
+                                               {"porous", EosType::porous},         {"tabulated", EosType::tabulated}};
     return choices;
   }
 
@@ -23,7 +51,8 @@ namespace birdstrike
     prm.enter_subsection("Equation of state");
     declare_choice(prm, "Type", type, eos_types(),
                    "Law of the bird's pressure: linear p = K(1/V - 1), murnaghan p = B((rho/rho0)^gamma - 1), "
-                   "polynomial in mu = rho/rho0 - 1, or us-up (shock speed linear in particle speed). [-]");
+                   "polynomial in mu = rho/rho0 - 1, us-up (shock speed linear in particle speed), porous (Wilbeck's "
+                   "liquid with pores of air), or tabulated. [-]");
     prm.add_parameter("Bulk modulus", bulk_modulus, "Modulus K of the linear law. [Pa]", positive);
     prm.add_parameter("Murnaghan modulus", murnaghan_modulus, "Modulus B of the Murnaghan law. [Pa]", positive);
     prm.add_parameter("Murnaghan exponent", murnaghan_exponent, "Exponent gamma of the Murnaghan law. [-]",
@@ -31,17 +60,39 @@ namespace birdstrike
     prm.add_parameter("Polynomial C1", c1, "Coefficient of mu. [Pa]", positive);
     prm.add_parameter("Polynomial C2", c2, "Coefficient of mu squared. [Pa]", Patterns::Double(0.));
     prm.add_parameter("Polynomial C3", c3, "Coefficient of mu cubed. [Pa]", Patterns::Double(0.));
-    prm.add_parameter("Sound speed", sound_speed, "Speed c0 in Us = c0 + k u of the us-up law. [m/s]", positive);
-    prm.add_parameter("Shock slope", shock_slope, "Slope k in Us = c0 + k u of the us-up law. [-]",
+    prm.add_parameter("Sound speed", sound_speed,
+                      "Speed c0 in Us = c0 + k u of the us-up law, or of the liquid between the pores. [m/s]",
+                      positive);
+    prm.add_parameter("Shock slope", shock_slope,
+                      "Slope k in Us = c0 + k u of the us-up law, or of the liquid between the pores. [-]",
                       Patterns::Double(0.));
+    prm.add_parameter("Porosity", porosity,
+                      "Share z of the pores in the volume of an undeformed porous liquid: rho0/rho = (1 - z) (1 + "
+                      "p/A)^(-1/B) + z (1 + p/p0)^(-1/1.4), B = 4 k - 1, A = rho_l c0^2/B. [-]",
+                      Patterns::Double(0., 0.5));
+    prm.add_parameter("Liquid density", liquid_density,
+                      "Density rho_l of the liquid between the pores; 0: that which gives Bird/Density. Another one "
+                      "than that is refused. [kg/m^3]",
+                      Patterns::Double(0.));
+    prm.add_parameter("Ambient pressure", ambient_pressure, "Pressure p0 of the air in the pores at rest. [Pa]",
+                      Patterns::Double(1.));
+    prm.add_parameter(
+      "Pressure table", pressure_table,
+      "Points 'mu: pressure' of the tabulated law, mu = rho/rho0 - 1 (exp(-e) - 1 of a logarithmic "
+      "volume strain e), e.g. '0: 0; 0.05: 130 MPa; 0.1: 320 MPa', joined by monotone cubics. It must "
+      "reach the Hugoniot pressure of the strike; beyond its last point it goes on with its slope. [Pa]",
+      Patterns::Anything());
     prm.leave_subsection();
   }
 
   void EosParameters::check() const
   {
-    if (type == EosType::us_up && shock_slope < 0.5)
+    if (type != EosType::tabulated && !pressure_table.empty())
+      throw InputError("Section 'Equation of state', entry 'Pressure table' is given, and Type is " +
+                       eos_types().name(type) + ".\nSet Type = tabulated, or leave it empty.");
+    if ((type == EosType::us_up || type == EosType::porous) && shock_slope < 0.5)
       throw InputError("Section 'Equation of state', entry 'Shock slope': " + std::to_string(shock_slope) +
-                       " is too small.\nBelow 0.5 the us-up law softens under compression and carries no shock."
+                       " is too small.\nBelow 0.5 the liquid softens under compression and carries no shock."
                        "\nGive a slope of at least 0.5 (water and birds: 2).");
   }
 
@@ -66,7 +117,33 @@ namespace birdstrike
         a1 = rho0 * parameters.sound_speed * parameters.sound_speed;
         a2 = parameters.shock_slope;
         break;
+      case EosType::porous:
+        table = std::make_shared<const PressureTable>(make_porous(parameters, rho0));
+        break;
+      case EosType::tabulated:
+        table = std::make_shared<const PressureTable>(read_pressure_table(parameters.pressure_table));
+        break;
       }
+  }
+
+  double EquationOfState::table_pressure(const double mu) const
+  {
+    return table->pressure(mu);
+  }
+
+  Lanes EquationOfState::table_pressure(const Lanes mu) const
+  {
+    return table->pressure(mu);
+  }
+
+  double EquationOfState::table_slope(const double mu) const
+  {
+    return table->slope(mu);
+  }
+
+  Lanes EquationOfState::table_slope(const Lanes mu) const
+  {
+    return table->slope(mu);
   }
 
   double EquationOfState::energy(const double mu) const
@@ -86,6 +163,9 @@ namespace birdstrike
         }
       case EosType::us_up:
         return mu > 0. ? a1 / rho0 * (std::log1p(-a2 * eta) / (a2 * a2) + eta / (a2 * (1. - a2 * eta))) : linear;
+      case EosType::porous:
+      case EosType::tabulated:
+        return table->energy(mu) / rho0;
       }
     return 0.;
   }
@@ -100,6 +180,13 @@ namespace birdstrike
     const auto excess = [&](const double mu) { return pressure(mu) * mu / (1. + mu) - rho0 * v * v; };
     // The us-up law has a pole at eta = 1/k; the state sought lies before it.
     double low = 0., high = type == EosType::us_up && a2 > 1.5 ? (1. - 1e-12) / (a2 - 1.) : 2.;
+    if (is_table())
+      high = table->last_mu();
+    if (type == EosType::tabulated && excess(high) < 0.)
+      throw InputError(fmt::format("Section 'Equation of state', entry 'Pressure table': it ends at {:.4g}: {:.4g} Pa, "
+                                   "before the shock of {:g} m/s.\nGive points up to where p mu/(1 + mu) is at least "
+                                   "{:.4g} Pa, or lower the speed.",
+                                   high, pressure(high), v, rho0 * v * v));
     if (excess(high) < 0.)
       throw InputError("The equation of state carries no shock of " + std::to_string(v) +
                        " m/s below threefold compression.\nLower the speed or check the constants in section "
@@ -117,10 +204,17 @@ namespace birdstrike
     return state;
   }
 
+  double EquationOfState::struck_sound_speed(const double v) const
+  {
+    const double at_rest = reference_sound_speed();
+    return is_table() ? std::max(at_rest, 0.5 * hugoniot(std::max(v, 1.)).shock_speed) : at_rest;
+  }
+
   double EquationOfState::hugoniot_slope(const double v) const
   {
     // Below 1 m/s the secant is all round-off and the tangent is the same to 0.1 %.
     const double speed = v > 1. ? v : 1.;
-    return (hugoniot(speed).shock_speed - reference_sound_speed()) / speed;
+    const double slope = (hugoniot(speed).shock_speed - struck_sound_speed(speed)) / speed;
+    return is_table() ? std::max(slope, 0.) : slope; // of weak shocks between points it may be a little less
   }
 } // namespace birdstrike

@@ -88,7 +88,8 @@ namespace birdstrike::benchmarks
     void add_equation_of_state(const std::string &type)
     {
       EosParameters parameters;
-      parameters.type = eos_types().at(type);
+      parameters.type           = eos_types().at(type);
+      parameters.pressure_table = "0: 0; 0.02: 22e6; 0.05: 61e6; 0.1: 146e6; 0.2: 421e6; 0.3: 911e6";
       const EquationOfState eos(parameters, 950.);
       AlignedVector<double> mu(n_points), sink(n_points);
       for (std::size_t p = 0; p < n_points; ++p)
@@ -114,7 +115,7 @@ namespace birdstrike::benchmarks
     add_radial("elastic", HardeningLaw::linear, false);
     add_radial("linear", HardeningLaw::linear, true);
     add_radial("johnson_cook", HardeningLaw::johnson_cook, true);
-    for (const char *type : {"linear", "murnaghan", "polynomial", "us-up"})
+    for (const char *type : {"linear", "murnaghan", "polynomial", "us-up", "porous", "tabulated"})
       add_equation_of_state(type);
   }
 } // namespace birdstrike::benchmarks

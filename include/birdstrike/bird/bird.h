@@ -81,7 +81,8 @@ namespace birdstrike
     PointForces clear_contact_forces(); ///< contact adds to them
     void        compute_rates();
 
-    /// CFL h/(c + 1.2 largest approach speed): not the bird's own speed; isolated particles have no vote.
+    /// CFL h/(c + 1.2 largest approach speed): not the bird's own speed; isolated particles have no vote. Where c at
+    /// rest is that of bubbles, never longer than strike_step(): one step would carry such a liquid past its pores.
     StepLimit step_limit() const;
     double    step_price() const; ///< ns, core/prices.h
 
@@ -141,9 +142,11 @@ namespace birdstrike
     double                 staggered_contact = 0.;
     double                 staggering        = 0.; ///< J, by changes of the step
     double                 hugoniot_slope    = 0.;
-    double                 shock_pressure    = 0.; ///< over rho0 c0^2
-    double                 step_of_strike    = 0.; ///< s
-    double                 closing_energy    = 0.; ///< J
+    double                 struck_sound      = 0.;    ///< m/s, EquationOfState::struck_sound_speed
+    double                 shock_pressure    = 0.;    ///< over rho0 c0^2
+    double                 step_of_strike    = 0.;    ///< s
+    double                 closing_energy    = 0.;    ///< J
+    bool                   is_soft           = false; ///< until it is struck: struck_sound is not that at rest
     unsigned long          n_second          = 0;
     bool                   has_contact_force = false;
     std::uint64_t          revision          = 0;

@@ -32,10 +32,20 @@ namespace birdstrike
     {
     }
 
+    /// Sound speed (m/s) below which no particle's goes, in impedances, viscosity, signals and what contact sees
+    /// (EquationOfState::struck_sound_speed); the pressure is that of its law all the same.
+    void set_slowest_sound(const double speed)
+    {
+      slowest_sound = speed;
+    }
+
     /// What is kept from one update to the next, besides what particles hold.
     virtual void archive(Archive &)
     {
     }
+
+  protected:
+    double slowest_sound = 0.;
   };
 
   std::unique_ptr<Rates> make_rates(const BirdParameters &parameters, const EquationOfState &eos, double spacing);

@@ -25,7 +25,7 @@ namespace birdstrike
     std::size_t                   n_ids                  = 0;       ///< one more than the largest id that ever existed
     double                        spacing                = 0.;      ///< m, cube root of a point's undeformed volume
     double                        undeformed_density     = 0.;      ///< kg/m^3
-    double                        undeformed_sound_speed = 0.;      ///< m/s
+    double                        undeformed_sound_speed = 0.;      ///< m/s, as a strike sees it
     double                        hugoniot_slope = 0.; ///< s in p = rho c u (1 + s u/c), from the equation of state
     double                        shock_pressure = 0.; ///< over rho0 c0^2, of the speed at which they meet facets
     double                        strike_step    = 0.; ///< s, with which these points meet facets
