@@ -79,6 +79,14 @@ namespace birdstrike
       tensor("correction", all.correction);
       if (all.has_velocity_gradient)
         tensor("velocity gradient", all.velocity_gradient);
+      if (all.has_strength)
+        {
+          tensor("stress", all.stress);
+          tensor("shear correction", all.shear_correction);
+          vector("spin", all.spin);
+          tensor("earlier velocity gradient", all.earlier_velocity_gradient);
+          vector("earlier spin", all.earlier_spin);
+        }
       row("volume", all.volume[p]);
       row("density", all.density[p]);
       row("sound speed", all.sound_speed[p]);

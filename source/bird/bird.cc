@@ -1,3 +1,4 @@
+#include "bird/strength.h"
 #include <birdstrike/bird/bird.h>
 
 #include <algorithm>
@@ -40,7 +41,8 @@ namespace birdstrike
     particles                       = Particles();
     particles.mass                  = packed.particle_mass;
     particles.n_ids                 = n;
-    particles.has_velocity_gradient = parameters.reconstruction == Reconstruction::linear;
+    particles.has_strength          = parameters.has_strength();
+    particles.has_velocity_gradient = particles.has_strength || parameters.reconstruction == Reconstruction::linear;
     particles.resize(n);
     particle_masses.assign(n, particles.mass);
     for (std::size_t p = 0; p < n; ++p)
@@ -51,6 +53,8 @@ namespace birdstrike
             particles.x[d][p]          = packed.points[p][d];
             particles.v[d][p]          = parameters.velocity[d];
             particles.correction[d][p] = 1.f;
+            if (particles.has_strength)
+              particles.shear_correction[d][p] = 1.f;
           }
       }
     half_step = staggered_half = staggered_contact = staggering = 0.;
@@ -88,7 +92,8 @@ namespace birdstrike
   double Bird::shocked_step(const double speed) const
   {
     const HugoniotState shocked = eos.hugoniot(speed);
-    const double        c       = std::sqrt(eos.sound_speed_squared(shocked.density_ratio - 1., shocked.pressure));
+    const double        c       = std::sqrt(eos.sound_speed_squared(shocked.density_ratio - 1., shocked.pressure) +
+                                            Strength(parameters).stiffening(eos.reference_density()));
     return parameters.courant_number * parameters.smoothing_ratio * packed.spacing / (c + 1.2 * speed);
   }
 
@@ -174,6 +179,8 @@ namespace birdstrike
         store(expand_at_most(compress(mu, rate, dt)), &particles.mu[p]);
       });
     });
+    if (particles.has_strength)
+      kick_stress(dt);
     if (is_first)
       book_contact(contact_dt);
   }
@@ -231,8 +238,9 @@ namespace birdstrike
   {
     if (!parameters.retire)
       return 0;
-    const RetiredShare share = retire_particles(particles, blade_box.widened(parameters.retirement_margin),
-                                                [this](const double mu) { return stored_energy(mu); });
+    const RetiredShare share =
+      retire_particles(particles, blade_box.widened(parameters.retirement_margin),
+                       [this](const std::size_t p) { return stored_energy(particles.mu[p]) + shear_energy(p); });
     if (share.particles == 0)
       return 0;
     retired_share.add(share);

@@ -113,9 +113,9 @@ namespace birdstrike
 
   double Bird::step_price() const
   {
-    const double of_one = !parameters.is_riemann()                              ? prices::standard_particle
-                          : parameters.reconstruction == Reconstruction::linear ? prices::linear_particle
-                                                                                : prices::riemann_particle;
+    const double of_one = !parameters.is_riemann()          ? prices::standard_particle
+                          : particles.has_velocity_gradient ? prices::linear_particle
+                                                            : prices::riemann_particle;
     return of_one * static_cast<double>(particles.size());
   }
 
@@ -164,10 +164,10 @@ namespace birdstrike
         total.add(3, load<Number>(&particles.dissipated[p]));
         Number stored = 0.;
         if constexpr (std::is_same_v<Number, double>)
-          stored = stored_energy(particles.mu[p]);
+          stored = stored_energy(particles.mu[p]) + shear_energy(p);
         else
           for (std::size_t k = 0; k < n_lanes; ++k)
-            stored[k] = stored_energy(particles.mu[p + k]);
+            stored[k] = stored_energy(particles.mu[p + k]) + shear_energy(p + k);
         total.add(4, stored);
       });
     EnergyReport report;

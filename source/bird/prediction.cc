@@ -22,6 +22,8 @@ namespace birdstrike
   {
     std::swap(particles.force, particles.predicting_force);
     std::swap(particles.compression_rate, particles.predicting_compression_rate);
+    if (particles.has_strength)
+      predict_velocity_gradients();
     rates->update(particles, half_step, list, pool);
     if (!is_badly_predicted())
       return;
@@ -62,6 +64,12 @@ namespace birdstrike
         for (int d = 0; d < 3; ++d)
           relax(particles.predicting_force[d], particles.force[d]);
         relax(particles.predicting_compression_rate, particles.compression_rate);
+        if (!particles.has_strength)
+          return;
+        for (int k = 0; k < 6; ++k)
+          relax(particles.predicting_velocity_gradient[k], particles.velocity_gradient[k]);
+        for (int d = 0; d < 3; ++d)
+          relax(particles.predicting_spin[d], particles.spin[d]);
       });
     });
   }

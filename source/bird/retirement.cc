@@ -17,7 +17,7 @@ namespace birdstrike
   } // namespace
 
   RetiredShare retire_particles(Particles &particles, const Box &box,
-                                const std::function<double(double mu)> &specific_energy)
+                                const std::function<double(std::size_t p)> &specific_energy)
   {
     RetiredShare             share;
     std::vector<std::size_t> kept;
@@ -36,9 +36,8 @@ namespace birdstrike
         share.moment += particles.mass * x.cross(v);
         share.force += f;
         share.torque += x.cross(f);
-        const double heat = specific_energy
-                              ? particles.mass * specific_energy(particles.mu[p]) + particles.dissipated[p]
-                              : particles.internal_energy[p];
+        const double heat = specific_energy ? particles.mass * specific_energy(p) + particles.dissipated[p]
+                                            : particles.internal_energy[p];
         share.energy += 0.5 * particles.mass * v.squaredNorm() + heat;
         share.made += heat - particles.internal_energy[p];
       }

@@ -29,11 +29,11 @@ namespace birdstrike
     }
 
     /// What a pass computes: one kernel each.
-    template <bool periodic, bool corrected, bool linear, bool renewing>
+    template <bool periodic, bool corrected, bool linear, bool renewing, bool strong = false>
     struct Variant
     {
       static constexpr bool is_periodic = periodic, is_corrected = corrected, is_linear = linear,
-                            is_renewing = renewing;
+                            is_renewing = renewing, is_strong = strong;
     };
     template <bool is_periodic>
     using Plain = Variant<is_periodic, false, false, true>;
@@ -41,11 +41,13 @@ namespace birdstrike
     using Corrected = Variant<is_periodic, true, false, is_renewing>;
     template <bool is_periodic>
     using Linear = Variant<is_periodic, true, true, true>;
+    template <bool is_periodic, bool is_linear>
+    using Strong = Variant<is_periodic, true, is_linear, true, true>;
 
-    /// Symmetric part of the velocity gradient g B, g: xx yy zz, xy xz yz, yx zx zy.
-    template <class N>
-    void store_velocity_gradient(Particles &particles, const std::array<N, 9> &g, const std::array<N, 6> &B,
-                                 const std::size_t i)
+    /// Symmetric part of the velocity gradient g B, g: xx yy zz, xy xz yz, yx zx zy, and its spin with strength.
+    template <bool is_strong, class N>
+    std::array<N, 6> store_velocity_gradient(Particles &particles, const std::array<N, 9> &g, const std::array<N, 6> &B,
+                                             const std::size_t i)
     {
       const N gradient[3][3]   = {{g[0], g[3], g[4]}, {g[6], g[1], g[5]}, {g[7], g[8], g[2]}};
       const N correction[3][3] = {{B[0], B[3], B[4]}, {B[3], B[1], B[5]}, {B[4], B[5], B[2]}};
@@ -58,6 +60,39 @@ namespace birdstrike
         L[0][0], L[1][1], L[2][2], 0.5 * (L[0][1] + L[1][0]), 0.5 * (L[0][2] + L[2][0]), 0.5 * (L[1][2] + L[2][1])};
       for (int t = 0; t < 6; ++t)
         store(symmetric[t], &particles.velocity_gradient[t][i]);
+      if constexpr (is_strong)
+        for (int d = 0; d < 3; ++d)
+          store(0.5 * (L[(d + 2) % 3][(d + 1) % 3] - L[(d + 1) % 3][(d + 2) % 3]), &particles.spin[d][i]);
+      return symmetric;
+    }
+
+    /// Strain rates and spin as stresses are strained, and S : D, W/m^3.
+    template <class N>
+    N store_strain_rates(Particles &particles, const std::array<N, 9> &g,
+                         const std::array<Particles::Column, 6> &stress, const std::size_t i)
+    {
+      std::array<N, 6> B, S;
+      for (int t = 0; t < 6; ++t)
+        {
+          B[t] = load<N>(&particles.shear_correction[t][i]);
+          S[t] = load<N>(&stress[t][i]);
+        }
+      return contract(S, store_velocity_gradient<true>(particles, g, B, i));
+    }
+
+    /// The pair's S_i B_i + S_j B_j times wx, of records that have them from `first` on by rows.
+    template <class T, class Number>
+    [[gnu::always_inline]] inline Vector3<Number> multiply_rows(const std::array<T, 16>      &a,
+                                                                const std::array<Number, 16> &A, const int first,
+                                                                const Vector3<Number> &wx)
+    {
+      Vector3<Number> product;
+      for (int d = 0; d < 3; ++d)
+        {
+          const int r = first + 3 * d;
+          product[d]  = (a[r] + A[r]) * wx[0] + (a[r + 1] + A[r + 1]) * wx[1] + (a[r + 2] + A[r + 2]) * wx[2];
+        }
+      return product;
     }
 
     /// a + b for tensors stored as in a record: the pair's p_i B_i + p_j B_j, and q on the diagonal, times wx.
@@ -114,7 +149,10 @@ namespace birdstrike
         const Vector3<Number> wx(w * x[0], w * x[1], w * x[2]);
         if constexpr (Variant::is_corrected)
           {
-            force.add(multiply_stress(a, A, q, wx));
+            Vector3<Number> f = multiply_stress(a, A, q, wx);
+            if constexpr (Variant::is_strong)
+              f -= multiply_rows(gradient[i].value, load_records(gradient, neighbors + k), stress_place, wx);
+            force.add(f);
             sums.add_gradient(wx, v);
           }
         else
@@ -173,8 +211,10 @@ namespace birdstrike
           B[t] = load<N>(&particles.correction[t][i]);
         divergence =
           B[0] * g[0] + B[1] * g[1] + B[2] * g[2] + B[3] * (g[3] + g[6]) + B[4] * (g[4] + g[7]) + B[5] * (g[5] + g[8]);
-        if constexpr (Variant::is_linear)
-          store_velocity_gradient(particles, g, B, i);
+        if constexpr (Variant::is_strong)
+          work += volume * store_strain_rates(particles, g, stress, i);
+        else if constexpr (Variant::is_linear)
+          store_velocity_gradient<false>(particles, g, B, i);
         if constexpr (Variant::is_renewing)
           {
             std::array<N, 6> M;
@@ -183,6 +223,12 @@ namespace birdstrike
             const auto next = compute_correction(M);
             for (int t = 0; t < 6; ++t)
               store(next[t], &particles.correction[t][i]);
+            if constexpr (Variant::is_strong)
+              {
+                const auto of_shear = compute_shear_correction(M);
+                for (int t = 0; t < 6; ++t)
+                  store(of_shear[t], &particles.shear_correction[t][i]);
+              }
           }
       }
     // (p_i - p_j)/(Z_i + Z_j) with the mean of 1/Z, which records hold times 3/2 rho0
@@ -191,7 +237,8 @@ namespace birdstrike
     store(-(divergence + flux_share), &particles.compression_rate[i]);
     store(work - volume * pressure * divergence + heat, &particles.power[i]);
     store(heat + volume * pressure * flux_share, &particles.dissipation[i]);
-    const N c = load<N>(&particles.sound_speed[i]), fastest = c + 1.2 * sum(SumBlock::approach);
+    const N c       = load<N>(&particles.sound_speed[i]);
+    const N fastest = (Variant::is_strong ? N(sqrt(c * c + stiffening)) : c) + 1.2 * sum(SumBlock::approach);
     store(select(sum(SumBlock::weight) > N(0.), fastest, N(0.)), &particles.signal_speed[i]);
     store(compute_prediction_error<N>(particles, i, prediction_time,
                                       has_cutoff ? select(prediction.mu < N(0.), N(0.), c) : c),
@@ -233,10 +280,13 @@ namespace birdstrike
        &RiemannRates::sum_pairs<Linear<false>>},
       {&RiemannRates::sum_pairs<Plain<true>>, &RiemannRates::sum_pairs<Corrected<true, true>>,
        &RiemannRates::sum_pairs<Linear<true>>}};
+    const Sum strong[2][2] = {
+      {&RiemannRates::sum_pairs<Strong<false, false>>, &RiemannRates::sum_pairs<Strong<false, true>>},
+      {&RiemannRates::sum_pairs<Strong<true, false>>, &RiemannRates::sum_pairs<Strong<true, true>>}};
     const bool is_keeping = !wraps && has_correction && !has_reconstruction && !is_renewing;
     const Sum  sum        = is_keeping ? &RiemannRates::sum_pairs<Corrected<false, false>>
                                        : every_pass[wraps][has_correction ? (has_reconstruction ? 2 : 1) : 0];
-    (this->*sum)(particles, list, begin, end);
+    (this->*(has_strength ? strong[wraps][has_reconstruction] : sum))(particles, list, begin, end);
   }
 
   template void RiemannRates<float>::sum_range(Particles &, const NeighborList &, std::size_t, std::size_t) const;

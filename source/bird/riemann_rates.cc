@@ -34,6 +34,9 @@ namespace birdstrike
     , has_cutoff(parameters.tension_cutoff)
     , has_correction(parameters.gradient_correction)
     , has_reconstruction(parameters.reconstruction == Reconstruction::linear)
+    , has_strength(parameters.has_strength())
+    , strength(parameters)
+    , stiffening(strength.stiffening(eos.reference_density()))
     , renewal_interval(parameters.correction_interval)
   {
     scale.length = 2. * h;
@@ -77,12 +80,43 @@ namespace birdstrike
     bound.pressure  = max(bound.pressure, largest_row_sum(b));
     bound.impedance = max(bound.impedance, Z);
     bound.volume    = max(bound.volume, a[3]);
+    if (!has_reconstruction && !has_strength)
+      return;
+    std::array<N, 16> g{};
     if (has_reconstruction)
+      for (int t = 0; t < 6; ++t)
+        g[t] = load<N>(&particles.velocity_gradient[t][p]) * scale.length;
+    if (has_strength)
+      update_stress(particles, p, m, g, bound);
+    store_records(g, gradient, p);
+  }
+
+  template <class T>
+  template <class N>
+  void RiemannRates<T>::update_stress(const Particles &particles, const std::size_t p, const N &mu,
+                                      std::array<N, 16> &record, Bounds<N> &bound)
+  {
+    std::array<N, 6> S = advance(strength, particles, particles.predicting_velocity_gradient, particles.predicting_spin,
+                                 p, mu, prediction_time)
+                           .stress;
+    std::array<N, 6> B;
+    for (int t = 0; t < 6; ++t)
       {
-        std::array<N, 16> g{};
-        for (int t = 0; t < 6; ++t)
-          g[t] = load<N>(&particles.velocity_gradient[t][p]) * scale.length;
-        store_records(g, gradient, p);
+        S[t] *= 1. + mu;
+        store(S[t], &stress[t][p]);
+        B[t] = load<N>(&particles.shear_correction[t][p]);
+      }
+    constexpr int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+    for (int a = 0; a < 3; ++a)
+      {
+        N row = 0.;
+        for (int b = 0; b < 3; ++b)
+          {
+            N &entry = record[stress_place + 3 * a + b];
+            entry = S[place[a][0]] * B[place[0][b]] + S[place[a][1]] * B[place[1][b]] + S[place[a][2]] * B[place[2][b]];
+            row += abs(entry);
+          }
+        bound.stress = max(bound.stress, row);
       }
   }
 
@@ -102,6 +136,7 @@ namespace birdstrike
         update_records(particles, prediction, p, rest);
     });
     rest.pressure  = max(rest.pressure, largest(whole.pressure));
+    rest.stress    = max(rest.stress, largest(whole.stress));
     rest.impedance = max(rest.impedance, largest(whole.impedance));
     rest.volume    = max(rest.volume, largest(whole.volume));
     for (int d = 0; d < 3; ++d)
@@ -123,11 +158,11 @@ namespace birdstrike
           image       = pairs[images.source(g)].value;
           for (const int odd : {1, 5, 12, 14}) // y, v_y, xy, yz
             image[odd] = -image[odd];
-          if (has_reconstruction)
+          if (has_reconstruction || has_strength)
             {
               auto &L = gradient[first + g].value;
               L       = gradient[images.source(g)].value;
-              for (const int odd : {3, 5})
+              for (const int odd : {3, 5, stress_place + 1, stress_place + 3, stress_place + 5, stress_place + 7})
                 L[odd] = -L[odd];
             }
         }
@@ -149,6 +184,7 @@ namespace birdstrike
     for (const Bounds<double> &b : bounds)
       {
         all.pressure  = std::max(all.pressure, b.pressure);
+        all.stress    = std::max(all.stress, b.stress);
         all.impedance = std::max(all.impedance, b.impedance);
         all.volume    = std::max(all.volume, b.volume);
         for (int d = 0; d < 3; ++d)
@@ -162,7 +198,7 @@ namespace birdstrike
                  smallest_stress = 1e-9 * eos.reference_density() * c0 * c0;
     const double speed =
       std::hypot(all.fastest[0] - all.slowest[0], all.fastest[1] - all.slowest[1], all.fastest[2] - all.slowest[2]);
-    const double stress  = std::max(2. * all.pressure + all.impedance * speed, smallest_stress);
+    const double stress  = std::max(2. * (all.pressure + all.stress) + all.impedance * speed, smallest_stress);
     const double largest = largest_slope_moment * all.volume * all.volume * stress;
     const double n_terms = static_cast<double>(longest_list) / Number::size() + 1.;
     scale.force          = std::exp2(std::ceil(std::log2(largest * n_terms)) - 30.);
@@ -179,8 +215,13 @@ namespace birdstrike
     pairs.resize(n + 1 + images.size());
     // the dummy that pads the lists: no volume, no pressure, far away
     pairs[n].value = {T(1e9), T(1e9), T(1e9), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
-    if (has_reconstruction)
-      gradient.resize(n + 1 + images.size());
+    if (has_reconstruction || has_strength)
+      {
+        gradient.resize(n + 1 + images.size());
+        gradient[n].value = {};
+      }
+    for (auto &column : stress)
+      column.resize(has_strength ? n : 0);
     for (int d = 0; d < 3; ++d)
       {
         const bool is_mirrored = images.size() > 0 && d == 1; // an image's record then differs in signs alone

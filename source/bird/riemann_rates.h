@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bird/riemann_sums.h"
+#include "bird/strength.h"
 #include <birdstrike/bird/rates.h>
 #include <birdstrike/core/simd/records.h>
 
@@ -22,6 +23,12 @@ namespace birdstrike
   /// changes by a percent of h a step. Half of the solver's velocity due to the pressure jump enters the divergence
   /// (see pressure_share for why not all). The dissipative terms stay uncorrected and central: they keep angular
   /// momentum.
+  ///
+  /// With strength, S_i the deviatoric stress, B_i that of compute_shear_correction and
+  /// L_i = sum_j V_j w (v_i - v_j) (B_i x)^T the velocity gradient,
+  ///   force_i -= V_i sum_j V_j w (S_i B_i + S_j B_j) x,   energy_i += V_i S_i : L_i
+  /// adjoint as the pressure's; torques cancel as far as B makes L exact. Signals run with sqrt(c^2 + 4 G/(3 rho)),
+  /// impedances stay the bulk's: beyond yield, which is far below a shock's pressure, waves have its speed.
   ///
   /// With reconstruction, u is the jump at the midpoint after removing the harmonic mean (van Leer 1974) of both
   /// particles' velocity gradients.
@@ -58,14 +65,20 @@ namespace birdstrike
       double force = 1.;                               ///< N, unit of pair forces; a power of two
     };
 
+    /// Where the record of gradients has S B, xx xy xz yx ...
+    static constexpr int stress_place = 6;
+
     /// Largest values that bound the pair forces.
     template <class N>
     struct Bounds
     {
-      N                pressure = 0., impedance = 0., volume = 0.; ///< Pa, kg/(m^2 s), record units
-      std::array<N, 3> slowest{}, fastest{};                       ///< m/s, relative
+      N                pressure = 0., stress = 0., impedance = 0., volume = 0.; ///< Pa, Pa, kg/(m^2 s), record units
+      std::array<N, 3> slowest{}, fastest{};                                    ///< m/s, relative
     };
 
+    template <class N>
+    void update_stress(const Particles &particles, std::size_t p, const N &mu, std::array<N, 16> &record,
+                       Bounds<N> &bounds);
     template <class N>
     void update_records(Particles &particles, const Prediction<N> &prediction, std::size_t p, Bounds<N> &bounds);
     Bounds<double> update_chunk(Particles &particles, std::size_t begin, std::size_t end);
@@ -82,13 +95,17 @@ namespace birdstrike
 
     EquationOfState             eos;
     double                      h;
-    bool                        has_cutoff, has_correction, has_reconstruction;
+    bool                        has_cutoff, has_correction, has_reconstruction, has_strength;
+    Strength                    strength;
+    double                      stiffening; ///< m^2/s^2, of shear
     unsigned int                renewal_interval, passes_to_renewal = 0;
     bool                        is_renewing = true;
     Scale                       scale;
     double                      prediction_time = 0.; ///< s
     std::vector<Bounds<double>> bounds;               ///< by chunk of particles
     Records<T, 16>              pairs;                ///< x V, v p, p B: xx yy zz, Z/2, p B: xy xz yz, 3 rho0/(2 Z)
-    Records<T, 16>              gradient; ///< symmetric velocity gradient (xx yy zz xy xz yz), with reconstruction only
+    Records<T, 16>
+      gradient; ///< symmetric velocity gradient (xx yy zz xy xz yz) with reconstruction; S B by rows with strength
+    std::array<Particles::Column, 6> stress; ///< Pa, S as neighbours see it, with strength only
   };
 } // namespace birdstrike

@@ -35,6 +35,10 @@ namespace birdstrike
   /// with staggering (core/energy_report.h) + internal - contact work is constant to round-off. Internal less stored
   /// and dissipated is what the integration of density and heat in time is wrong by, mostly the error of prediction.
   ///
+  /// A bird with strength carries a deviatoric stress beside the pressure (bird/strength.h): its rates are predicted
+  /// and kicked as those of the density, what shear stores is part of the elastic energy and plastic work of the
+  /// dissipated.
+  ///
   /// Raises NumericalFailure from compute_rates (density, motion), InputError from the constructor. Knows no blade:
   /// contact adds to what clear_contact_forces() hands over, before compute_rates(). Reports are of the whole bird
   /// where half of it is computed; `state`, `points` and `snapshot` are what is computed.
@@ -124,9 +128,12 @@ namespace birdstrike
   private:
     bool   is_badly_predicted() const;
     void   relax_prediction();
+    void   predict_velocity_gradients();
+    void   kick_stress(double dt);
     void   book_contact(double dt);
     void   follow_step(double new_half_step, double new_contact_half);
-    double stored_energy(double mu) const; ///< J/kg
+    double stored_energy(double mu) const;    ///< J/kg
+    double shear_energy(std::size_t p) const; ///< J/kg, of a particle
 
     BirdParameters         parameters;
     EquationOfState        eos;

@@ -97,6 +97,8 @@ namespace birdstrike
     PairPrecision pair_precision      = PairPrecision::as_float;
     unsigned int  correction_interval = 4; ///< passes; 4 against 1: 0.07 % of the tip, 0.4 % of the peak force
     bool          tension_cutoff      = true;
+    double        shear_modulus       = 0.; ///< Pa
+    double        yield_stress        = 0.; ///< Pa; 0: a liquid
     double        courant_number    = 0.35; // 0.45 lets the first layer on a wall ring at 10 m/s (rms 70 %); 0.35: 1 %
     double        skin              = 0.1;  ///< of the kernel's support
     bool          retire            = true;
@@ -122,10 +124,16 @@ namespace birdstrike
     /// Rules between entries; throws InputError.
     void check() const;
 
+    void check_strength() const;
+
     /// What a bird needs to be halved by the plane y = 0; throws InputError.
     void check_halves() const;
 
     bool is_riemann() const;
+    bool has_strength() const
+    {
+      return yield_stress > 0.;
+    }
 
     /// Of Courant number times step scale, up to which a longer step is worth it. Measured, a bird of 6 mm particles on
     /// a rigid wall at 177 m/s: largest error of all energy, and share of the steps whose rates are evaluated twice

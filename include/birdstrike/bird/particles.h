@@ -19,6 +19,7 @@ namespace birdstrike
     double      mass                  = 0.; ///< kg, of each
     std::size_t n_ids                 = 0;
     bool        has_velocity_gradient = false;
+    bool        has_strength          = false;
 
     AlignedVector<std::uint32_t> id;
     Column3                      x;               ///< m
@@ -26,6 +27,7 @@ namespace birdstrike
     Column                       mu;              ///< rho/rho0 - 1
     Column                       internal_energy; ///< J, by the energy equation
     Column                       dissipated;      ///< J, of it: by what heats
+    std::array<Column, 6>        stress;          ///< Pa, deviatoric, of undeformed areas (bird/strength.h); or empty
 
     // What the last evaluation of the rates left.
     Column3                    force;             ///< N, of the particles on each other
@@ -36,11 +38,17 @@ namespace birdstrike
     Column                     largest_mu;        ///< of the particle and those within its support
     Column                     prediction_error;  ///< J, see compute_prediction_error
     std::array<FloatColumn, 6> correction;        ///< B: xx yy zz xy xz yz
-    std::array<Column, 6>      velocity_gradient; ///< 1/s, symmetric part; empty without reconstruction
+    std::array<Column, 6>      velocity_gradient; ///< 1/s, symmetric part; empty without reconstruction or strength
+    Column3                    spin;              ///< rad/s, half the vorticity; empty without strength
+    std::array<FloatColumn, 6> shear_correction;  ///< of stresses (bird/correction.h); empty without strength
 
     // What the last evaluation was predicted with: rates of the one before, or between those and its own (Bird).
     Column3 predicting_force;            ///< N
     Column  predicting_compression_rate; ///< 1/s
+
+    // The same, empty without strength.
+    std::array<Column, 6> predicting_velocity_gradient, earlier_velocity_gradient; ///< 1/s, of the evaluation before
+    Column3               predicting_spin, earlier_spin;                           ///< rad/s
 
     // What contact sees and gives.
     Column  volume, density, sound_speed;
@@ -128,6 +136,16 @@ namespace birdstrike
     if (has_velocity_gradient)
       for (Column &column : velocity_gradient)
         f(column);
+    if (!has_strength)
+      return;
+    for (std::array<Column, 6> *tensor : {&stress, &predicting_velocity_gradient, &earlier_velocity_gradient})
+      for (Column &column : *tensor)
+        f(column);
+    for (Column3 *vector : {&spin, &predicting_spin, &earlier_spin})
+      for (Column &column : *vector)
+        f(column);
+    for (FloatColumn &column : shear_correction)
+      f(column);
   }
 
   inline void Particles::resize(const std::size_t n)

@@ -1,0 +1,106 @@
+#include <birdstrike/bird/parameters.h>
+#include <birdstrike/core/errors.h>
+
+#include <algorithm>
+#include <cmath>
+
+/// Rules between the entries of the bird.
+namespace birdstrike
+{
+  namespace
+  {
+    [[noreturn]] void refuse(const std::string &entry, const std::string &found, const std::string &action)
+    {
+      throw InputError("Section 'Bird', entry '" + entry + "': " + found + "\n" + action);
+    }
+  } // namespace
+
+  void BirdParameters::check() const
+  {
+    if (!enabled)
+      return;
+    if (!flight_direction.empty() && (flight_direction.size() != 3 ||
+                                      std::hypot(flight_direction[0], flight_direction[1], flight_direction[2]) == 0.))
+      refuse("Flight direction", "it is no direction.", "Give three numbers that are not all zero.");
+    if (aim_span_fraction.empty() != aim_chord_fraction.empty())
+      refuse(aim_span_fraction.empty() ? "Aim span fraction" : "Aim chord fraction", "it is not given, its partner is.",
+             "Give both shares, or none and Aim point.");
+    const auto n_periodic = std::count(is_periodic.begin(), is_periodic.end(), true);
+    if (shape == BirdShape::slab)
+      {
+        for (const double length : slab_lengths)
+          if (length < spacing)
+            refuse("Slab lengths", std::to_string(length) + " m is less than one particle spacing.",
+                   "Give three lengths of at least the particle spacing.");
+      }
+    else if (spacing > 0.5 * std::cbrt(mass / density))
+      refuse("Particle spacing", std::to_string(spacing) + " m leaves fewer than about eight particles.",
+             "Choose a spacing below " + std::to_string(0.5 * std::cbrt(mass / density)) + " m.");
+    if (n_periodic > 0 && shape != BirdShape::slab && shape != BirdShape::cylinder)
+      refuse("Periodic directions", "a " + bird_shapes().name(shape) + " cannot repeat itself.",
+             "Use 'none', or a slab or cylinder.");
+    if (shape != BirdShape::slab && n_periodic > 1)
+      refuse("Periodic directions", "a cylinder repeats itself along its axis only.", "Name one direction.");
+    if (shape == BirdShape::hemispherical_cylinder && length_to_diameter < 1.)
+      refuse("Length over diameter", "hemispherical ends need a length of at least one diameter.",
+             "Give 1 or more, or choose 'ellipsoid'.");
+    if (is_riemann() && kernel == SmoothingKernel::cubic_spline)
+      refuse("Kernel", "the riemann formulation is written for the Wendland kernel.",
+             "Choose 'automatic', or Formulation = standard.");
+    if (is_riemann() && !gradient_correction && reconstruction != Reconstruction::none)
+      refuse("Reconstruction", "its velocity gradients need the gradient correction.",
+             "Set 'none', or Gradient correction = true.");
+    if (is_halved)
+      check_halves();
+    check_strength();
+    if (!is_riemann() && reconstruction != Reconstruction::none)
+      refuse("Reconstruction", "the standard formulation has none.", "Set 'none', or Formulation = riemann.");
+  }
+
+  void BirdParameters::check_strength() const
+  {
+    if (!has_strength() && shear_modulus > 0.)
+      refuse("Strength/Shear modulus", "it is given, and no Yield stress: a liquid has no shear modulus.",
+             "Give Yield stress too, or leave both out.");
+    if (!has_strength())
+      return;
+    if (!(shear_modulus > 0.))
+      refuse("Strength/Yield stress", "it is given, and no Shear modulus.",
+             "Give it too: from 100 times the yield stress on it changes the flow no more, only the steps.");
+    if (!is_riemann())
+      refuse("Strength/Yield stress", "the standard formulation has no velocity gradients to strain it by.",
+             "Set Formulation = riemann, or leave it out.");
+    if (!tension_cutoff && courant_number > 0.2)
+      refuse("Strength/Yield stress", "without Tension cut-off steps as long as these are unstable in tension.",
+             "Set Tension cut-off = true, or Courant number to 0.2 at most.");
+    if (!gradient_correction)
+      refuse("Strength/Yield stress", "its velocity gradients need the gradient correction.",
+             "Set Gradient correction = true, or leave it out.");
+  }
+
+  void BirdParameters::check_halves() const
+  {
+    const auto refuse_half = [](const std::string &entry, const std::string &found, const std::string &action) {
+      refuse(entry, found + " has no mirror plane y = 0.", action + ", or compute the whole bird.");
+    };
+    if (velocity[1] != 0.)
+      refuse_half("Velocity", "a velocity of " + std::to_string(velocity[1]) + " m/s along y", "Let y be 0");
+    if (aim_point[1] != 0. || chordwise_offset != 0.)
+      refuse_half(aim_point[1] != 0. ? "Aim point" : "Chordwise offset", "an aim beside the plane", "Aim at y = 0");
+    if (yaw != 0.)
+      refuse_half("Yaw", "a yawed bird", "Set it to 0 (pitch stays in the plane)");
+    if (roll != 0.)
+      refuse_half("Roll", "a lattice turned about the bird's axis", "Set it to 0");
+    if (std::hypot(velocity[1], velocity[2]) < 1e-3 * std::abs(velocity[0]))
+      refuse_half("Velocity", "the frame of a bird that flies along x", "Let it fly across the span");
+    if (packing != BirdLattice::cubic)
+      refuse_half("Packing", "the " + bird_lattices().name(packing) + " lattice", "Choose 'cubic'");
+    if (!is_riemann())
+      refuse("Formulation", "mirror images are written for the riemann formulation.",
+             "Set it, or compute the whole bird.");
+    if (std::count(is_periodic.begin(), is_periodic.end(), true) > 0)
+      refuse("Periodic directions", "they do not go with a symmetry plane.", "Set 'none', or compute the whole bird.");
+    if (shape == BirdShape::slab)
+      refuse("Shape", "a slab is not halved.", "Choose another shape, or compute the whole slab.");
+  }
+} // namespace birdstrike
