@@ -80,22 +80,25 @@ namespace birdstrike
     bound.pressure  = max(bound.pressure, largest_row_sum(b));
     bound.impedance = max(bound.impedance, Z);
     bound.volume    = max(bound.volume, a[3]);
-    if (!has_reconstruction && !has_strength)
-      return;
-    std::array<N, 16> g{};
-    if (has_reconstruction)
-      for (int t = 0; t < 6; ++t)
-        g[t] = load<N>(&particles.velocity_gradient[t][p]) * scale.length;
     if (has_strength)
-      update_stress(particles, p, m, g, bound);
-    store_records(g, gradient, p);
+      update_stress(particles, p, m, bound);
+    else if (has_reconstruction)
+      {
+        std::array<N, 16> g{};
+        for (int t = 0; t < 6; ++t)
+          g[t] = load<N>(&particles.velocity_gradient[t][p]) * scale.length;
+        store_records(g, gradient, p);
+      }
   }
 
   template <class T>
   template <class N>
-  void RiemannRates<T>::update_stress(const Particles &particles, const std::size_t p, const N &mu,
-                                      std::array<N, 16> &record, Bounds<N> &bound)
+  void RiemannRates<T>::update_stress(const Particles &particles, const std::size_t p, const N &mu, Bounds<N> &bound)
   {
+    std::array<N, 16> record{};
+    if (has_reconstruction)
+      for (int t = 0; t < 6; ++t)
+        record[t] = load<N>(&particles.velocity_gradient[t][p]) * scale.length;
     std::array<N, 6> S = advance(strength, particles, particles.predicting_velocity_gradient, particles.predicting_spin,
                                  p, mu, prediction_time)
                            .stress;
@@ -118,6 +121,7 @@ namespace birdstrike
           }
         bound.stress = max(bound.stress, row);
       }
+    store_records(record, gradient, p);
   }
 
   template <class T>

@@ -77,8 +77,7 @@ namespace birdstrike
     };
 
     template <class N>
-    void update_stress(const Particles &particles, std::size_t p, const N &mu, std::array<N, 16> &record,
-                       Bounds<N> &bounds);
+    void update_stress(const Particles &particles, std::size_t p, const N &mu, Bounds<N> &bounds);
     template <class N>
     void update_records(Particles &particles, const Prediction<N> &prediction, std::size_t p, Bounds<N> &bounds);
     Bounds<double> update_chunk(Particles &particles, std::size_t begin, std::size_t end);

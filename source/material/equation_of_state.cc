@@ -18,7 +18,7 @@ namespace birdstrike
   {
     constexpr double air_over_pressure = 1. / (287.05 * 288.15); ///< kg/m^3/Pa, dry air at 15 degrees C
 
-    PressureTable make_porous(const EosParameters &parameters, const double reference_density)
+    double find_liquid_density(const EosParameters &parameters, const double reference_density)
     {
       const double z      = parameters.porosity;
       const double liquid = (reference_density - z * parameters.ambient_pressure * air_over_pressure) / (1. - z);
@@ -29,10 +29,14 @@ namespace birdstrike
                       "density = {:.5g}, or leave Liquid density out: it then follows from the other two.",
                       parameters.liquid_density, z, reference_density + (1. - z) * (parameters.liquid_density - liquid),
                       reference_density, reference_density + (1. - z) * (parameters.liquid_density - liquid), liquid));
+      return liquid;
+    }
+
+    PressureTable make_porous(const EosParameters &parameters, const double liquid_density)
+    {
       const double exponent = 4. * parameters.shock_slope - 1.;
-      return PorousLiquid{z, liquid * parameters.sound_speed * parameters.sound_speed / exponent, exponent,
-                          parameters.ambient_pressure}
-        .tabulate();
+      const double modulus  = liquid_density * parameters.sound_speed * parameters.sound_speed / exponent;
+      return PorousLiquid{parameters.porosity, modulus, exponent, parameters.ambient_pressure}.tabulate();
     }
   } // namespace
 
@@ -118,7 +122,9 @@ namespace birdstrike
         a2 = parameters.shock_slope;
         break;
       case EosType::porous:
-        table = std::make_shared<const PressureTable>(make_porous(parameters, rho0));
+        a1    = find_liquid_density(parameters, rho0);
+        a2    = parameters.porosity;
+        table = std::make_shared<const PressureTable>(make_porous(parameters, a1));
         break;
       case EosType::tabulated:
         table = std::make_shared<const PressureTable>(read_pressure_table(parameters.pressure_table));
@@ -173,6 +179,15 @@ namespace birdstrike
   double EquationOfState::reference_sound_speed() const
   {
     return std::sqrt(sound_speed_squared(0., 0.));
+  }
+
+  std::string EquationOfState::summary(const double v) const
+  {
+    std::string text = fmt::format("{}, sound speed {:.4g} m/s", eos_types().name(type), reference_sound_speed());
+    if (const double struck = struck_sound_speed(v); struck > reference_sound_speed())
+      text += fmt::format(" at rest, {:.4g} m/s as it is struck", struck);
+    return type != EosType::porous ? text
+                                   : text + fmt::format("; {:g} % of pores in liquid of {:.5g} kg/m^3", 100. * a2, a1);
   }
 
   HugoniotState EquationOfState::hugoniot(const double v) const

@@ -128,7 +128,7 @@ namespace birdstrike
       table.add("memory", format_bytes(census.bytes));
     }
 
-    void add_bird(TextTable &table, const Bird &bird, const BirdParameters &parameters)
+    void add_bird(TextTable &table, const Bird &bird, const BirdParameters &parameters, const std::string &liquid)
     {
       table.add_heading("Bird: " + bird_shapes().name(parameters.shape) + ", " +
                         particle_formulations().name(parameters.formulation));
@@ -138,6 +138,11 @@ namespace birdstrike
       table.add("length, diameter",
                 format_quantity(shape.length(), "m") + ", " + format_quantity(shape.diameter(), "m"));
       table.add("packing", bird.summary());
+      table.add("liquid", liquid);
+      if (parameters.has_strength())
+        table.add("strength",
+                  fmt::format("yields at {}, shear modulus {}", format_quantity(parameters.yield_stress, "Pa"),
+                              format_quantity(parameters.shear_modulus, "Pa")));
       table.add("kinetic energy", bird.energies().kinetic, "J");
       table.add("momentum", vector_text(bird.momenta().momentum, "N s"));
       table.add("memory, about", format_bytes(prices::bytes_per_particle * static_cast<double>(bird.state().size())));
@@ -240,7 +245,10 @@ namespace birdstrike
       add_blade(table, *scene.blade, parameters.blade);
     if (scene.bird)
       {
-        add_bird(table, *scene.bird, parameters.bird);
+        const double speed =
+          scene.contact ? scene.first_touch.closing_speed : Point3(parameters.bird.velocity.data()).norm();
+        add_bird(table, *scene.bird, parameters.bird,
+                 EquationOfState(parameters.equation_of_state, parameters.bird.density).summary(speed));
         if (scene.contact)
           add_aim(table, parameters, scene);
         if (scene.blade)

@@ -108,7 +108,7 @@ namespace birdstrike::benchmarks
     add_steps("linear", 10000);
     add_steps("standard", 10000);
     add_rates("riemann", 1000000);
-    for (const char *formulation : {"uncorrected", "linear", "standard"})
+    for (const char *formulation : {"uncorrected", "linear", "strong", "standard"})
       add_rates(formulation, 100000);
     add_lists_and_sums();
     add_motion();

@@ -9,7 +9,7 @@
 namespace birdstrike::benchmarks
 {
   /// The bird of prm/frontal.prm (cylinder, L/D = 2, 2.5 mm) with as much mass as n particles weigh.
-  /// `formulation`: riemann | uncorrected | linear | standard.
+  /// `formulation`: riemann | uncorrected | linear | strong | standard.
   inline BirdParameters make_bird_parameters(const std::size_t n, const std::string &formulation)
   {
     BirdParameters parameters;
@@ -17,6 +17,8 @@ namespace birdstrike::benchmarks
     parameters.mass                = static_cast<double>(n) * parameters.density * std::pow(parameters.spacing, 3);
     parameters.gradient_correction = formulation != "uncorrected";
     parameters.reconstruction      = formulation == "linear" ? Reconstruction::linear : Reconstruction::none;
+    parameters.shear_modulus       = formulation == "strong" ? 100e6 : 0.;
+    parameters.yield_stress        = 0.01 * parameters.shear_modulus;
     parameters.formulation = formulation == "standard" ? ParticleFormulation::standard : ParticleFormulation::riemann;
     return parameters;
   }

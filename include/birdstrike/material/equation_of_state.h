@@ -115,6 +115,10 @@ namespace birdstrike
     /// p = rho c u (1 + s u/c) wants it.
     double hugoniot_slope(double v) const;
 
+    /// "murnaghan, sound speed 1037 m/s", and what else there is to say of a liquid that is struck at the speed v
+    /// (m/s).
+    std::string summary(double v) const;
+
   private:
     bool is_table() const
     {
@@ -128,8 +132,8 @@ namespace birdstrike
 
     EosType type;
     double  rho0;
-    double  a1 = 0.; ///< Pa: K, B, C1 or rho0 c0^2
-    double  a2 = 0.; ///< -: gamma or k; Pa: C2
+    double  a1 = 0.; ///< Pa: K, B, C1 or rho0 c0^2; kg/m^3: liquid between pores
+    double  a2 = 0.; ///< -: gamma, k or porosity; Pa: C2
     double  a3 = 0.; ///< Pa: C3
 
     std::shared_ptr<const PressureTable> table; ///< of porous and tabulated, shared by copies

@@ -71,6 +71,7 @@ namespace
       {"particle_step", make_particle_step},
       {"rates_riemann", [] { return make_rates("riemann"); }},
       {"rates_linear", [] { return make_rates("linear"); }},
+      {"rates_strong", [] { return make_rates("strong"); }},
       {"rates_standard", [] { return make_rates("standard"); }},
       {"list_build", make_list},
       {"element_elastic",

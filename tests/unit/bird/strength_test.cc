@@ -204,7 +204,7 @@ TEST(Strength, StandingShearWaveHasItsFrequencyAndEnergy)
         std::abs(bird.momenta().momentum[0]) / (A * density * 64. * n * dx * dx * dx));
       record(name + " frequency over exact", found / (std::sqrt(G / density) * k));
       record(name + " energy", energy_error);
-      EXPECT_NEAR(found / exact, 1., 2e-3) << name;
+      EXPECT_NEAR(found / exact, 1., 1e-3) << name;
       EXPECT_NEAR(found / (std::sqrt(G / density) * k), 1., 0.02) << name;
       EXPECT_NEAR(peak, 1., 0.01) << name;
       EXPECT_LT(energy_error, 1e-3) << name;
