@@ -110,7 +110,9 @@ class Resume(unittest.TestCase):
                  "perforation": ["Bird/Particle spacing=0.006", "Blade/Mesh/Elements along span=20",
                                  "Blade/Mesh/Elements along chord=20", "Bird/Velocity=0, 0, 400", "Time/End time=3e-4",
                                  "Output/Field interval=1e-4"],
-                 "rigid-plate": ["Bird/Particle spacing=0.006", "Time/End time=2e-4"]}
+                 "rigid-plate": ["Bird/Particle spacing=0.006", "Time/End time=2e-4"],
+                 "frontal": [*COARSE, "Time/End time=3e-4", "Bird/Equation of state/Type=porous", "Bird/Strength/Yield stress=1 MPa",
+                             "Bird/Strength/Shear modulus=100 MPa"]}
         for case, entries in cases.items():
             with self.subTest(case):
                 self.program("run", TOP / "prm" / f"{case}.prm", "--output", f"{case} whole", *sets(entries))
