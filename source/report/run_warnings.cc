@@ -63,10 +63,11 @@ namespace birdstrike
       bool   can_fail = false;
       for (const auto &[number, of_section] : run.parameters.blade.by_section())
         {
-          const Metal metal = of_section.material.metal();
-          can_fail          = can_fail || metal.failure.can_fail();
-          if (metal.elongation > 0.)
-            smallest = std::min(smallest, std::log1p(metal.elongation));
+          can_fail = can_fail || of_section.material_can_fail();
+          if (of_section.is_laminate())
+            continue;
+          if (const double elongation = of_section.material.metal().elongation; elongation > 0.)
+            smallest = std::min(smallest, std::log1p(elongation));
         }
       const PeakPlasticStrain &most = run.observed.plastic;
       if (!can_fail && most.value > smallest)

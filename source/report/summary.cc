@@ -34,6 +34,14 @@ namespace birdstrike
         quantity.value);
     }
 
+    Json describe_laminate(const std::size_t section, const LaminateParameters &laminate)
+    {
+      Json json{{"section", section}, {"plies", laminate.plies}, {"n_plies", laminate.layers().size()}};
+      for (const MetalConstant &constant : constants_in_use(laminate.ply))
+        json["ply"][constant.key] = constant.value;
+      return json;
+    }
+
     /// A value by its path, or nullptr.
     const Json *find(const Json &json, const std::string &key)
     {
@@ -96,6 +104,11 @@ namespace birdstrike
     if (run.parameters.blade.is_deformable())
       for (const auto &[number, of_section] : run.parameters.blade.by_section())
         {
+          if (of_section.is_laminate())
+            {
+              json["blade"]["laminates"].push_back(describe_laminate(number, of_section.laminate));
+              continue;
+            }
           const Metal metal     = of_section.material.metal();
           Json        constants = {{"section", number}, {"name", metal.name}, {"hardening", hardening_name(metal)}};
           for (const MetalConstant &constant : constants_in_use(metal))

@@ -58,7 +58,15 @@ namespace birdstrike
     {
       for (const auto &[number, of_section] : blade.by_section())
         {
-          const std::string where    = "Blade/" + BladeParameters::section_path(number) + "Material/";
+          const std::string path = "Blade/" + BladeParameters::section_path(number);
+          if (of_section.is_laminate())
+            {
+              const Ply &ply = of_section.laminate.ply;
+              check({"density", path + "Laminate/Density", ply.density, "kg/m^3", 200., 25e3, of_density}, warnings);
+              check({"young", path + "Laminate/Young's modulus 1", ply.young_1, "Pa", 5e5, 2e12, of_stress}, warnings);
+              continue;
+            }
+          const std::string where    = path + "Material/";
           const Metal       metal    = of_section.material.metal(where);
           const std::size_t n_before = warnings.size();
           check({"density", where + "Density", metal.density, "kg/m^3", 500., 25e3, of_density}, warnings);
@@ -191,10 +199,9 @@ namespace birdstrike
         check({"blade_size", "Largest length of the blade (root of its area)", std::sqrt(census.area), "m", 3e-3, 3.,
                of_length},
               warnings);
-        const double size      = std::sqrt(census.area),
-                     thickness = scene.blade->kind() == BladeKind::shell
-                                   ? census.mass / (blade.material.metal("Blade/Material/").density * census.area)
-                                   : 0.;
+        const double size = std::sqrt(census.area), thickness = scene.blade->kind() == BladeKind::shell
+                                                                  ? census.mass / (blade.density() * census.area)
+                                                                  : 0.;
         if (thickness > size)
           warnings.push_back(
             {"unit/thickness", fmt::format("Mean thickness of the shell = {:.6g} m, more than its length "

@@ -119,11 +119,16 @@ namespace birdstrike
       for (const SectionCensus &section : census.sections)
         table.add(section.number == 0 ? "the blade's own section" : "section " + std::to_string(section.number),
                   fmt::format("{} elements ({}) of {}, {:.4g} kg", format_count(section.n_elements),
-                              of.at(section.number).formulation_name(), of.at(section.number).material.name,
+                              of.at(section.number).formulation_name(),
+                              of.at(section.number).is_laminate() ? "a laminate" : of.at(section.number).material.name,
                               section.mass));
       for (const auto &[number, of_section] : of)
-        table.add(of.size() == 1 ? "metal" : "metal of section " + std::to_string(number),
-                  describe(of_section.material.metal()));
+        {
+          const bool is_laminate = of_section.is_laminate();
+          table.add((is_laminate ? "laminate" : "metal") +
+                      (of.size() == 1 ? "" : " of section " + std::to_string(number)),
+                    is_laminate ? describe(of_section.laminate) : describe(of_section.material.metal()));
+        }
       add_mass_scaling(table, census.mass_scaling, census.n_elements);
       table.add("memory", format_bytes(census.bytes));
     }

@@ -31,15 +31,17 @@ namespace birdstrike
     {
       bool can_fail = false, has_no_smallest_step = false;
       for (const auto &[number, of_section] : blade.by_section())
-        if (const FailureParameters &failure = of_section.material.failure; failure.law != FailureLaw::none)
+        if (of_section.material_can_fail())
           {
-            can_fail             = true;
-            has_no_smallest_step = has_no_smallest_step || failure.smallest_step == 0.;
+            can_fail = true;
+            has_no_smallest_step =
+              has_no_smallest_step || (of_section.is_laminate() ? of_section.laminate.smallest_step
+                                                                : of_section.material.failure.smallest_step) == 0.;
           }
       if (has_no_smallest_step)
-        return "Set Material/Smallest step (0.1, say) of the metal that fails to take such elements away.";
+        return "Set Smallest step (0.1, say) of the material that fails to take such elements away.";
       if (can_fail)
-        return "Look at the last fields; Material/Smallest step of the metal that fails takes elements away earlier.";
+        return "Look at the last fields; Smallest step of the material that fails takes elements away earlier.";
       return "An element is crushed, or the mesh has one that is far too small. A metal that fails "
              "(Blade/Material/Failure; Blade/Element/Formulation other than solid-shell) lets it go at "
              "Blade/Material/Smallest step; else change loads or mesh.";

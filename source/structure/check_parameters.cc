@@ -27,7 +27,7 @@ namespace birdstrike
   {
     const auto in_use = by_section();
     return std::any_of(in_use.begin(), in_use.end(),
-                       [](const auto &section) { return section.second.material.metal().failure.can_fail(); });
+                       [](const auto &section) { return section.second.material_can_fail(); });
   }
 
   void BladeParameters::check_spin() const
@@ -95,6 +95,12 @@ namespace birdstrike
         const Section &given = sections[section - 1];
         require(given.material.name != Section::same || given.material == MetalParameters{Section::same},
                 where + "Material: entries are set, but no Name.\nName the metal that they change.");
+        require(given.laminate.is_given() || given.laminate == LaminateParameters(),
+                where + "Laminate: entries are set, but no Plies.\nGive the plies that they belong to, or set them in "
+                        "Blade/Laminate.");
+        require(!given.laminate.is_given() || given.material.name == Section::same,
+                where + "Laminate/Plies and " + where +
+                  "Material/Name are both given.\nLeave one of them out: a section is of plies or of a metal.");
         require(!is_solid || given.thickness.empty(),
                 where + "Thickness: bricks are as thick as the mesh.\nLeave it empty, or set Kind = shell.");
       }
@@ -108,6 +114,8 @@ namespace birdstrike
     require(element.n_points % 2 == 1, where + (where.empty() ? "Element/" : "") +
                                          "Points through thickness: " + std::to_string(element.n_points) +
                                          " was read.\nAllowed: odd numbers from 3 to 15.");
+    if (is_laminate())
+      return check_laminate(section);
     const bool can_fail = material.metal("Blade/" + where + "Material/").failure.can_fail();
     require(!is_solid || !can_fail || solid_formulation() != SolidFormulation::solid_shell,
             where +
@@ -116,6 +124,18 @@ namespace birdstrike
             "Mass scaling/Method: inertia that is added between nodes is not taken out again with elements that fail.\n"
             "Set it to off, or " +
               where + "Material/Failure to none.");
+  }
+
+  void BladeParameters::check_laminate(const std::size_t section) const
+  {
+    const std::string where = section_path(section) + "Laminate/";
+    require(kind != BladeKind::solid,
+            where + "Plies: there are no laminates of bricks.\nSet Blade/Kind = shell, or leave Plies empty.");
+    laminate.check("Blade/" + where);
+    require(!is_halved || laminate.is_symmetric_about_y(),
+            where + "Plies: half a blade stands for a whole one whose plies are mirrored about y = 0, and only those "
+                    "along and across a Reference direction in or across that plane are their own mirror images.\n"
+                    "Set Symmetry to none.");
   }
 
   std::vector<std::string> BladeParameters::unused_entries() const
@@ -146,6 +166,10 @@ namespace birdstrike
     add(BladeKind::solid, "Loads/Pressure boundaries", loads.pressure_boundaries != defaults.loads.pressure_boundaries);
     add(BladeKind::solid, "Mesh/Layers", mesh.n_layers != defaults.mesh.n_layers);
     add(BladeKind::solid, "Mesh/Layer grading", differ(mesh.layer_grading, defaults.mesh.layer_grading));
+    if (is_deformable() && !laminate.is_given() && laminate != defaults.laminate)
+      unused.emplace_back("Laminate (there are no Plies)");
+    if (is_deformable() && laminate.is_given() && material != defaults.material)
+      unused.emplace_back("Material (Laminate has Plies)");
     const MassScaling &m = mass_scaling, &n = defaults.mass_scaling;
     add(BladeKind::solid, "Mass scaling/Method", m.method != n.method);
     add(BladeKind::solid, "Mass scaling/Largest added inertia", differ(m.largest_added, n.largest_added));

@@ -63,6 +63,16 @@ namespace birdstrike
       prm.leave_subsection();
     }
 
+    void declare_material(dealii::ParameterHandler &prm, MetalParameters &metal, LaminateParameters &laminate)
+    {
+      prm.enter_subsection("Material");
+      metal.declare(prm);
+      prm.leave_subsection();
+      prm.enter_subsection("Laminate");
+      laminate.declare(prm);
+      prm.leave_subsection();
+    }
+
     void declare_section(dealii::ParameterHandler &prm, const std::string &name, BladeParameters::Section &p)
     {
       prm.enter_subsection(name);
@@ -79,9 +89,7 @@ namespace birdstrike
         "Thickness of shells, a number or a formula in x, y, z, before Thickness/By material; empty: the "
         "blade's. [m]",
         Anything());
-      prm.enter_subsection("Material");
-      p.material.declare(prm);
-      prm.leave_subsection();
+      declare_material(prm, p.material, p.laminate);
       prm.leave_subsection();
     }
 
@@ -208,20 +216,41 @@ namespace birdstrike
   std::map<std::size_t, BladeParameters> BladeParameters::by_section() const
   {
     std::map<std::size_t, BladeParameters> result{{0, *this}};
+    result[0].laminate = laminate.with_others(LaminateParameters::of_blade());
     for (std::size_t k = 0; k < n_sections; ++k)
       {
         const Section &section = sections[k];
         if (parse_words(section.material_ids).empty())
           continue;
-        BladeParameters &changed = result[k + 1] = *this;
+        BladeParameters &changed = result[k + 1] = result[0];
         if (!std::holds_alternative<std::monostate>(section.formulation))
           changed.element.formulation = section.formulation;
         if (section.n_points > 0)
           changed.element.n_points = section.n_points;
         if (section.material.name != Section::same)
-          changed.material = section.material;
+          {
+            changed.material = section.material;
+            changed.laminate.plies.clear();
+          }
+        if (section.laminate.is_given())
+          changed.laminate = section.laminate.with_others(result[0].laminate);
       }
     return result;
+  }
+
+  bool BladeParameters::is_laminate() const
+  {
+    return laminate.is_given();
+  }
+
+  bool BladeParameters::material_can_fail() const
+  {
+    return is_laminate() ? laminate.ply.strength.can_fail() : material.metal().failure.can_fail();
+  }
+
+  double BladeParameters::density() const
+  {
+    return is_laminate() ? laminate.ply.density : material.metal().density;
   }
 
   std::string BladeParameters::section_path(const std::size_t section)
@@ -247,9 +276,7 @@ namespace birdstrike
     thickness.declare(prm);
     declare_element(prm, element);
     declare_mass_scaling(prm, mass_scaling);
-    prm.enter_subsection("Material");
-    material.declare(prm);
-    prm.leave_subsection();
+    declare_material(prm, material, laminate);
     for (std::size_t k = 0; k < n_sections; ++k)
       declare_section(prm, "Section " + std::to_string(k + 1), sections[k]);
     declare_supports(prm, supports);

@@ -46,8 +46,8 @@ namespace birdstrike
   {
     std::map<unsigned int, double> some;
     for (const auto &[id, place] : of_id)
-      some[id] = all[place].material.metal().density;
-    return DensityLaw(all.front().material.metal().density, some);
+      some[id] = all[place].density();
+    return DensityLaw(all.front().density(), some);
   }
 
   ThicknessLaw SectionTable::thickness_law() const

@@ -11,13 +11,26 @@ namespace birdstrike
 {
   namespace
   {
+    std::shared_ptr<const Laminate> make_laminate(const LaminateParameters &p)
+    {
+      const auto direction = p.reference();
+      auto       laminate  = std::make_shared<Laminate>(p.ply, p.layers(), Point3(direction.data()), p.n_per_ply);
+      laminate->n_degradation_steps = p.n_degradation_steps;
+      laminate->failed_share        = p.failed_share;
+      laminate->smallest_step       = p.smallest_step;
+      return laminate;
+    }
+
     ShellSection make_section(const BladeParameters &parameters)
     {
       ShellSection section;
-      section.formulation           = parameters.shell_formulation();
-      section.rule                  = parameters.element.rule;
-      section.n_points              = parameters.element.n_points;
-      section.material              = parameters.material.metal();
+      section.formulation = parameters.shell_formulation();
+      section.rule        = parameters.element.rule;
+      section.n_points    = parameters.element.n_points;
+      if (parameters.is_laminate())
+        section.laminate = make_laminate(parameters.laminate);
+      else
+        section.material = parameters.material.metal();
       section.hourglass_coefficient = parameters.element.hourglass;
       section.shear_factor          = parameters.element.shear_factor;
       section.has_thinning          = parameters.element.has_thinning;

@@ -3,6 +3,7 @@
 #include <birdstrike/material/metal_parameters.h>
 #include <birdstrike/mesh/parameters.h>
 #include <birdstrike/structure/choices.h>
+#include <birdstrike/structure/laminate_parameters.h>
 
 #include <array>
 #include <map>
@@ -49,6 +50,7 @@ namespace birdstrike
       unsigned int       n_points = 0; ///< through the thickness; 0: the blade's
       std::string        thickness;    ///< m, of shells, number or expression in x, y, z; empty: the blade's
       MetalParameters    material{same};
+      LaminateParameters laminate; ///< with plies: instead of a metal
 
       bool operator==(const Section &) const = default;
     };
@@ -106,6 +108,7 @@ namespace birdstrike
     BladeKind                       kind = BladeKind::shell;
     Element                         element;
     MetalParameters                 material;
+    LaminateParameters              laminate = LaminateParameters::of_blade(); ///< with plies: instead of the metal
     std::array<Section, n_sections> sections;
     MassScaling                     mass_scaling;
     Supports                        supports;
@@ -131,7 +134,12 @@ namespace birdstrike
     std::map<std::size_t, BladeParameters> by_section() const;
     /// Of a section's entries: "", or "Section 1/".
     static std::string section_path(std::size_t section);
-    bool               can_fail() const; ///< the metal of some section
+    bool               can_fail() const; ///< the material of some section
+
+    /// Of the section whose entries stand in the blade's places, whatever its material.
+    bool   is_laminate() const;
+    bool   material_can_fail() const;
+    double density() const; ///< kg/m^3
 
     /// Declares every entry in the handler's present section; the members' values are the defaults.
     void declare(dealii::ParameterHandler &prm);
@@ -145,6 +153,7 @@ namespace birdstrike
 
   private:
     void check_elements(std::size_t section) const;
+    void check_laminate(std::size_t section) const;
     void check_spin() const;
     bool has_points_through_thickness() const;
   };

@@ -26,7 +26,7 @@ namespace birdstrike
     bool has_failure(const Sections<Section> &sections)
     {
       return std::any_of(sections.all.begin(), sections.all.end(),
-                         [](const Section &section) { return section.material.failure.can_fail(); });
+                         [](const Section &section) { return section.can_fail(); });
     }
   } // namespace
 

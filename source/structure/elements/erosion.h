@@ -2,7 +2,6 @@
 
 #include <birdstrike/core/aligned_vector.h>
 #include <birdstrike/core/number.h>
-#include <birdstrike/material/failure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,10 +88,10 @@ namespace birdstrike
     }
   };
 
-  /// Number of failed points (of n) that make an element fail.
-  inline unsigned int n_points_to_fail(const Failure &failure, const std::size_t n)
+  /// Number of failed points (of n) that make an element fail, of which it needs a share.
+  inline unsigned int n_points_to_fail(const double failed_share, const std::size_t n)
   {
-    return std::max(1u, static_cast<unsigned int>(std::ceil(failure.failed_share * static_cast<double>(n) - 1e-9)));
+    return std::max(1u, static_cast<unsigned int>(std::ceil(failed_share * static_cast<double>(n) - 1e-9)));
   }
 
   /// Points with D >= 1 of n.

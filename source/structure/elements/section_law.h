@@ -5,6 +5,16 @@
 
 namespace birdstrike
 {
+  /// exp(-4 e), e^5/720 off.
+  template <class Number>
+  [[gnu::always_inline]] inline Number fourth_power_of_exp_minus(const Number &e)
+  {
+    const Number half = 0.5 * e;
+    const Number rest = 1. + (1. / 12.) * e * e, root = (rest - half) / (rest + half);
+    const Number squared = root * root;
+    return squared * squared;
+  }
+
   /// Stress of a shell section from strain increments: one integration point in the plane of a shell.
   ///
   /// While nothing has yielded, mean and linear stress are exact in closed form and no points are stored;
@@ -32,10 +42,7 @@ namespace birdstrike
     template <class Number>
     [[gnu::always_inline]] Number contraction(const SectionStress<Number> &s) const
     {
-      const Number e = (0.25 * volume_compliance) * (s.mean[0] + s.mean[1]), half = 0.5 * e;
-      const Number rest = 1. + (1. / 12.) * e * e, root = (rest - half) / (rest + half); // e^5/720 off
-      const Number squared = root * root;
-      return squared * squared;
+      return fourth_power_of_exp_minus(Number((0.25 * volume_compliance) * (s.mean[0] + s.mean[1])));
     }
 
     /// The elastic trial state of a step, without points: false (and `s` as it was) when the stress at a face exceeds

@@ -19,7 +19,10 @@ namespace birdstrike
       row("hourglass bending stress", in_lane(hourglass.linear_curvature[0]), in_lane(hourglass.linear_curvature[1]));
       row("hourglass shear stress", in_lane(hourglass.linear_shear[0]), in_lane(hourglass.linear_shear[1]));
     });
-    archive_points(archive);
+    if (laminate)
+      archive_laminate(archive);
+    else
+      archive_points(archive);
   }
 
   /// Through the thickness, of sections that have them: number rule.n section + k. Batches get them together; of

@@ -35,7 +35,9 @@ namespace birdstrike
         const double t                                  = thickness[element_of(slot)];
         batches[slot / n_lanes].radius2[slot % n_lanes] = std::max(t * t / 12., geometry(element_of(slot)).area / 8.);
       }
-    if (section.material.failure.can_fail())
+    if (section.laminate)
+      build_laminate();
+    if (section.can_fail())
       build_erosion();
   }
 
@@ -46,8 +48,7 @@ namespace birdstrike
       for (std::size_t k = 0; k < n_lanes; ++k)
         bound[k] = eigenvalue_bound(element_of(b * n_lanes + k));
       if (erosion)
-        erosion->batches[b].allowed =
-          bound / (section.material.failure.smallest_step * section.material.failure.smallest_step);
+        erosion->batches[b].allowed = bound / (section.smallest_step() * section.smallest_step());
       return bound;
     });
   }
@@ -70,7 +71,7 @@ namespace birdstrike
       throw InputError("Shell " + where(e).text() +
                        ": not convex, its Jacobian at a point of the full integration is " +
                        text_of(smallest_area(e) / g.area) + " of that at the centre; it must be positive.");
-    mass.push_back(section.material.density * thickness * g.area);
+    mass.push_back(section.density() * thickness * g.area);
   }
 
   void ShellGroup::get_corners(const std::size_t element, Vector3<double> (&x)[4], Vector3<double> (&n)[4]) const
@@ -112,6 +113,8 @@ namespace birdstrike
     const ShellBatch           &batch        = batches[element / n_lanes];
     const double                inverse_mass = lane(batch.inverse_mass, element % n_lanes),
                  radius2                     = lane(batch.radius2, element % n_lanes);
+    if (laminate)
+      return laminate_bound(element, g);
     return n_in_plane == 1 ? compute_eigenvalue_bound<false>(g, t, inverse_mass, radius2, law)
                            : compute_eigenvalue_bound<true>(g, t, inverse_mass, radius2, law);
   }

@@ -25,7 +25,7 @@ namespace birdstrike
 
   bool ShellGroup::can_collapse() const
   {
-    return erosion && section.material.failure.smallest_step > 0.;
+    return erosion && section.smallest_step() > 0.;
   }
 
   /// Whether neither stresses nor what they have dissipated has become infinite or NaN.
@@ -63,15 +63,16 @@ namespace birdstrike
   void ShellGroup::collapse(const std::size_t b, ElementChunk &chunk)
   {
     const LanesMask fails = mask_of(erosion->batches[b].collapsed);
-    const Lanes     zero  = 0.,
-                volume([&](const auto k) { return mass[element_of(b * n_lanes + k)] / section.material.density; });
+    const Lanes zero = 0., volume([&](const auto k) { return mass[element_of(b * n_lanes + k)] / section.density(); });
     ShellVector<Lanes> none; // the forces' work is taken as a whole
     for (int c = 0; c < 3; ++c)
       none.membrane[c] = none.curvature[c] = zero;
     for (int c = 0; c < 2; ++c)
       none.shear[c] = none.linear_membrane[c] = none.linear_curvature[c] = none.linear_shear[c] = zero;
     Lanes energy = 0.;
-    for (std::size_t i = n_in_plane * b; i < n_in_plane * (b + 1); ++i)
+    if (laminate)
+      release_collapsed_laminate(b, fails, energy);
+    for (std::size_t i = n_in_plane * b; i < n_in_plane * (b + 1) && !laminate; ++i)
       {
         SectionStress<Lanes> &s          = n_in_plane == 1 ? stress[b] : sections[i];
         const bool            has_points = !points[i].empty();
@@ -80,7 +81,7 @@ namespace birdstrike
                   s.thickness;
       }
     energy *= volume / double(n_in_plane);
-    if (n_in_plane == 1)
+    if (n_in_plane == 1 && !laminate)
       {
         Lanes       eroded    = 0.;
         const Lanes hourglass = release_stabilisation(law, fails, none, stress[b], eroded);

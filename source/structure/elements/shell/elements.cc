@@ -41,6 +41,12 @@ namespace birdstrike
     return inertia;
   }
 
+  std::array<double, 4> ShellElements::failed_shares(const std::size_t element) const
+  {
+    const auto [group, e] = find(element);
+    return group.failed_shares(e);
+  }
+
   double ShellElements::elastic_energy() const
   {
     return stored_energy()[0];

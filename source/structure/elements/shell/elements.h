@@ -67,6 +67,8 @@ namespace birdstrike
     /// section, and its plastic strain; mean and largest of the points in the plane.
     std::array<double, 6> point_stress(std::size_t element, unsigned int point) const;
     double                point_plastic_strain(std::size_t element, unsigned int point) const;
+    /// Of a laminate, shares of the thickness in which each mode of PlyDamage has begun; of metals nothing.
+    std::array<double, 4> failed_shares(std::size_t element) const;
     /// The largest of the points in the plane.
     double layer_plastic_strain(std::size_t element, ShellLayer layer) const;
   };

@@ -25,7 +25,8 @@ namespace birdstrike
 
   Lanes ShellGroup::contraction(const std::size_t batch, const std::size_t k) const
   {
-    return law.contraction(section_of(batch, k));
+    return laminate ? laminate_contraction(laminate->states[n_in_plane * batch + k])
+                    : law.contraction(section_of(batch, k));
   }
 
   StoredEnergy::State ShellGroup::stored(const std::size_t k) const
@@ -40,6 +41,8 @@ namespace birdstrike
     area *= batches[b].owned;
     if (erosion)
       area *= erosion->batches[b].alive;
+    if (laminate)
+      return {{laminate_energy(laminate->states[k]), Lanes(0.)}, s.thickness * area * contraction(b, point)};
     return {{compute_density(law, s, points_of(b, point)), Lanes(0.)}, s.thickness * area * law.contraction(s)};
   }
 } // namespace birdstrike

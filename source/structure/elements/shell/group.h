@@ -1,8 +1,11 @@
 #pragma once
 
 #include "structure/elements/elements.h"
+#include "structure/elements/shell/laminate_sections.h"
 #include "structure/elements/shell/nodes.h"
 #include "structure/elements/shell/section.h"
+
+#include <optional>
 
 namespace birdstrike
 {
@@ -35,7 +38,7 @@ namespace birdstrike
     void archive(Archive &archive); ///< stresses
     auto changing()                 ///< see Elements::save
     {
-      return std::tuple_cat(ElementGroup::changing(), std::tie(points, stress, sections, has_new_failed));
+      return std::tuple_cat(ElementGroup::changing(), std::tie(points, stress, sections, has_new_failed, laminate));
     }
 
     bool                   has_points(std::size_t batch) const;                 ///< any of its sections
@@ -51,12 +54,17 @@ namespace birdstrike
     }
 
     /// Section k of a batch, and its points through the thickness.
-    const SectionStress<Lanes>             &section_of(std::size_t batch, std::size_t k) const;
-    const AlignedVector<ShellPoint<Lanes>> &points_of(std::size_t batch, std::size_t k) const;
+    const SectionStress<Lanes> &section_of(std::size_t batch, std::size_t k) const;
+    /// sxx, syy, sxy (Pa, Kirchhoff's) in the element's frame, of a laminate at section k and the height 2 z/t.
+    Point3 ply_stress(std::size_t element, std::size_t k, double height) const;
+    /// Shares of an element's thickness in which the modes of PlyDamage have begun.
+    std::array<double, PlyDamage<double>::n_modes> failed_shares(std::size_t element) const;
+    const AlignedVector<ShellPoint<Lanes>>        &points_of(std::size_t batch, std::size_t k) const;
 
     ShellSection                                  section;
     std::size_t                                   n_in_plane; ///< sections of an element: one, or four fully integrated
     std::vector<AlignedVector<ShellPoint<Lanes>>> points;     ///< [n_in_plane n_batches], empty while elastic
+    std::optional<LaminateSections>               laminate;   ///< none of metals
 
   private:
     void   check_shape(std::size_t element, double thickness);
@@ -77,12 +85,24 @@ namespace birdstrike
     Lanes            update_failing_section(std::size_t section, const SectionVector<Lanes> &strain, double dt);
     void             release_sections(std::size_t batch, const SectionVector<Lanes> *strain, const Lanes *area);
     void             build_erosion();
-    bool             can_collapse() const; ///< whether elements that do are eroded
-    bool             has_finite_state(std::size_t element) const;
-    void             take_collapsed(std::size_t chunk);
-    void             collapse(std::size_t batch, ElementChunk &chunk);
-    double           drop_forces(std::size_t batch, std::size_t lane);
-    void             report_failure(std::size_t batch); ///< throws, unless what is unsound collapses and goes
+    template <bool physical>
+    void update_laminate(std::size_t batch, double dt, ElementChunk &chunk);
+    void update_fully_integrated_laminate(std::size_t batch, double dt, ElementChunk &chunk);
+    void update_failing_plies(std::size_t batch, const LaminateState<Lanes> *old, const Lanes *volume, double dt);
+    void release_plies(std::size_t batch, const LaminateState<Lanes> *old, const Lanes *volume, const LanesMask &fails,
+                       const LanesMask &grows, const Lanes &carries);
+    void release_collapsed_laminate(std::size_t batch, const LanesMask &fails, Lanes &energy);
+    void build_laminate();
+    void archive_laminate(Archive &archive);
+    void archive_plies(Archive &archive);
+    double laminate_bound(std::size_t element, const ShellGeometry<double> &geometry) const;
+
+    bool   can_collapse() const; ///< whether elements that do are eroded
+    bool   has_finite_state(std::size_t element) const;
+    void   take_collapsed(std::size_t chunk);
+    void   collapse(std::size_t batch, ElementChunk &chunk);
+    double drop_forces(std::size_t batch, std::size_t lane);
+    void   report_failure(std::size_t batch); ///< throws, unless what is unsound collapses and goes
 
     ShellSectionLaw                     law;
     double                              initial_yield;

@@ -1,52 +1,9 @@
-#include "structure/elements/shell/batch.h"
+#include "structure/elements/shell/one_point_loop.h"
 
-#include "structure/elements/shell/belytschko_tsay.h"
-#include "structure/elements/shell/group.h"
 #include "structure/elements/shell/step_bound.h"
 
 namespace birdstrike
 {
-  namespace
-  {
-    template <bool physical>
-    [[gnu::always_inline]] inline ShellVector<Lanes>
-    compute_strain_increments(const ShellGeometry<Lanes> &midpoint, const Lanes &thickness,
-                              const double hourglass_coefficient, const ShellModes<Lanes> &u, const BatchNodes &nodes)
-    {
-      if constexpr (physical)
-        {
-          Corners director;
-          for (int i = 0; i < 4; ++i)
-            director[i] = nodes.rotation[i].cross(midpoint.director[i]);
-          return physical_shell::compute_strains(midpoint, u, ShellModes<Lanes>::of_corners(director));
-        }
-      else
-        return BelytschkoTsay<Lanes>(midpoint, thickness, hourglass_coefficient)
-          .compute_strains(nodes.increment, nodes.rotation, nodes.midpoint_normal);
-    }
-
-    template <bool physical>
-    [[gnu::always_inline]] inline void
-    compute_corner_forces(const ShellGeometry<Lanes> &end, const ShellStress<Lanes> &stress, const Lanes &contraction,
-                          const double hourglass_coefficient, const Corners &normal, Corners (&force)[2])
-    {
-      const ShellVector<Lanes> resultants = compute_resultants(stress, contraction);
-      if constexpr (physical)
-        {
-          ShellModes<Lanes> f, fd;
-          Corners           director_force;
-          physical_shell::compute_mode_forces(end, resultants, f, fd);
-          f.sum_at_corners(force[0]);
-          fd.sum_at_corners(director_force);
-          for (int i = 0; i < 4; ++i)
-            force[1][i] = end.director[i].cross(director_force[i]);
-        }
-      else
-        BelytschkoTsay<Lanes>(end, stress.thickness, hourglass_coefficient)
-          .compute_corner_forces(resultants, normal, force[0], force[1]);
-    }
-  } // namespace
-
   // Apart, so that the elastic path has the registers for itself.
   [[gnu::noinline, gnu::flatten]] ShellWork<Lanes>
   ShellGroup::update_points(const std::size_t b, const ShellVector<Lanes> &strain, const Lanes &area, const double dt)
@@ -109,11 +66,14 @@ namespace birdstrike
     switch (section.formulation)
       {
       case ShellFormulation::one_point_physical:
-        return for_batches([&](const std::size_t b) { update_batch<true>(b, dt, chunk); });
+        return laminate ? for_batches([&](const std::size_t b) { update_laminate<true>(b, dt, chunk); })
+                        : for_batches([&](const std::size_t b) { update_batch<true>(b, dt, chunk); });
       case ShellFormulation::belytschko_tsay:
-        return for_batches([&](const std::size_t b) { update_batch<false>(b, dt, chunk); });
+        return laminate ? for_batches([&](const std::size_t b) { update_laminate<false>(b, dt, chunk); })
+                        : for_batches([&](const std::size_t b) { update_batch<false>(b, dt, chunk); });
       case ShellFormulation::fully_integrated:
-        return for_batches([&](const std::size_t b) { update_fully_integrated(b, dt, chunk); });
+        return laminate ? for_batches([&](const std::size_t b) { update_fully_integrated_laminate(b, dt, chunk); })
+                        : for_batches([&](const std::size_t b) { update_fully_integrated(b, dt, chunk); });
       }
   }
 } // namespace birdstrike

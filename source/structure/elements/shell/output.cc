@@ -48,7 +48,8 @@ namespace birdstrike
 
   std::size_t ShellGroup::bytes() const
   {
-    std::size_t sum = bytes_of_group() + bytes_of(points) + bytes_of(stress) + bytes_of(sections);
+    std::size_t sum =
+      bytes_of_group() + bytes_of(points) + bytes_of(stress) + bytes_of(sections) + (laminate ? laminate->bytes() : 0);
     for (const auto &of_section : points)
       sum += bytes_of(of_section);
     return sum;
@@ -104,6 +105,13 @@ namespace birdstrike
         const auto  &points = group.points_of(b, i);
         const auto  &s      = group.section_of(b, i);
         const double cauchy = share * lane(group.contraction(b, i), k);
+        if (group.laminate)
+          {
+            const auto of_ply = group.ply_stress(e, i, int(layer) - 1.);
+            for (int c = 0; c < 3; ++c)
+              result[c] += cauchy * of_ply[c];
+            continue;
+          }
         for (int c = 0; c < 3; ++c)
           if (points.empty())
             result[c] += cauchy * (lane(s.mean[c], k) + (int(layer) - 1) * lane(s.outer[c], k));
@@ -169,8 +177,10 @@ namespace birdstrike
       {
         const auto &points  = group.points_of(b, i);
         const auto &section = group.section_of(b, i);
+        const auto  of_ply  = group.laminate ? group.ply_stress(e, i, group.rule().position[point]) : Point3::Zero();
         for (int c = 0; c < 3; ++c)
-          s[c] += share * (points.empty()
+          s[c] += share * (group.laminate ? of_ply[c]
+                           : points.empty()
                              ? lane(section.mean[c], k) + group.rule().position[point] * lane(section.outer[c], k)
                              : lane(points[point].stress[c], k));
         for (int c = 0; c < 2; ++c)

@@ -41,15 +41,36 @@ namespace birdstrike
       Number            smallest_jacobian; ///< over that at the centre
       PointBase<Number> point[n_points];
 
-      [[gnu::always_inline]] PlaneGeometry(const ShellGeometry<Number> &g, const double poisson)
-        : mean_eta((1. / 3.) * g.alpha), mean_xi((1. / 3.) * g.beta)
+      /// Of a metal.
+      [[gnu::always_inline]] PlaneGeometry(const ShellGeometry<Number> &g, const double poisson) : PlaneGeometry(g)
       {
         // the base is the inverse of the contravariant one: a1 = |a1 x a2| (c2y, -c2x), a2 = |a1 x a2| (-c1y, c1x)
         const Number nu = poisson, scale = (1. + poisson) * 16. * g.area * g.area;
         const Number s1 = scale * g.l1, s2 = scale * g.l2;
         set(uniaxial[0], s1 * g.c2y * g.c2y - nu, s1 * g.c2x * g.c2x - nu, -2. * s1 * g.c2x * g.c2y);
         set(uniaxial[1], s2 * g.c1y * g.c1y - nu, s2 * g.c1x * g.c1x - nu, -2. * s2 * g.c1x * g.c1y);
+      }
 
+      /// Of a laminate: the strains across a1 and a2 and the shear strains there (-) of a uniaxial stress of strain
+      /// one.
+      [[gnu::always_inline]] PlaneGeometry(const ShellGeometry<Number> &g, const Number (&lateral)[2],
+                                           const Number (&skew)[2])
+        : PlaneGeometry(g)
+      {
+        const Number scale = 16. * g.area * g.area;
+        const auto   along = [&](const Number &length, const Number &x, const Number &y, const int d) {
+          const Number xx = scale * length * x * x, yy = scale * length * y * y, xy = scale * length * x * y;
+          set(uniaxial[d], xx + lateral[d] * yy - skew[d] * xy, yy + lateral[d] * xx + skew[d] * xy,
+                2. * (Number(1.) - lateral[d]) * xy + skew[d] * (xx - yy));
+        };
+        along(g.l1, g.c2y, Number(-g.c2x), 0);
+        along(g.l2, Number(-g.c1y), g.c1x, 1);
+      }
+
+    private:
+      [[gnu::always_inline]] explicit PlaneGeometry(const ShellGeometry<Number> &g)
+        : mean_eta((1. / 3.) * g.alpha), mean_xi((1. / 3.) * g.beta)
+      {
         Number j[n_points];
         for (int k = 0; k < n_points; ++k)
           j[k] = Number(1.) + eta[k] * g.alpha + xi[k] * g.beta;
@@ -68,7 +89,6 @@ namespace birdstrike
           }
       }
 
-    private:
       static void set(Number (&vector)[3], const Number &xx, const Number &yy, const Number &xy)
       {
         vector[0] = xx;

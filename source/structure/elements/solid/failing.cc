@@ -39,7 +39,7 @@ namespace birdstrike
   void SolidGroup::build_erosion()
   {
     erosion           = std::make_unique<SolidErosion>();
-    erosion->n_needed = n_points_to_fail(section.material.failure, n_points());
+    erosion->n_needed = n_points_to_fail(section.material.failure.failed_share, n_points());
     erosion->batches.resize(batches.size());
     erosion->damage.assign(batches.size(), AlignedVector<Lanes>(n_points(), Lanes(0.)));
     SolidErosion::OfElements at_rest{};

@@ -14,5 +14,10 @@ namespace birdstrike
     unsigned int     n_points            = 5;                    ///< through the thickness: odd, 3 to 15
     double           linear_viscosity    = 0.06;                 ///< b1 of rho l c b1, -
     double           quadratic_viscosity = 1.2;                  ///< b2, in compression only, -
+
+    bool can_fail() const
+    {
+      return material.failure.can_fail();
+    }
   };
 } // namespace birdstrike
