@@ -54,13 +54,13 @@ namespace
 TEST(ShellFailure, PointsToFailAreAShareRoundedUp)
 {
   Failure failure;
-  EXPECT_EQ(n_points_to_fail(failure, 5), 5u);
+  EXPECT_EQ(n_points_to_fail(failure.failed_share, 5), 5u);
   failure.failed_share = 0.8;
-  EXPECT_EQ(n_points_to_fail(failure, 5), 4u);
+  EXPECT_EQ(n_points_to_fail(failure.failed_share, 5), 4u);
   failure.failed_share = 0.7;
-  EXPECT_EQ(n_points_to_fail(failure, 5), 4u);
+  EXPECT_EQ(n_points_to_fail(failure.failed_share, 5), 4u);
   failure.failed_share = 1e-3;
-  EXPECT_EQ(n_points_to_fail(failure, 5), 1u);
+  EXPECT_EQ(n_points_to_fail(failure.failed_share, 5), 1u);
 }
 
 // A strip pulled apart in plane strain. Elastic energy is the work of the forces less what is booked elsewhere: only if
