@@ -100,6 +100,11 @@ namespace birdstrike
         if (value("failed/partly") > 0)
           add("failed/partly", count("failed/partly") + ", " + count("failed/points") + " points");
         add("failed/free_mass");
+        if (value("failed/fibre_mass") + value("failed/matrix_mass") > 0.)
+          {
+            add("failed/fibre_mass");
+            add("failed/matrix_mass");
+          }
         add("failed/energy");
         if (value("failed/at_root") > 0)
           add("failed/at_root", shown("failed/at_root") + ": their stress is zero");

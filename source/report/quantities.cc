@@ -230,6 +230,10 @@ namespace birdstrike
         {"", "failed/mass", "kg", [](View run) { return run.observed.failure.mass; }},
         {"", "failed/free_mass", "kg", [](View run) { return run.observed.failure.free_mass; },
          "mass flying free of all elements"},
+        {"", "failed/fibre_mass", "kg", [](View run) { return run.observed.failure.fibre_mass; },
+         "plies whose fibres have failed"},
+        {"", "failed/matrix_mass", "kg", [](View run) { return run.observed.failure.matrix_mass; },
+         "plies whose matrix has failed"},
         {"", "failed/energy", "J", [](View run) { return state(run).blade.eroded; }, "energy eroded with them"},
       };
     }

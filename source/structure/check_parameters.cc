@@ -168,8 +168,8 @@ namespace birdstrike
     add(BladeKind::solid, "Mesh/Layer grading", differ(mesh.layer_grading, defaults.mesh.layer_grading));
     if (is_deformable() && !laminate.is_given() && laminate != defaults.laminate)
       unused.emplace_back("Laminate (there are no Plies)");
-    if (is_deformable() && laminate.is_given() && material != defaults.material)
-      unused.emplace_back("Material (Laminate has Plies)");
+    if (is_deformable() && laminate.is_given() && material.name != defaults.material.name)
+      unused.emplace_back("Material/Name (Laminate has Plies)");
     const MassScaling &m = mass_scaling, &n = defaults.mass_scaling;
     add(BladeKind::solid, "Mass scaling/Method", m.method != n.method);
     add(BladeKind::solid, "Mass scaling/Largest added inertia", differ(m.largest_added, n.largest_added));

@@ -186,6 +186,13 @@ namespace birdstrike
           report.n_partly += plane.whole(std::size_t(1));
           report.n_points += plane.whole(n);
         }
+    for (std::size_t e = 0; e < mesh.cells.size(); ++e)
+      if (mesh.is_owned(e))
+        {
+          const auto [fibre, matrix] = Kind::failed_ply_mass(elements, e);
+          report.fibre_mass += plane.whole(fibre);
+          report.matrix_mass += plane.whole(matrix);
+        }
     if (elements.n_failed() == 0)
       return report;
     std::size_t n_owned_failed = 0;

@@ -5,12 +5,17 @@
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/mesh/nodal_thickness.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace birdstrike
 {
   namespace
   {
+    /// Of PlyDamage.
+    const std::array<std::string, PlyDamage<double>::n_modes> failure_modes{
+      {"fibre_tension", "fibre_compression", "matrix_tension", "matrix_compression"}};
+
     std::shared_ptr<const Laminate> make_laminate(const LaminateParameters &p)
     {
       const auto direction = p.reference();
@@ -45,6 +50,11 @@ namespace birdstrike
       return points;
     }
   } // namespace
+
+  std::array<double, 2> ShellKind::failed_ply_mass(const Elements &elements, const std::size_t element)
+  {
+    return elements.failed_ply_mass(element);
+  }
 
   ShellMesh::Mass ShellKind::compute_mass(const Mesh &mesh, const SectionTable &sections, const Supports &supports)
   {
@@ -120,6 +130,11 @@ namespace birdstrike
         add_stress_fields("_" + names[k], stresses, fields);
       }
     add("thickness", "m", [&](const std::size_t e) { return elements.state(e).thickness; });
+    if (std::any_of(cells.begin(), cells.end(), [&](const std::size_t e) {
+          return elements.section(e).laminate && elements.section(e).can_fail();
+        }))
+      for (std::size_t mode = 0; mode < failure_modes.size(); ++mode)
+        add("failed_" + failure_modes[mode], "-", [&](const std::size_t e) { return elements.failed_shares(e)[mode]; });
   }
 
   std::array<std::uint32_t, 4> ShellKind::nodes_of(const Mesh &mesh, const std::size_t cell)

@@ -37,6 +37,9 @@ namespace birdstrike
     static MassScalingReport finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &mass,
                                     Elements &elements, Nodes &nodes);
 
+    /// kg, of the element's plies whose fibres have failed, and of others whose matrix has.
+    static std::array<double, 2> failed_ply_mass(const Elements &elements, std::size_t element);
+
     /// Of the elements in the list.
     static void add_fields(const Elements &elements, const std::vector<std::size_t> &cells, std::vector<Field> &fields);
     /// Nodes of a cell in the order of FieldSnapshot::cells.

@@ -41,6 +41,12 @@ namespace birdstrike
     static MassScalingReport finish(const BladeParameters &parameters, const Mesh &mesh, const Mesh::Mass &mass,
                                     Elements &elements, Nodes &nodes);
 
+    /// There are no laminates of bricks.
+    static std::array<double, 2> failed_ply_mass(const Elements &, std::size_t)
+    {
+      return {};
+    }
+
     static void add_fields(const Elements &elements, const std::vector<std::size_t> &cells, std::vector<Field> &fields);
     static const std::array<std::uint32_t, 8> &nodes_of(const Mesh &mesh, std::size_t cell);
   };

@@ -60,7 +60,7 @@ namespace birdstrike
   /// those of its elements that fail; the tip is followed as long as its nodes exist, also when they fly freely.
   struct FailureReport
   {
-    bool        can_fail    = false; ///< whether the metal has a failure law
+    bool        can_fail    = false; ///< whether the material can fail
     std::size_t n_elements  = 0;     ///< failed
     std::size_t n_collapsed = 0;     ///< of these, not by damage but by the smallest step
     std::size_t n_at_root   = 0;     ///< of these, at the root section
@@ -68,6 +68,8 @@ namespace birdstrike
     std::size_t n_points    = 0;     ///< these points
     double      mass        = 0.;    ///< kg, of failed elements
     double      free_mass   = 0.;    ///< kg, on free nodes
+    double      fibre_mass  = 0.;    ///< kg, of plies whose fibres have begun to fail
+    double      matrix_mass = 0.;    ///< kg, of plies whose matrix has, those with torn fibres apart
     /// m, centroid of the one of n_partly with the most failed points (the first of several); none: 0
     std::array<double, 3> partly_at{};
     bool                  has_lost_tip = false; ///< a watched node of the tip row is free

@@ -1,3 +1,4 @@
+#include "structure/elements/price.h"
 #include "structure/elements/shell/group.h"
 #include "structure/elements/solid/group.h"
 
@@ -5,46 +6,6 @@
 
 namespace birdstrike
 {
-  namespace
-  {
-    struct Price
-    {
-      double elastic, yielding; // ns
-    };
-
-    /// The table's prices are those of five points through the thickness; what yields grows with their number.
-    Price with_points(const double elastic, const double with_five, const unsigned int n_points)
-    {
-      return {elastic, elastic + (with_five - elastic) / 5. * n_points};
-    }
-
-    Price price_of(const ShellSection &section)
-    {
-      switch (section.formulation)
-        {
-        case ShellFormulation::belytschko_tsay:
-          return with_points(prices::belytschko_tsay_shell, prices::belytschko_tsay_shell_yielding, section.n_points);
-        case ShellFormulation::fully_integrated:
-          return with_points(prices::fully_integrated_shell, prices::fully_integrated_shell_yielding, section.n_points);
-        default:
-          return with_points(prices::physical_shell, prices::physical_shell_yielding, section.n_points);
-        }
-    }
-
-    Price price_of(const SolidSection &section)
-    {
-      switch (section.formulation)
-        {
-        case SolidFormulation::b_bar:
-          return {prices::b_bar_brick, prices::b_bar_brick_yielding};
-        case SolidFormulation::solid_shell:
-          return with_points(prices::solid_shell, prices::solid_shell_yielding, section.n_points);
-        default:
-          return {prices::one_point_brick, prices::one_point_brick_yielding};
-        }
-    }
-  } // namespace
-
   template <class Group>
   double Elements<Group>::largest_stable_step() const
   {

@@ -2,7 +2,7 @@
 
 #include "shell_harness.h"
 
-#include "structure/elements/shell/laminate.h"
+#include "structure/elements/shell/laminate/laminate.h"
 
 /// Laminated shells: a ply, stacks of it, and classical lamination theory as the books write it.
 namespace laminate_case
@@ -43,8 +43,8 @@ namespace laminate_case
     return plies;
   }
 
-  inline ShellSection section_of(const Ply &ply, const std::vector<PlyLayer> &plies,
-                                 const ShellFormulation formulation, const Point3 &reference = Point3::UnitX())
+  inline ShellSection section_of(const Ply &ply, const std::vector<PlyLayer> &plies, const ShellFormulation formulation,
+                                 const Point3 &reference = Point3::UnitX())
   {
     ShellSection section;
     section.formulation = formulation;
@@ -66,14 +66,14 @@ namespace laminate_case
     double       z = -0.5 * thickness;
     for (const PlyLayer &ply : plies)
       {
-        const double c = std::cos(ply.angle * M_PI / 180.), s = std::sin(ply.angle * M_PI / 180.);
-        const double c2 = c * c, s2 = s * s;
-        const double q11 = Q11 * c2 * c2 + 2. * (Q12 + 2. * Q66) * s2 * c2 + Q22 * s2 * s2;
-        const double q22 = Q11 * s2 * s2 + 2. * (Q12 + 2. * Q66) * s2 * c2 + Q22 * c2 * c2;
-        const double q12 = (Q11 + Q22 - 4. * Q66) * s2 * c2 + Q12 * (s2 * s2 + c2 * c2);
-        const double q66 = (Q11 + Q22 - 2. * Q12 - 2. * Q66) * s2 * c2 + Q66 * (s2 * s2 + c2 * c2);
-        const double q16 = (Q11 - Q12 - 2. * Q66) * s * c * c2 + (Q12 - Q22 + 2. * Q66) * s * s2 * c;
-        const double q26 = (Q11 - Q12 - 2. * Q66) * s * s2 * c + (Q12 - Q22 + 2. * Q66) * s * c * c2;
+        const double    c = std::cos(ply.angle * M_PI / 180.), s = std::sin(ply.angle * M_PI / 180.);
+        const double    c2 = c * c, s2 = s * s;
+        const double    q11 = Q11 * c2 * c2 + 2. * (Q12 + 2. * Q66) * s2 * c2 + Q22 * s2 * s2;
+        const double    q22 = Q11 * s2 * s2 + 2. * (Q12 + 2. * Q66) * s2 * c2 + Q22 * c2 * c2;
+        const double    q12 = (Q11 + Q22 - 4. * Q66) * s2 * c2 + Q12 * (s2 * s2 + c2 * c2);
+        const double    q66 = (Q11 + Q22 - 2. * Q12 - 2. * Q66) * s2 * c2 + Q66 * (s2 * s2 + c2 * c2);
+        const double    q16 = (Q11 - Q12 - 2. * Q66) * s * c * c2 + (Q12 - Q22 + 2. * Q66) * s * s2 * c;
+        const double    q26 = (Q11 - Q12 - 2. * Q66) * s * s2 * c + (Q12 - Q22 + 2. * Q66) * s * c * c2;
         Matrix3<double> Q;
         Q << q11, q12, q16, q12, q22, q26, q16, q26, q66;
         const double top = z + ply.share * thickness;

@@ -43,7 +43,7 @@ TEST(LaminateModes, ThickPlatesAreNearElasticity)
   for (const auto &[ratio, exact] : {std::pair(10., 8.2103), std::pair(20., 9.5603), std::pair(40., 10.752)})
     for (const ShellFormulation formulation : covariant_formulations)
       {
-        Ply ply               = of_ratio(ratio, 0.6, 0.5);
+        Ply             ply   = of_ratio(ratio, 0.6, 0.5);
         BladeParameters p     = simply_supported("[0/90]s", 0.2, ply, 24);
         p.element.formulation = formulation;
         const double found    = 2. * M_PI * modes_of(p, 1).modes[0].frequency / 0.2;
@@ -94,18 +94,18 @@ TEST(LaminateModes, KnowWhereTheFibresLie)
 
 TEST(LaminateModes, SectionsOfMetalAndOfPliesShareNodes)
 {
-  BladeParameters p             = test::elastic_plate(20, 6);
-  p.laminate.plies              = "[0/45/-45/90]s";
-  p.laminate.ply                = carbon();
-  p.mesh.material_boxes         = "0 -1 -1 1 -0.029 1: 7";
-  p.sections[0].material_ids    = "7";
-  p.sections[0].material        = p.material;
-  p.sections[0].material.name   = "Ti-6Al-4V";
+  BladeParameters p           = test::elastic_plate(20, 6);
+  p.laminate.plies            = "[0/45/-45/90]s";
+  p.laminate.ply              = carbon();
+  p.mesh.material_boxes       = "0 -1 -1 1 -0.029 1: 7";
+  p.sections[0].material_ids  = "7";
+  p.sections[0].material      = p.material;
+  p.sections[0].material.name = "Ti-6Al-4V";
   ThreadPool pool;
   const auto blade = make_blade(p, pool);
   EXPECT_NEAR(blade->mass() / (0.3112 * 0.0889 * 0.00427 * (4430. / 6. + 1600. * 5. / 6.)), 1., 1e-10);
   p.loads.initial_velocity = "0; 0; 20*(x/0.3112)^2";
-  const auto moving        = make_blade(p, pool);
+  const auto   moving      = make_blade(p, pool);
   const double before      = test::balance(*moving);
   test::advance(*moving, 0.9 * moving->step_limit().value, 1000);
   EXPECT_NEAR(test::balance(*moving) / before, 1., 2e-3);

@@ -60,9 +60,9 @@ namespace
   /// The same of a quarter with n x n elements.
   double deflection(const unsigned int n, const double thickness, const ShellSection &section)
   {
-    const Mesh mesh = make_grid(n, n, [](const double x, const double y) { return Point3(0.5 * x, 0.5 * y, 0.); });
-    Model      model(mesh, thickness, section);
-    Eigen::VectorXd   load = Eigen::VectorXd::Zero(model.n_dofs());
+    const Mesh      mesh = make_grid(n, n, [](const double x, const double y) { return Point3(0.5 * x, 0.5 * y, 0.); });
+    Model           model(mesh, thickness, section);
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(model.n_dofs());
     std::vector<bool> held(model.n_dofs(), false);
     const double      area = 0.25 / (n * n);
     for (const auto &cell : mesh.cells)
@@ -97,8 +97,8 @@ TEST(LaminateStatics, UnsymmetricStripWarpsUnderAxialForce)
   for (const auto formulation : covariant_formulations)
     for (const std::vector<double> &angles : {std::vector<double>{0., 90.}, {30., -30.}, {0., 45., 90.}})
       {
-        const auto plies = equal_plies(angles);
-        const Mesh mesh  = make_grid(10, 3, [&](const double x, const double y) {
+        const auto        plies = equal_plies(angles);
+        const Mesh        mesh  = make_grid(10, 3, [&](const double x, const double y) {
           return Point3(length * x + 0.003 * std::sin(9. * y) * x * (1. - x) * 4., width * (y - 0.5), 0.);
         });
         Model             model(mesh, thickness, section_of(carbon(), plies, formulation));
@@ -110,7 +110,7 @@ TEST(LaminateStatics, UnsymmetricStripWarpsUnderAxialForce)
             load[number(i, j)] += (i == 0 ? -1. : 1.) * (j == 0 || j == 3 ? 0.5 : 1.) * width / 3.;
         for (int d = 0; d < 6; ++d) // one node, and drilling
           held[number(0, 1) + d] = true;
-        held[number(10, 1) + 1] = true;
+        held[number(10, 1) + 1]        = true;
         const ABD                   of = lamination_theory(carbon(), plies, thickness);
         Eigen::Matrix<double, 6, 6> C;
         C << of.A, of.B, of.B, of.D;
@@ -133,15 +133,13 @@ TEST(LaminateStatics, UnsymmetricStripWarpsUnderAxialForce)
 TEST(LaminateStatics, SimplySupportedPlatesAreThoseOfNavier)
 {
   for (const auto formulation : covariant_formulations)
-    for (const std::vector<double> &angles :
-         {std::vector<double>{0., 90.}, {0., 90., 0., 90.}, {0., 90., 90., 0.}})
+    for (const std::vector<double> &angles : {std::vector<double>{0., 90.}, {0., 90., 0., 90.}, {0., 90., 90., 0.}})
       for (const double thickness : {0.1, 0.01, 0.001})
         {
           const auto         plies   = equal_plies(angles);
           const ShellSection section = section_of(of_ratio(25., 0.5, 0.2), plies, formulation);
-          const double       exact =
-            navier(lamination_theory(section.laminate->ply, plies, thickness),
-                   equilibrium_shear(*section.laminate, thickness));
+          const double       exact   = navier(lamination_theory(section.laminate->ply, plies, thickness),
+                                              equilibrium_shear(*section.laminate, thickness));
           const double w8 = deflection(8, thickness, section) / exact, w16 = deflection(16, thickness, section) / exact;
           EXPECT_NEAR(w16, 1., 5e-3) << name_of(formulation) << angles.size() << " " << thickness << " " << w8;
           EXPECT_LT(std::abs(w16 - 1.), 0.3 * std::abs(w8 - 1.) + 1e-4) << "second order";
@@ -163,7 +161,8 @@ TEST(LaminateStatics, ThickPlatesAreNearElasticity)
         const double       h = 1. / row.ratio, unit = 100. * h * h * h;
         const ShellSection section = section_of(of_ratio(25., 0.5, 0.2), plies, formulation);
         const ABD          theory  = lamination_theory(section.laminate->ply, plies, h);
-        EXPECT_NEAR(unit * navier(theory, factor_shear(*section.laminate, h)) / row.first_order, 1., 3e-4); // its digits
+        EXPECT_NEAR(unit * navier(theory, factor_shear(*section.laminate, h)) / row.first_order, 1.,
+                    3e-4); // its digits
         const double w = unit * deflection(16, h, section);
         record(std::string(name_of(formulation)) + " a/h = " + std::to_string(int(row.ratio)), w);
         EXPECT_NEAR(w / row.elasticity, 1., row.tolerance) << name_of(formulation) << " " << row.ratio;

@@ -32,7 +32,8 @@ namespace
     return 4. / (dt * dt);
   }
 
-  const std::vector<std::vector<double>> stacks{{0.}, {30.}, {0., 90.}, {45., -45.}, {0., 30., 75.}, {0., 90., 90., 0.}};
+  const std::vector<std::vector<double>> stacks{{0.},        {30.},          {0., 90.},
+                                                {45., -45.}, {0., 30., 75.}, {0., 90., 90., 0.}};
 
   BladeParameters plate(const std::string &plies, const unsigned int n_span, const unsigned int n_chord)
   {
@@ -49,7 +50,7 @@ TEST(LaminateStep, BoundHoldsForDistortedAndWarpedElements)
   std::mt19937                           random(7);
   std::uniform_real_distribution<double> number(-1., 1.);
   double                                 sum = 0., least = 1.;
-  std::size_t                            n   = 0;
+  std::size_t                            n = 0;
   for (const auto formulation : all_formulations)
     for (const auto &angles : stacks)
       for (const double thickness : {0.01, 0.1, 0.5, 2.})
@@ -64,9 +65,9 @@ TEST(LaminateStep, BoundHoldsForDistortedAndWarpedElements)
                 x[0] *= aspect;
               }
             const double angle = number(random) * M_PI;
-            Model        model(mesh, thickness,
-                               section_of(carbon(), equal_plies(angles), formulation,
-                                          Point3(std::cos(angle), std::sin(angle), 0.)));
+            Model        model(
+                     mesh, thickness,
+                     section_of(carbon(), equal_plies(angles), formulation, Point3(std::cos(angle), std::sin(angle), 0.)));
             const double ratio = std::sqrt(exact_eigenvalue(model) / bound(model));
             EXPECT_LE(ratio, 1. + 1e-6) << name_of(formulation) << ", sample " << k << ", t " << thickness;
             if (k < 4 && formulation != ShellFormulation::belytschko_tsay)
@@ -88,8 +89,8 @@ TEST(LaminateStep, BoundIsCloseOnAMesh)
   for (const auto formulation : covariant_formulations)
     for (const auto &angles : stacks)
       {
-        Model model(make_grid(6, 5, [](const double x, const double y) { return Point3(1.2 * x, y, 0.); }), 0.02,
-                    section_of(carbon(), equal_plies(angles), formulation));
+        Model        model(make_grid(6, 5, [](const double x, const double y) { return Point3(1.2 * x, y, 0.); }), 0.02,
+                           section_of(carbon(), equal_plies(angles), formulation));
         const double ratio = std::sqrt(exact_eigenvalue(model) / bound(model));
         EXPECT_LE(ratio, 1. + 1e-9);
         EXPECT_GT(ratio, 0.8) << name_of(formulation) << angles[0];

@@ -7,8 +7,8 @@ using namespace laminate_case;
 // Section forces of laminated shells against classical lamination theory.
 namespace
 {
-  const std::vector<std::vector<double>> stacks{{0.},        {30.},           {0., 90.},          {45., -45.},
-                                                {0., 90., 0}, {0., 30., 75.}, {0., 45., -45., 90., 90., -45., 45., 0.}};
+  const std::vector<std::vector<double>> stacks{
+    {0.}, {30.}, {0., 90.}, {45., -45.}, {0., 90., 0}, {0., 30., 75.}, {0., 45., -45., 90., 90., -45., 45., 0.}};
 
   struct Forces
   {
@@ -36,7 +36,7 @@ namespace
     const std::vector<Point3> flat = mesh.nodes;
     for (Point3 &x : mesh.nodes)
       x = turn * x;
-    Model model(mesh, thickness, section_of(carbon(), plies, formulation, turn * Point3(1., 0., 0.2)));
+    Model           model(mesh, thickness, section_of(carbon(), plies, formulation, turn * Point3(1., 0., 0.2)));
     Eigen::VectorXd u(model.n_dofs());
     for (std::size_t n = 0; n < flat.size(); ++n)
       {
@@ -70,11 +70,11 @@ TEST(LaminateStiffness, IsThatOfClassicalLaminationTheory)
           {
             Point3 e = Point3::Zero(), k = Point3::Zero();
             (state < 3 ? e : k)[state % 3] = state < 3 ? small : small / thickness;
-            const ABD    theory = lamination_theory(carbon(), equal_plies(angles), thickness);
+            const ABD    theory            = lamination_theory(carbon(), equal_plies(angles), thickness);
             const Point3 N = theory.A * e + theory.B * k, M = theory.B * e + theory.D * k;
             const double size = theory.A.norm() * small;
             const auto   all  = forces_of(equal_plies(angles), thickness, formulation, e, k,
-                                          first_node == 0 ? Matrix3<double>::Identity() : turn, first_node);
+                                       first_node == 0 ? Matrix3<double>::Identity() : turn, first_node);
             for (const Forces &of : all)
               {
                 EXPECT_LT((of.membrane - N).norm(), 1e-6 * size) << name_of(formulation) << state;
@@ -105,8 +105,8 @@ TEST(LaminateStiffness, TakesPliesOfUnequalThickness)
 // stresses either side of the neutral plane.
 TEST(LaminateStiffness, ShearIsThatOfEquilibrium)
 {
-  const Laminate one(carbon(), equal_plies({0.}), Point3::UnitX()), many(carbon(), equal_plies({0., 0., 0., 0., 0.}),
-                                                                         Point3::UnitX());
+  const Laminate one(carbon(), equal_plies({0.}), Point3::UnitX()),
+    many(carbon(), equal_plies({0., 0., 0., 0., 0.}), Point3::UnitX());
   for (const Laminate &of : {one, many})
     {
       EXPECT_NEAR(of.shear[0], 5. / 6. * 6.9e9, 1.);
@@ -114,13 +114,13 @@ TEST(LaminateStiffness, ShearIsThatOfEquilibrium)
       EXPECT_NEAR(of.shear[2], 0., 1.);
     }
   // without Poisson's ratio a strip of two materials: f by integrals of E (z - neutral plane)
-  Ply ply                        = carbon();
-  ply.poisson_12                 = 0.;
-  const double            E[2]   = {ply.young_1, ply.young_2}, G[2] = {ply.shear_13, ply.shear_23};
-  const double            middle = 0.25 * (E[1] - E[0]) / (E[0] + E[1]); // of the thickness
-  double                  stiff = 0., energy = 0., f = 0.;
-  constexpr std::size_t   n = 20000;
-  std::array<double, n>   first{};
+  Ply ply                    = carbon();
+  ply.poisson_12             = 0.;
+  const double          E[2] = {ply.young_1, ply.young_2}, G[2] = {ply.shear_13, ply.shear_23};
+  const double          middle = 0.25 * (E[1] - E[0]) / (E[0] + E[1]); // of the thickness
+  double                stiff = 0., energy = 0., f = 0.;
+  constexpr std::size_t n = 20000;
+  std::array<double, n> first{};
   for (std::size_t i = 0; i < n; ++i)
     {
       const double z = (i + 0.5) / n - 0.5, modulus = E[z > 0.];
@@ -137,10 +137,10 @@ TEST(LaminateStiffness, ShearIsThatOfEquilibrium)
 
 TEST(LaminateStiffness, RefusesADirectionThatStandsOnTheElements)
 {
-  EXPECT_THROW(Model(make_patch(), 1e-3,
-                     section_of(carbon(), equal_plies({0., 90.}), ShellFormulation::one_point_physical,
-                                Point3::UnitZ())),
-               InputError);
+  EXPECT_THROW(
+    Model(make_patch(), 1e-3,
+          section_of(carbon(), equal_plies({0., 90.}), ShellFormulation::one_point_physical, Point3::UnitZ())),
+    InputError);
 }
 
 // The whole motion is rigid: plies neither stretch nor forget their directions.
@@ -148,8 +148,8 @@ TEST(LaminateStiffness, TurnsWithTheMaterial)
 {
   for (const auto formulation : covariant_formulations)
     {
-      Model model(warped_mesh(3, 3), 0.02,
-                  section_of(carbon(), equal_plies({20., -50., 80.}), formulation, Point3(1., 0.3, 0.)));
+      Model           model(warped_mesh(3, 3), 0.02,
+                            section_of(carbon(), equal_plies({20., -50., 80.}), formulation, Point3(1., 0.3, 0.)));
       Eigen::VectorXd strain(model.n_dofs());
       for (Eigen::Index d = 0; d < strain.size(); ++d)
         strain[d] = 1e-5 * std::sin(1.7 * d);

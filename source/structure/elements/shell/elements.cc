@@ -47,6 +47,15 @@ namespace birdstrike
     return group.failed_shares(e);
   }
 
+  std::array<double, 2> ShellElements::failed_ply_mass(const std::size_t element) const
+  {
+    const auto [group, e] = find(element);
+    auto shares           = group.failed_ply_shares(e);
+    for (double &share : shares)
+      share *= group.mass[e];
+    return shares;
+  }
+
   double ShellElements::elastic_energy() const
   {
     return stored_energy()[0];

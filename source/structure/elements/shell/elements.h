@@ -69,6 +69,8 @@ namespace birdstrike
     double                point_plastic_strain(std::size_t element, unsigned int point) const;
     /// Of a laminate, shares of the thickness in which each mode of PlyDamage has begun; of metals nothing.
     std::array<double, 4> failed_shares(std::size_t element) const;
+    /// kg, of its plies whose fibres have begun to fail, and of others whose matrix has.
+    std::array<double, 2> failed_ply_mass(std::size_t element) const;
     /// The largest of the points in the plane.
     double layer_plastic_strain(std::size_t element, ShellLayer layer) const;
   };

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "structure/elements/elements.h"
-#include "structure/elements/shell/laminate_sections.h"
+#include "structure/elements/shell/laminate/sections.h"
 #include "structure/elements/shell/nodes.h"
 #include "structure/elements/shell/section.h"
 
@@ -59,7 +59,9 @@ namespace birdstrike
     Point3 ply_stress(std::size_t element, std::size_t k, double height) const;
     /// Shares of an element's thickness in which the modes of PlyDamage have begun.
     std::array<double, PlyDamage<double>::n_modes> failed_shares(std::size_t element) const;
-    const AlignedVector<ShellPoint<Lanes>>        &points_of(std::size_t batch, std::size_t k) const;
+    /// Of its fibres, and of the matrix of other plies.
+    std::array<double, 2>                   failed_ply_shares(std::size_t element) const;
+    const AlignedVector<ShellPoint<Lanes>> &points_of(std::size_t batch, std::size_t k) const;
 
     ShellSection                                  section;
     std::size_t                                   n_in_plane; ///< sections of an element: one, or four fully integrated

@@ -23,7 +23,7 @@ namespace birdstrike
 
   bool ShellGroup::has_points(const std::size_t batch) const
   {
-    bool has = false;
+    bool has = bool(laminate); // they need none
     for (std::size_t k = 0; k < n_in_plane; ++k)
       has = has || !points_of(batch, k).empty();
     return has;

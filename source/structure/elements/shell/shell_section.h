@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/elements/shell/laminate.h"
+#include "structure/elements/shell/laminate/laminate.h"
 #include <birdstrike/material/metal.h>
 #include <birdstrike/structure/choices.h>
 

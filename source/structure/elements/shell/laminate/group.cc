@@ -1,6 +1,6 @@
 #include "structure/elements/shell/group.h"
-#include "structure/elements/shell/laminate_bound.h"
-#include "structure/elements/shell/laminate_failure.h"
+#include "structure/elements/shell/laminate/bound.h"
+#include "structure/elements/shell/laminate/failure.h"
 #include <birdstrike/core/errors.h>
 
 #include <cmath>
@@ -195,6 +195,24 @@ namespace birdstrike
           for (int m = 0; m < PlyDamage<double>::n_modes; ++m)
             if (lane(damage[p].mode[m], e % n_lanes) > 0.)
               shares[m] += laminate->law->layers[p].share() / double(n_in_plane);
+      }
+    return shares;
+  }
+
+  std::array<double, 2> ShellGroup::failed_ply_shares(const std::size_t e) const
+  {
+    std::array<double, 2> shares{};
+    for (std::size_t i = 0; laminate && i < n_in_plane; ++i)
+      {
+        const auto &damage = laminate->damage[n_in_plane * (e / n_lanes) + i];
+        for (std::size_t p = 0; p < damage.size(); ++p)
+          {
+            const double share = laminate->law->layers[p].share() / double(n_in_plane);
+            if (lane(damage[p].fibre(), e % n_lanes) > 0.)
+              shares[0] += share;
+            else if (lane(damage[p].matrix(), e % n_lanes) > 0.)
+              shares[1] += share;
+          }
       }
     return shares;
   }

@@ -1,4 +1,4 @@
-#include "structure/elements/shell/laminate.h"
+#include "structure/elements/shell/laminate/laminate.h"
 
 #include <Eigen/Dense>
 

@@ -2,7 +2,7 @@
 
 #include "structure/elements/section_law.h"
 #include "structure/elements/shell/geometry.h"
-#include "structure/elements/shell/laminate.h"
+#include "structure/elements/shell/laminate/laminate.h"
 
 namespace birdstrike
 {

@@ -1,7 +1,7 @@
 #include "structure/elements/shell/one_point_loop.h"
 
 #include "structure/elements/shell/full_integration.h"
-#include "structure/elements/shell/laminate_bound.h"
+#include "structure/elements/shell/laminate/bound.h"
 
 // The loops over batches of laminated shells: as those of metals (loops.cc, full_integration.cc), with the section's
 // law in the laminate's own axes.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/elements/shell/laminate_law.h"
+#include "structure/elements/shell/laminate/law.h"
 
 namespace birdstrike
 {
