@@ -20,6 +20,7 @@ CASES = {
     "rigid-plate": {"Bird/Particle spacing": "0.004"},
     "sheath": {"Bird/Particle spacing": "0.004"},
     "perforation": {"Bird/Particle spacing": "0.004"},
+    "fan-blade-composite": {"Bird/Particle spacing": "0.008"},
 }
 
 

@@ -97,6 +97,8 @@ namespace
                         "Blade/Mesh/Elements along chord=20"};
   const Overrides   sheath_fails{"Bird/Velocity=0, 0, 400", "Blade/Section 1/Material/Failure=plastic strain",
                                "Blade/Section 1/Material/Failure strain=0.005"};
+  const Overrides   composite{"Bird/Particle spacing=0.008", "Blade/Mesh/Elements along span=22",
+                            "Blade/Mesh/Elements along chord=9"};
   const std::string formulation = "Blade/Element/Formulation=";
 
   const Case cases[] = {
@@ -107,6 +109,8 @@ namespace
     {"BladeImpulse", shipped("blade-impulse"), {}, 20, 200, "blade/elements/section 0/points/plastic strain"},
     {"FanBlade", shipped("fan-blade"), coarse, 20, 200},
     {"FanBladeSolid", shipped("fan-blade"), solid, 20, 200},
+    {"FanBladeComposite", shipped("fan-blade-composite"), composite, 100, 300,
+     "blade/elements/section 0/laminate/plies/modes", 2},
     {"Frontal", shipped("frontal"), coarse, 20, 400, "blade/elements/section 0/points/plastic strain", 2},
     {"FrontalSolid", shipped("frontal"), solid, 20, 400, "contact/report/touching", 2},
     {"Oblique", shipped("oblique"), coarse, 20, 300},
@@ -167,6 +171,8 @@ namespace
     {"FullyIntegratedPerforation", shipped("perforation"),
      with(plate, {"Bird/Velocity=0, 0, 400", formulation + "fully integrated"}), 60, 120,
      "blade/elements/section 0/failed"},
+    {"FullyIntegratedPlies", shipped("fan-blade-composite"), with(composite, {formulation + "fully integrated"}), 100,
+     300, "blade/elements/section 0/laminate/plies/modes"},
     {"BBarPerforation", shipped("perforation"),
      with(plate, {"Blade/Kind=solid", "Bird/Velocity=0, 0, 400", formulation + "B-bar"}), 60, 120,
      "blade/elements/section 0/failed"},
