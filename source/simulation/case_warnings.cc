@@ -61,9 +61,10 @@ namespace birdstrike
           const std::string path = "Blade/" + BladeParameters::section_path(number);
           if (of_section.is_laminate())
             {
-              const Ply &ply = of_section.laminate.ply;
-              check({"density", path + "Laminate/Density", ply.density, "kg/m^3", 200., 25e3, of_density}, warnings);
-              check({"young", path + "Laminate/Young's modulus 1", ply.young_1, "Pa", 5e5, 2e12, of_stress}, warnings);
+              const std::string where = path + "Laminate/";
+              const Ply        &ply   = of_section.laminate.ply;
+              check({"density", where + "Density", ply.density, "kg/m^3", 200., 25e3, of_density}, warnings);
+              check({"young", where + "Young's modulus 1", ply.young_1, "Pa", 5e5, 2e12, of_stress}, warnings);
               continue;
             }
           const std::string where    = path + "Material/";
