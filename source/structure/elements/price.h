@@ -20,10 +20,13 @@ namespace birdstrike
 
   inline Price price_of(const ShellSection &section)
   {
-    if (section.laminate) // its law has no plasticity
+    if (section.laminate)
       {
-        const double price = section.formulation == ShellFormulation::fully_integrated ? prices::fully_integrated_shell
-                                                                                       : prices::physical_shell;
+        // measured beside those of the table, one core of the same kind
+        const bool   is_full  = section.formulation == ShellFormulation::fully_integrated;
+        const double sections = is_full ? 4. : 1., of_ply = section.can_fail() ? 2.2 : 0.;
+        const double price = (is_full ? prices::fully_integrated_shell + 18. : prices::physical_shell + 11.) +
+                             sections * of_ply * static_cast<double>(section.laminate->layers.size());
         return {price, price};
       }
     switch (section.formulation)
