@@ -53,6 +53,13 @@ namespace birdstrike
         }
       return result;
     }
+
+    LaminateElement<double> in_lane(const LaminateElement<Lanes> &elements, const std::size_t k)
+    {
+      LaminateElement<double> result;
+      for_pairs(result, elements, [k](double &value, const Lanes &lanes) { value = lane(lanes, k); });
+      return result;
+    }
   } // namespace
 
   void ShellGroup::build_laminate()
@@ -71,7 +78,7 @@ namespace birdstrike
   double ShellGroup::laminate_bound(const std::size_t e, const ShellGeometry<double> &g) const
   {
     const Laminate            &plies = *section.laminate;
-    const auto                 of    = make_element(plies, g, place_axes(plies, g, where(e)), section.formulation);
+    const auto                 of    = in_lane(laminate->elements[e / n_lanes], e % n_lanes);
     const ShellBatch          &batch = batches[e / n_lanes];
     const LaminateAxes<double> axes(g, of);
     const double               t = largest_thickness(e), inverse_mass = lane(batch.inverse_mass, e % n_lanes),
@@ -174,10 +181,7 @@ namespace birdstrike
     double strain[3], own[3], turned[3], result[3];
     compute_ply_strain(layer, height, state.strain, strain);
     PlyStiffness<double>(law.ply, 1. - damage.fibre(), 1. - damage.matrix()).compute_stress(strain, own);
-    LaminateElement<double> at_rest;
-    for_pairs(at_rest, laminate->elements[e / n_lanes],
-              [e](double &value, const Lanes &lanes) { value = lane(lanes, e % n_lanes); });
-    LaminateAxes<double> axes(geometry(e), at_rest), of_layer = axes;
+    LaminateAxes<double> axes(geometry(e), in_lane(laminate->elements[e / n_lanes], e % n_lanes)), of_layer = axes;
     of_layer.c = layer.cos;
     of_layer.s = layer.sin;
     of_layer.turn_stress(own, 1., turned);

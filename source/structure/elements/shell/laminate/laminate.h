@@ -56,8 +56,8 @@ namespace birdstrike
     double compliance[6][6];     ///< 1/Pa
     double membrane_alone[3][3]; ///< A^-1, 1/Pa
 
-    /// (strain, 2 b) of a uniaxial stress: 1/compliance along the angle's direction without any bending, the lateral
-    /// strain and the shear strain across it by that along it.
+    /// Of a uniaxial membrane stress along a direction, without any bending: stress over strain along it, and the
+    /// lateral strain and the shear strain across it by that along it.
     struct Uniaxial
     {
       double modulus, lateral, shear;
