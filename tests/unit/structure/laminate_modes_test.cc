@@ -36,8 +36,8 @@ namespace
   }
 } // namespace
 
-// Noor (1973), three-dimensional elasticity, [0/90/90/0], a/h = 5: w a^2/h sqrt(rho/E2) by E1/E2. First-order theory
-// with 5/6 has 10.82 for 40.
+// Noor (1973) as usually quoted, three-dimensional elasticity, [0/90/90/0], a/h = 5: w a^2/h sqrt(rho/E2) by E1/E2.
+// First-order theory with 5/6 has 10.82 for 40.
 TEST(LaminateModes, ThickPlatesAreNearElasticity)
 {
   for (const auto &[ratio, exact] : {std::pair(10., 8.2103), std::pair(20., 9.5603), std::pair(40., 10.752)})

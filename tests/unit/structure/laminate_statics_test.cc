@@ -146,8 +146,9 @@ TEST(LaminateStatics, SimplySupportedPlatesAreThoseOfNavier)
         }
 }
 
-// Pagano & Hatfield (1972), [0/90/90/0], E1/E2 = 25: 100 E2 h^3 w/(q a^4) = 1.954, 0.743, 0.517 at a/h = 4, 10, 20.
-// First-order theory with 5/6 has 1.710, 0.663, 0.491 (Reddy 1984); with the stiffness of equilibrium it is nearer.
+// Pagano & Hatfield (1972) as usually quoted, [0/90/90/0], E1/E2 = 25: 100 E2 h^3 w/(q a^4) = 1.954, 0.743, 0.517 at
+// a/h = 4, 10, 20. First-order theory with 5/6 has 1.710, 0.663, 0.491 (Reddy 1984); with the stiffness of equilibrium
+// it is nearer.
 TEST(LaminateStatics, ThickPlatesAreNearElasticity)
 {
   struct Row
