@@ -221,7 +221,7 @@ namespace birdstrike
     return packed.plane.whole(particles.size());
   }
 
-  FieldSnapshot Bird::snapshot() const
+  FieldSnapshot Bird::snapshot(const std::size_t first_id) const
   {
     const std::size_t n = particles.size();
     FieldSnapshot     snapshot;
@@ -245,7 +245,7 @@ namespace birdstrike
         pressure.values[p] = parameters.tension_cutoff ? std::max(p0, 0.) : p0;
         density.values[p]  = eos.reference_density() * (1. + particles.mu[p]);
         energy.values[p]   = particles.internal_energy[p] / particles.mass;
-        id.values[p]       = particles.id[p];
+        id.values[p]       = static_cast<double>(first_id + particles.id[p]);
       }
     snapshot.fields = {std::move(velocity), std::move(pressure), std::move(density), std::move(energy), std::move(id)};
     return snapshot;

@@ -116,13 +116,13 @@ namespace birdstrike
       return target - distance * v.normalized();
     }
 
-    void check_period(const double period, const double range)
+    void check_period(const double period, const double range, const std::string &section)
     {
       if (period < 2. * range)
-        throw InputError(fmt::format("Section 'Bird', entry 'Periodic directions': the period {:.4g} m is shorter than "
+        throw InputError(fmt::format("Section '{}', entry 'Periodic directions': the period {:.4g} m is shorter than "
                                      "two interaction ranges ({:.4g} m).\nA particle would meet its own image twice: "
                                      "make the body at least six particle spacings wide there.",
-                                     period, 2. * range));
+                                     section, period, 2. * range));
     }
   } // namespace
 
@@ -141,7 +141,7 @@ namespace birdstrike
     Packing packing;
     packing.points = shape.is_slab() ? pack_slab(parameters, shape) : pack(parameters, shape);
     if (packing.points.empty())
-      throw InputError("Section 'Bird': the shape holds no particle.\nChoose a smaller 'Particle spacing'.");
+      throw InputError("Section '" + parameters.section + "': the shape holds no particle.\nChoose a smaller 'Particle spacing'.");
 
     const std::size_t n     = packing.points.size();
     const double      m     = shape.volume() * parameters.density;
@@ -173,9 +173,9 @@ namespace birdstrike
           const double cell    = a * packing.spacing;
           packing.period[d] =
             shape.is_slab() ? std::max(1., std::round(nominal / (a * parameters.spacing))) * cell : nominal;
-          check_period(packing.period[d], range);
+          check_period(packing.period[d], range, parameters.section);
           if (!shape.is_slab() && std::abs(packing.axis[d]) < 1. - 1e-12)
-            throw InputError("Section 'Bird', entry 'Periodic directions': a cylinder repeats itself along its axis "
+            throw InputError("Section '" + parameters.section + "', entry 'Periodic directions': a cylinder repeats itself along its axis "
                              "only.\nLet the velocity point along that direction, without yaw or pitch.");
         }
     for (Point3 &p : packing.points)
@@ -185,7 +185,7 @@ namespace birdstrike
         packing.plane = SymmetryPlane(true);
         std::erase_if(packing.points, [](const Point3 &p) { return p[1] < 0.; });
         if (2 * packing.points.size() != n)
-          throw InputError("Section 'Bird': the packing is not symmetric about y = 0.\nCompute the whole bird.");
+          throw InputError("Section '" + parameters.section + "': the packing is not symmetric about y = 0.\nCompute the whole bird.");
       }
     return packing;
   }

@@ -7,13 +7,10 @@
 /// Rules between the entries of the bird.
 namespace birdstrike
 {
-  namespace
+  void BirdParameters::refuse(const std::string &entry, const std::string &found, const std::string &action) const
   {
-    [[noreturn]] void refuse(const std::string &entry, const std::string &found, const std::string &action)
-    {
-      throw InputError("Section 'Bird', entry '" + entry + "': " + found + "\n" + action);
-    }
-  } // namespace
+    throw InputError("Section '" + section + "', entry '" + entry + "': " + found + "\n" + action);
+  }
 
   void BirdParameters::check() const
   {
@@ -80,7 +77,7 @@ namespace birdstrike
 
   void BirdParameters::check_halves() const
   {
-    const auto refuse_half = [](const std::string &entry, const std::string &found, const std::string &action) {
+    const auto refuse_half = [this](const std::string &entry, const std::string &found, const std::string &action) {
       refuse(entry, found + " has no mirror plane y = 0.", action + ", or compute the whole bird.");
     };
     if (velocity[1] != 0.)

@@ -33,7 +33,8 @@ namespace birdstrike
 
     void declare_body(ParameterHandler &prm, BirdParameters &bird)
     {
-      prm.add_parameter("Enabled", bird.enabled, "Whether the scene has a bird; without one no particle is built. [-]");
+      prm.add_parameter("Enabled", bird.enabled,
+                        "Whether the scene has this bird; without one no particle is built. [-]");
       declare_choice(prm, "Shape", bird.shape, bird_shapes(),
                      "Shape of the bird; a slab is a box of given lengths along x, y, z for verification. [-]");
       prm.add_parameter("Mass", bird.mass, "Mass of the bird; the size follows from it (not used by a slab). [kg]",
@@ -100,6 +101,10 @@ namespace birdstrike
       prm.add_parameter("Stand-off", bird.stand_off,
                         "Distance from the bird's centre to the aim point at the start; 0 chooses twice the radius of "
                         "the sphere around the bird, or more where the blade is in its way before. [m]",
+                        not_negative);
+      prm.add_parameter("Arrival time", bird.arrival,
+                        "Time at which the bird touches the blade first, if that lies as at the start and turns with "
+                        "its hub; until something is near, the bird flies free and costs nothing. [s]",
                         not_negative);
     }
 
@@ -184,7 +189,7 @@ namespace birdstrike
 
   void BirdParameters::declare(dealii::ParameterHandler &prm)
   {
-    prm.enter_subsection("Bird");
+    prm.enter_subsection(section);
     declare_body(prm, *this);
     declare_motion(prm, *this);
     declare_method(prm, *this);

@@ -50,23 +50,44 @@ namespace birdstrike
   void Contact::add_forces(const PointsView &points, const FacetsView &facets, const double step, const Sink &sink,
                            ThreadPool &pool)
   {
+    find(points, facets, step, pool);
+    act(points, facets, step, sink, pool);
+  }
+
+  ContactScene Contact::describe(const PointsView &points, const FacetsView &facets, const double step) const
+  {
+    const double range = topology.max_half_thickness() + 0.5 * memory.max_size();
+    return {points, facets, topology, step, range, last.calls, last.calls == 1, is_changed, search.nodes_motion()};
+  }
+
+  void Contact::find(const PointsView &points, const FacetsView &facets, const double step, ThreadPool &pool)
+  {
     clock += is_first ? 0. : step;
     ++last.calls;
 
     update_candidates(points, facets, pool);
     dissipation.book_past(points, facets, memory, step);
     limit                    = {};
-    const double       range = topology.max_half_thickness() + 0.5 * memory.max_size();
-    const ContactScene scene{
-      points, facets, topology, step, range, last.calls, last.calls == 1, is_changed, search.nodes_motion()};
+    const ContactScene scene = describe(points, facets, step);
     if (is_changed)
       note_depths(points);
     if (search.n_near() > 0)
       find_touches(scene, pool);
     if (is_changed)
       book_released(scene);
+  }
+
+  void Contact::add_weights(std::vector<double> &weights) const
+  {
     if (search.n_near() > 0)
-      add_forces_of_touches(scene, sink, pool);
+      node_sums.add_weights(weights);
+  }
+
+  void Contact::act(const PointsView &points, const FacetsView &facets, const double step, const Sink &sink,
+                    ThreadPool &pool, const std::vector<double> *const weights)
+  {
+    if (search.n_near() > 0)
+      add_forces_of_touches(describe(points, facets, step), sink, pool, weights);
     is_first = false;
     sum_report(points.plane);
     update_peaks(points.spacing);
@@ -207,7 +228,8 @@ namespace birdstrike
     record.last_touch = last.calls;
   }
 
-  void Contact::add_forces_of_touches(const ContactScene &scene, const Sink &sink, ThreadPool &pool)
+  void Contact::add_forces_of_touches(const ContactScene &scene, const Sink &sink, ThreadPool &pool,
+                                      const std::vector<double> *const weights)
   {
     auto &blocks = search.blocks();
     cost.assign(1, 0);
@@ -215,7 +237,7 @@ namespace birdstrike
       cost.push_back(cost.back() + list.size());
     if (cost.back() == 0)
       return;
-    node_sums.share_masses(scene.facets, pool);
+    node_sums.share_masses(scene.facets, pool, weights);
 
     const ContactLaw constants = law(scene);
     const auto       add       = [&](const std::size_t begin, const std::size_t end) {

@@ -48,14 +48,26 @@ namespace birdstrike
     std::fill(mobilities.begin() + block.first_node, mobilities.begin() + end, 0.);
   }
 
-  void NodeSums::share_masses(const FacetsView &facets, ThreadPool &pool)
+  double NodeSums::sum_weights(const std::size_t n) const
+  {
+    double total = 0.;
+    for (std::uint32_t e = first[n]; e < first[n + 1]; ++e)
+      total += mobilities[entries[e]];
+    return total;
+  }
+
+  void NodeSums::add_weights(std::vector<double> &weights) const
+  {
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      weights[nodes[n]] += sum_weights(n);
+  }
+
+  void NodeSums::share_masses(const FacetsView &facets, ThreadPool &pool, const std::vector<double> *const weights)
   {
     const auto share = [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)
         {
-          double total = 0.;
-          for (std::uint32_t e = first[n]; e < first[n + 1]; ++e)
-            total += mobilities[entries[e]];
+          const double total = weights ? (*weights)[nodes[n]] : sum_weights(n);
           for (std::uint32_t e = first[n]; e < first[n + 1]; ++e)
             mobilities[entries[e]] = total * facets.inverse_mass[nodes[n]];
         }

@@ -2,6 +2,21 @@
 
 namespace birdstrike
 {
+  void add(EnergyReport &sum, const EnergyReport &one)
+  {
+    for (const EnergyKind &kind : energy_kinds)
+      sum.*kind.value += one.*kind.value;
+  }
+
+  void add(MomentumReport &sum, const MomentumReport &one)
+  {
+    for (const MomentumKind &kind : momentum_kinds)
+      for (unsigned int d = 0; d < 3; ++d)
+        (sum.*kind.value)[d] += (one.*kind.value)[d];
+    sum.impulse_scale += one.impulse_scale;
+    sum.moment_scale += one.moment_scale;
+  }
+
   void archive(Archive &archive, const char *name, EnergyReport &energy)
   {
     const auto group = archive.group(name);

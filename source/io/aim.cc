@@ -39,20 +39,19 @@ namespace birdstrike
       return fmt::format("({:.6g}, {:.6g}, {:.6g})", a[0], a[1], a[2]);
     }
 
-    [[noreturn]] void refuse_difference(const std::string &entry, const std::string &found, const std::string &other,
-                                        const std::string &there)
+    [[noreturn]] void refuse_difference(const BirdParameters &bird, const std::string &entry, const std::string &found,
+                                        const std::string &other, const std::string &there)
     {
-      throw InputError(fmt::format("{} = {} contradicts {}, by which it is {}.\nLeave one of the two out (of a file: "
-                                   "--set \"Bird/Velocity=default\", or "
-                                   "Aim point), or correct it.",
-                                   entry, found, other, there));
+      throw InputError(fmt::format("{0}/{1} = {2} contradicts {0}/{3}, by which it is {4}.\nLeave one of the two out "
+                                   "(of a file: --set \"{0}/Velocity=default\", or Aim point), or correct it.",
+                                   bird.section, entry, found, other, there));
     }
 
     /// The surface where the bird aims, or nothing.
     class Aim
     {
     public:
-      explicit Aim(const CaseParameters &parameters) : bird(parameters.bird), blade(parameters.blade)
+      Aim(const BirdParameters &bird, const BladeParameters &blade) : bird(bird), blade(blade)
       {
         const bool has_shares = !bird.aim_span_fraction.empty(), has_angle = !bird.angle_to_surface.empty(),
                    is_asked = has_shares || has_angle || bird.chordwise_offset != 0.;
@@ -60,7 +59,7 @@ namespace birdstrike
           map = make_surface_map(blade);
         if (!map && (has_shares || has_angle))
           throw InputError(
-            std::string("Bird/") + (has_shares ? "Aim span fraction" : "Angle to surface") +
+            bird.section + "/" + (has_shares ? "Aim span fraction" : "Angle to surface") +
             ": this blade has no span and chord to measure by.\nThey are there for built-in parts, and for whole "
             "meshes "
             "of a file whose root and tip Blade/Supports/Clamped (or Hub) and Tip name.\nGive Bird/Aim point and "
@@ -77,7 +76,7 @@ namespace birdstrike
         if (!is_given)
           return point;
         if ((point - given).norm() > tolerance * (map->position(span, 1.) - map->position(span, 0.)).norm())
-          refuse_difference("Bird/Aim point", shown(given) + " m", "Bird/Aim span fraction and Aim chord fraction",
+          refuse_difference(bird, "Aim point", shown(given) + " m", "Aim span fraction and Aim chord fraction",
                             shown(point) + " m");
         return given;
       }
@@ -105,15 +104,15 @@ namespace birdstrike
       return std::sin(degrees * degree) * n + std::cos(degrees * degree) * tangent;
     }
 
-    void check_angle(const BladeParameters &blade, const double degrees)
+    void check_angle(const BirdParameters &bird, const BladeParameters &blade)
     {
       if (!blade.loads.initial_spin.empty() || !blade.loads.initial_velocity.empty())
-        throw InputError("Bird/Angle to surface: the blade moves at the start (Blade/Loads/Initial spin or Initial "
+        throw InputError(bird.section + "/Angle to surface: the blade moves at the start (Blade/Loads/Initial spin or Initial "
                          "velocity), so that the angle of the bird's velocity is not that at which they meet.\nGive "
                          "Bird/Speed with Flight direction, or Bird/Velocity; explain says at which angle they meet.");
-      if (degrees == 0. || std::abs(degrees) == 180.)
+      if (const double degrees = bird.angle_to_surface[0]; degrees == 0. || std::abs(degrees) == 180.)
         throw InputError(
-          "Bird/Angle to surface: along the surface the bird never meets it.\nGive an angle other than 0 "
+          bird.section + "/Angle to surface: along the surface the bird never meets it.\nGive an angle other than 0 "
           "and 180 degrees; 90 is along the normal.");
     }
 
@@ -123,7 +122,7 @@ namespace birdstrike
       std::optional<Point3> by_angle;
       if (!bird.angle_to_surface.empty())
         {
-          check_angle(blade, bird.angle_to_surface[0]);
+          check_angle(bird, blade);
           by_angle = direction_by_angle(*bird.aimed_surface, bird.angle_to_surface[0]);
         }
       if (bird.flight_direction.empty())
@@ -133,8 +132,8 @@ namespace birdstrike
       if (by_angle)
         if (const Point3 n(bird.aimed_surface->normal.data());
             std::abs(std::asin(std::clamp(given.dot(n), -1., 1.)) - std::asin(by_angle->dot(n))) > same_angle)
-          refuse_difference("Bird/Angle to surface", fmt::format("{:g} degrees", bird.angle_to_surface[0]),
-                            "Bird/Flight direction", fmt::format("{:.4g} degrees", std::asin(given.dot(n)) / degree));
+          refuse_difference(bird, "Angle to surface", fmt::format("{:g} degrees", bird.angle_to_surface[0]),
+                            "Flight direction", fmt::format("{:.4g} degrees", std::asin(given.dot(n)) / degree));
       return given;
     }
 
@@ -148,41 +147,51 @@ namespace birdstrike
             return given; // the default
           if (bird.speed.empty() || !direction)
             throw InputError(
-              std::string("Bird/") + (direction ? "Speed" : "Angle to surface") +
+              bird.section + "/" + (direction ? "Speed" : "Angle to surface") +
               " is missing.\nA velocity is Bird/Velocity, or Bird/Speed together with Angle to surface or "
               "Flight direction.");
           return bird.speed[0] * *direction;
         }
       if (!bird.speed.empty() && std::abs(given.norm() - bird.speed[0]) > tolerance * bird.speed[0])
-        refuse_difference("Bird/Speed", fmt::format("{:g} m/s", bird.speed[0]), "Bird/Velocity",
+        refuse_difference(bird, "Speed", fmt::format("{:g} m/s", bird.speed[0]), "Velocity",
                           fmt::format("{:.6g} m/s", given.norm()));
       if (direction && (given.normalized() - *direction).norm() > tolerance)
         {
           if (bird.flight_direction.empty())
-            refuse_difference("Bird/Angle to surface", fmt::format("{:g} degrees", bird.angle_to_surface[0]),
-                              "Bird/Velocity",
+            refuse_difference(bird, "Angle to surface", fmt::format("{:g} degrees", bird.angle_to_surface[0]),
+                              "Velocity",
                               "along " + shown(given.normalized()) + " instead of " + shown(*direction));
-          refuse_difference("Bird/Flight direction", shown(Point3(bird.flight_direction.data())), "Bird/Velocity",
+          refuse_difference(bird, "Flight direction", shown(Point3(bird.flight_direction.data())), "Velocity",
                             shown(given.normalized()));
         }
       return given;
     }
   } // namespace
 
+  namespace
+  {
+    void resolve(BirdParameters &bird, const BladeParameters &blade, ParameterFile &file)
+    {
+      const auto   is_given             = [&](const char *entry) { return file.is_given(bird.section + "/" + entry); };
+      const Aim    aim(bird, blade);
+      const Point3 point                = aim.find_point(is_given("Aim point"));
+      bird.aimed_surface                = aim.find_surface(point);
+      const Point3             velocity = find_velocity(bird, blade, is_given("Velocity"));
+      std::vector<std::string> found;
+      if (to_array(point) != bird.aim_point)
+        found.push_back(bird.section + "/Aim point=" + text_of(point));
+      if (to_array(velocity) != bird.velocity)
+        found.push_back(bird.section + "/Velocity=" + text_of(velocity));
+      file.set(found);
+    }
+  } // namespace
+
   void resolve_aim(CaseParameters &parameters)
   {
-    BirdParameters &bird = parameters.bird;
-    if (!bird.enabled)
-      return;
-    const Aim    aim(parameters);
-    const Point3 point    = aim.find_point(parameters.file.is_given("Bird/Aim point"));
-    bird.aimed_surface    = aim.find_surface(point);
-    const Point3 velocity = find_velocity(bird, parameters.blade, parameters.file.is_given("Bird/Velocity"));
-    std::vector<std::string> found;
-    if (to_array(point) != bird.aim_point)
-      found.push_back("Bird/Aim point=" + text_of(point));
-    if (to_array(velocity) != bird.velocity)
-      found.push_back("Bird/Velocity=" + text_of(velocity));
-    parameters.file.set(found);
+    if (parameters.bird.enabled)
+      resolve(parameters.bird, parameters.blade, parameters.file);
+    for (CaseParameters::FurtherBird &each : parameters.further_birds)
+      if (each.bird.enabled)
+        resolve(each.bird, parameters.blade, parameters.file);
   }
 } // namespace birdstrike

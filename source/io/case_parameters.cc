@@ -35,18 +35,17 @@ namespace birdstrike
       return {declare, [] {}};
     }
 
-    void require_stable_bird_step(const CaseParameters &parameters)
+    void require_stable_bird_step(const BirdParameters &bird, const TimeParameters &time)
     {
-      const BirdParameters &bird  = parameters.bird;
-      const double          scale = parameters.time.bird_step_scale, limit = bird.largest_courant_number();
-      if (bird.enabled && bird.courant_number * scale > limit * (1. + 1e-9))
+      const double scale = time.bird_step_scale, limit = bird.largest_courant_number();
+      if (bird.courant_number * scale > limit * (1. + 1e-9))
         throw InputError(fmt::format(
-          "Bird/Courant number {:g} with Time/Bird step scale {:g} makes steps of {:g} h/c: too "
-          "long for Bird/Formulation = {}.\nAbove {:g} the rates, taken at velocities foretold "
+          "{}/Courant number {:g} with Time/Bird step scale {:g} makes steps of {:g} h/c: too "
+          "long for Formulation = {}.\nAbove {:g} the rates, taken at velocities foretold "
           "by the last ones, must often be taken twice, and forces ring.\nGive a Courant "
           "number of at most {:g} (default {:g}).",
-          bird.courant_number, scale, bird.courant_number * scale, particle_formulations().name(bird.formulation),
-          limit, limit / scale, BirdParameters().courant_number));
+          bird.section, bird.courant_number, scale, bird.courant_number * scale,
+          particle_formulations().name(bird.formulation), limit, limit / scale, BirdParameters().courant_number));
     }
 
     /// Entries that say 'table' get the values that are used: the file that a run leaves says what it was made of.
@@ -94,16 +93,66 @@ namespace birdstrike
     }
   } // namespace
 
-  CaseParameters::CaseParameters()
-    : file({describe_case(name, description, has_symmetry_plane),
-            ParameterGroup::of(blade, "Blade"),
-            ParameterGroup::of(bird),
-            ParameterGroup::of(equation_of_state, "Bird"),
-            ParameterGroup::of(contact),
-            ParameterGroup::of(time),
-            ParameterGroup::of(output),
-            {[this](dealii::ParameterHandler &prm) { study.declare(prm); }, [] {}}})
+  namespace
   {
+    /// Section names of the further birds, which are not there unless the file says so.
+    std::array<CaseParameters::FurtherBird, 3> make_further_birds()
+    {
+      std::array<CaseParameters::FurtherBird, 3> birds;
+      for (std::size_t k = 0; k < birds.size(); ++k)
+        {
+          birds[k].bird.section = "Bird " + std::to_string(k + 2);
+          birds[k].bird.enabled = false;
+        }
+      return birds;
+    }
+
+    /// What the first bird's section says of a further one.
+    ParameterFile::Inheritance as_first_bird(const std::string &section)
+    {
+      const std::string velocity = "Velocity", speed = "Speed", angle = "Angle to surface", flight = "Flight direction",
+                        aim = "Aim point", span = "Aim span fraction", chord = "Aim chord fraction";
+      return {section,
+              "Bird",
+              "Enabled",
+              {{{velocity}, {speed, angle, flight}},
+               {{speed, angle, flight}, {velocity}},
+               {{angle}, {flight}},
+               {{flight}, {angle}},
+               {{aim}, {span, chord}},
+               {{span, chord}, {aim}}},
+              {"Arrival time"}};
+    }
+
+    std::vector<ParameterGroup> groups_of(CaseParameters &parameters)
+    {
+      std::vector<ParameterGroup> groups{
+        describe_case(parameters.name, parameters.description, parameters.has_symmetry_plane),
+        ParameterGroup::of(parameters.blade, "Blade"),
+        ParameterGroup::of(parameters.bird),
+        ParameterGroup::of(parameters.equation_of_state, "Bird")};
+      for (auto &further : parameters.further_birds)
+        groups.push_back({[&further](dealii::ParameterHandler &prm) {
+                            further.bird.declare(prm);
+                            ParameterGroup::declare_in_section(
+                              prm, further.bird.section,
+                              [&](dealii::ParameterHandler &inner) { further.liquid.declare(inner); });
+                          },
+                          [] {}}); // checked where they are enabled
+      for (const ParameterGroup &group :
+           {ParameterGroup::of(parameters.contact), ParameterGroup::of(parameters.time),
+            ParameterGroup::of(parameters.output),
+            ParameterGroup{[&parameters](dealii::ParameterHandler &prm) { parameters.study.declare(prm); }, [] {}}})
+        groups.push_back(group);
+      return groups;
+    }
+  } // namespace
+
+  CaseParameters::CaseParameters()
+    : further_birds(make_further_birds()), file(groups_of(*this))
+  {
+    for (const FurtherBird &each : further_birds)
+      file.inherit(as_first_bird(each.bird.section));
   }
 
   void CaseParameters::read(const std::string &path, const std::vector<std::string> &overrides)
@@ -113,18 +162,51 @@ namespace birdstrike
       throw InputError("Case/Name = " + name +
                        ": a name is no path, for it names a folder in runs.\nGive a name without "
                        "'/', and the folder in Output/Directory.");
+    check_further_birds(path);
     blade.is_halved = bird.is_halved = has_symmetry_plane;
+    for (FurtherBird &each : further_birds)
+      each.bird.is_halved = has_symmetry_plane;
     require_memory(*this, static_cast<double>(available_memory()));
     resolve_aim(*this);
     if (bird.enabled)
       blade.bird_velocity = bird.velocity;
     if (has_symmetry_plane)
       require_symmetry(*this);
-    require_stable_bird_step(*this);
+    for (const BirdCase &each : birds())
+      require_stable_bird_step(each.bird, time);
     if (name.empty())
       file.set({"Case/Name=" + std::filesystem::path(path).stem().string()}); // so that the printed file knows it too
     if (blade.is_deformable())
       write_values_of_metals(blade, file);
+  }
+
+  void CaseParameters::check_further_birds(const std::string &path) const
+  {
+    for (const BirdCase &each : birds())
+      if (each.number > 1)
+        try
+          {
+            if (!bird.enabled)
+              throw InputError("Section '" + each.bird.section +
+                               "': there is no first bird.\nSet Bird/Enabled to true, or give this one its place.");
+            each.bird.check();
+            each.liquid.check();
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(path + ": " + error.what());
+          }
+  }
+
+  std::vector<BirdCase> CaseParameters::birds() const
+  {
+    std::vector<BirdCase> all;
+    if (bird.enabled)
+      all.push_back({1, bird, equation_of_state});
+    for (unsigned int k = 0; k < further_birds.size(); ++k)
+      if (further_birds[k].bird.enabled)
+        all.push_back({k + 2, further_birds[k].bird, further_birds[k].liquid});
+    return all;
   }
 
   std::string CaseParameters::run_directory() const

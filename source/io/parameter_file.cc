@@ -31,6 +31,13 @@ namespace birdstrike
       out += line + "\n";
     }
 
+    bool is_true(const std::string &value)
+    {
+      bool truth = false;
+      std::istringstream(value) >> std::boolalpha >> truth;
+      return truth;
+    }
+
     using Notes = std::map<std::string, std::string>;
 
     void add_prm_section(std::string &out, const ParameterTree &tree, const Notes &notes, const SectionPath &section)
@@ -90,6 +97,8 @@ namespace birdstrike
     given         = scanned.given;
     included      = scanned.included;
     prm->parse_input_from_string(scanned.text);
+    for (const Inheritance &rule : inheritances)
+      apply(rule);
     for (const ParameterGroup &group : groups)
       try
         {
@@ -99,6 +108,37 @@ namespace birdstrike
         {
           throw InputError(path + ": " + error.what());
         }
+  }
+
+  void ParameterFile::inherit(const Inheritance &rule)
+  {
+    inheritances.push_back(rule);
+  }
+
+  void ParameterFile::apply(const Inheritance &rule)
+  {
+    const ParameterTree known = tree();
+    if (!is_true(known.find({rule.section}, rule.when)->value))
+      return;
+    std::set<std::string> not_inherited(rule.own.begin(), rule.own.end());
+    not_inherited.insert(rule.when);
+    const auto is_given_here = [&](const std::string &name) { return is_given(rule.section + "/" + name); };
+    for (const Inheritance::Alternative &each : rule.alternatives)
+      if (std::ranges::any_of(each.given, is_given_here))
+        not_inherited.insert(each.replaced.begin(), each.replaced.end());
+    std::vector<std::string> inherited;
+    for (const KnownEntry &entry : known.entries())
+      if (!entry.section.empty() && entry.section.front() == rule.from)
+        {
+          const std::string there = to_string(entry.section) + "/" + entry.name;
+          const std::string name  = there.substr(rule.from.size() + 1);
+          if (is_given_here(name) || not_inherited.count(name) > 0)
+            continue;
+          inherited.push_back(rule.section + "/" + name + "=" + entry.value);
+          if (is_given(there))
+            given.insert(rule.section + "/" + name);
+        }
+    set(inherited);
   }
 
   void ParameterFile::set(const std::vector<std::string> &overrides)
@@ -113,6 +153,14 @@ namespace birdstrike
   bool ParameterFile::is_given(const std::string &entry) const
   {
     return given.count(entry) > 0;
+  }
+
+  bool ParameterFile::is_changed(const std::string &section) const
+  {
+    const ParameterTree known = tree();
+    return std::ranges::any_of(known.entries(), [&](const KnownEntry &entry) {
+      return !entry.section.empty() && entry.section.front() == section && entry.value != entry.default_value;
+    });
   }
 
   const std::vector<std::string> &ParameterFile::included_files() const

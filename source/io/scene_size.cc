@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace birdstrike
@@ -24,6 +25,11 @@ namespace birdstrike
       return output.checkpoints.are_planned() ? with_checkpoint_particle : prices::building_particle;
     }
 
+    double count_computed(const BirdParameters &bird, const bool is_halved)
+    {
+      return count_particles(bird) / (is_halved ? 2. : 1.);
+    }
+
     std::string gibibytes(const double bytes)
     {
       return fmt::format("{:.3g} GiB", bytes / (1024. * 1024. * 1024.));
@@ -32,12 +38,13 @@ namespace birdstrike
     std::string describe_bird(const BirdParameters &bird, const double n_particles)
     {
       const Shape shape(bird);
-      return fmt::format("The bird, {:.4g} m long and {:.4g} m thick by {}, takes {:.3g} particles at Bird/Particle "
-                         "spacing = {:g} m.",
-                         shape.length(), shape.diameter(),
+      return fmt::format("The bird, {1:.4g} m long and {2:.4g} m thick by {3}, takes {4:.3g} particles at {0}/Particle "
+                         "spacing = {5:g} m.",
+                         bird.section, shape.length(), shape.diameter(),
                          shape.is_slab()
-                           ? "Bird/Slab lengths"
-                           : fmt::format("Bird/Mass = {:g} kg and Bird/Density = {:g} kg/m^3", bird.mass, bird.density),
+                           ? bird.section + "/Slab lengths"
+                           : fmt::format("{0}/Mass = {1:g} kg and {0}/Density = {2:g} kg/m^3", bird.section, bird.mass,
+                                         bird.density),
                          n_particles, bird.spacing);
     }
 
@@ -54,8 +61,8 @@ namespace birdstrike
   SceneSize compute_scene_size(const CaseParameters &parameters)
   {
     SceneSize size;
-    if (parameters.bird.enabled)
-      size.n_particles = count_particles(parameters.bird) / (parameters.has_symmetry_plane ? 2. : 1.);
+    for (const BirdCase &each : parameters.birds())
+      size.n_particles += count_computed(each.bird, parameters.has_symmetry_plane);
     const BladeParameters &blade = parameters.blade;
     if (blade.is_deformable() || (blade.kind == BladeKind::rigid && blade.rigid.surface == RigidSurface::mesh))
       {
@@ -82,8 +89,14 @@ namespace birdstrike
       throw InputError(found + describe_mesh(parameters.blade, size) + "\nReduce these numbers.");
     const double left    = std::max(0.1 * available, 0.9 * available - size.bytes_of_blade);
     const double fitting = std::min(left / price_of_particle(parameters.output), most_particles);
-    const double spacing = parameters.bird.spacing * std::cbrt(size.n_particles / fitting);
-    throw InputError(found + describe_bird(parameters.bird, size.n_particles) +
-                     fmt::format("\nIf that is its size, set Bird/Particle spacing to {:.2g} m or more.", spacing));
+    const auto            birds = parameters.birds();
+    const BirdParameters &largest =
+      std::max_element(birds.begin(), birds.end(), [](const BirdCase &a, const BirdCase &b) {
+        return count_particles(a.bird) < count_particles(b.bird);
+      })->bird;
+    const double spacing = largest.spacing * std::cbrt(size.n_particles / fitting);
+    throw InputError(found + describe_bird(largest, count_computed(largest, parameters.has_symmetry_plane)) +
+                     fmt::format("\nIf that is its size, set {}/Particle spacing to {:.2g} m or more.", largest.section,
+                                 spacing));
   }
 } // namespace birdstrike

@@ -119,15 +119,15 @@ namespace birdstrike
     {
       const auto  &v     = bird.velocity;
       const double speed = std::hypot(v[0], v[1], v[2]);
-      refuse_unless(v[1] == 0., "Bird/Velocity", "a y component of 0");
-      refuse_unless(bird.aim_point[1] == 0., "Bird/Aim point", "y = 0");
-      refuse_unless(bird.chordwise_offset == 0., "Bird/Chordwise offset", "0");
+      refuse_unless(v[1] == 0., bird.section + "/Velocity", "a y component of 0");
+      refuse_unless(bird.aim_point[1] == 0., bird.section + "/Aim point", "y = 0");
+      refuse_unless(bird.chordwise_offset == 0., bird.section + "/Chordwise offset", "0");
       // along the span, yaw turns about y and pitch about z; elsewhere yaw turns out of the plane
       const bool flies_along_span = std::abs(v[0]) > 0.999999 * speed && speed > 0.;
-      refuse_unless((flies_along_span ? bird.pitch : bird.yaw) == 0., flies_along_span ? "Bird/Pitch" : "Bird/Yaw",
+      refuse_unless((flies_along_span ? bird.pitch : bird.yaw) == 0., bird.section + (flies_along_span ? "/Pitch" : "/Yaw"),
                     "0: the bird's axis lies in the plane");
-      refuse_unless(bird.roll == 0., "Bird/Roll", "0: the lattice is its own mirror image");
-      refuse_unless(!bird.is_periodic[1], "Bird/Periodic directions", "none, x, z");
+      refuse_unless(bird.roll == 0., bird.section + "/Roll", "0: the lattice is its own mirror image");
+      refuse_unless(!bird.is_periodic[1], bird.section + "/Periodic directions", "none, x, z");
     }
 
     void require_both_edges(const std::string &ids, const std::string &entry)
@@ -187,8 +187,8 @@ namespace birdstrike
 
   void require_symmetry(const CaseParameters &parameters)
   {
-    if (parameters.bird.enabled)
-      require_symmetric_bird(parameters.bird);
+    for (const BirdCase &each : parameters.birds())
+      require_symmetric_bird(each.bird);
     require_symmetric_blade(parameters.blade, parameters.time.end_time);
     require_visible(parameters);
   }

@@ -1,6 +1,5 @@
 #include "report/quantities.h"
-#include <birdstrike/bird/bird.h>
-#include <birdstrike/contact/contact.h>
+#include <birdstrike/contact/report.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/summary.h>
@@ -46,7 +45,7 @@ namespace birdstrike
         {"", "end/reason", "", [](View run) { return end_reasons().name(run.end_reason); }, "ended"},
         {"step", "", "-", [](View run) { return static_cast<double>(run.n_steps); }, "",
          "Number of time steps so far; of bird and blade the longer one where they are subcycled"},
-        {"bird_step", "", "s", [](View run) { return run.bird ? run.bird_step : 0.; }, "", "Present step of the bird"},
+        {"bird_step", "", "s", [](View run) { return run.has_bird() ? run.bird_step : 0.; }, "", "Present step of the bird"},
         {"blade_step", "", "s", [](View run) { return run.blade_step; }, "", "Present step of the blade"},
         {"", "blade/kind", "",
          [](View run) { return blade_kinds().name(run.blade ? run.blade->kind() : BladeKind::none); }, "blade"},
@@ -97,7 +96,7 @@ namespace birdstrike
         {"", "bird/mass", "kg", [](View run) { return run.bird_at_start.mass; }},
         {"", "bird/kinetic_energy", "J", [](View run) { return run.bird_at_start.kinetic_energy; }},
         {"", "bird/momentum", "N s", [](View run) { return run.bird_at_start.momentum; }},
-        {"particles", "", "-", [](View run) { return run.bird ? double(run.bird->n_particles()) : 0.; }, "",
+        {"particles", "", "-", [](View run) { return double(run.n_particles()); }, "",
          "Particles of the bird that are computed still (of the whole with a symmetry plane)"},
       };
     }
@@ -148,9 +147,9 @@ namespace birdstrike
     {
       return {
         {"points_in_contact", "", "-",
-         [](View run) { return run.contact ? double(run.contact->report().n_touching) : 0.; }, "",
+         [](View run) { return run.contact ? double(run.contact->n_touching) : 0.; }, "",
          "Pairs of particle and facet that touch"},
-        {"penetration", "", "m", [](View run) { return run.contact ? run.contact->report().penetration : 0.; }, "",
+        {"penetration", "", "m", [](View run) { return run.contact ? run.contact->penetration : 0.; }, "",
          "Largest penetration of a particle now"},
         {"", "contact/max_penetration", "m", [](View run) { return run.observed.contact.max_penetration(); },
          "largest penetration"},

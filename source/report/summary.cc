@@ -50,20 +50,49 @@ namespace birdstrike
     }
   } // namespace
 
+  namespace
+  {
+    using AimValue = std::tuple<const char *, const char *, Json>; // key, unit, value
+
+    std::vector<AimValue> values_of(const StrikeAim &aim)
+    {
+      return {{"point", "m", aim.point},
+              {"span", "share", aim.span},
+              {"chord", "share", aim.chord},
+              {"velocity", "m/s", aim.velocity},
+              {"speed", "m/s", aim.speed},
+              {"angle", "degree", aim.angle},
+              {"normal_speed", "m/s", aim.normal_speed},
+              {"hugoniot_pressure", "Pa", aim.hugoniot_pressure},
+              {"stagnation_pressure", "Pa", aim.stagnation_pressure},
+              {"duration", "s", aim.duration}};
+    }
+
+    /// Each bird of several, in SI units as "bird", "aim" and "contact" have them for all.
+    Json values_of(const std::vector<BirdOfRun> &birds)
+    {
+      Json all = Json::array();
+      for (const BirdOfRun &each : birds)
+        {
+          Json aim = Json::object();
+          for (const auto &[key, unit, value] : values_of(each.aim))
+            aim[key] = value;
+          all.push_back({{"number", each.number},
+                         {"particles", each.at_start.particles},
+                         {"mass", each.at_start.mass},
+                         {"kinetic_energy", each.at_start.kinetic_energy},
+                         {"momentum", each.at_start.momentum},
+                         {"arrival_time", each.arrival},
+                         {"impulse", each.impulse},
+                         {"aim", aim}});
+        }
+      return all;
+    }
+  } // namespace
+
   void Summary::add_aim(const StrikeAim &aim)
   {
-    const std::tuple<const char *, const char *, Json> values[] = {
-      {"point", "m", aim.point},
-      {"span", "share", aim.span},
-      {"chord", "share", aim.chord},
-      {"velocity", "m/s", aim.velocity},
-      {"speed", "m/s", aim.speed},
-      {"angle", "degree", aim.angle},
-      {"normal_speed", "m/s", aim.normal_speed},
-      {"hugoniot_pressure", "Pa", aim.hugoniot_pressure},
-      {"stagnation_pressure", "Pa", aim.stagnation_pressure},
-      {"duration", "s", aim.duration}};
-    for (const auto &[key, unit, value] : values)
+    for (const auto &[key, unit, value] : values_of(aim))
       {
         json["aim"][key]                         = value;
         json["units"]["aim/" + std::string(key)] = unit;
@@ -81,6 +110,8 @@ namespace birdstrike
     json["inputs"] = Json::array();
 
     add_aim(run.aim);
+    if (run.birds.size() > 1)
+      json["birds"] = values_of(run.birds);
     std::map<std::string, Json> parts; // by name
     const std::string           of_part = "energy/parts/";
     for (const Quantity &each : quantities())

@@ -28,35 +28,49 @@ namespace birdstrike
   {
     const auto group = archive.group("stepper");
     archive("steps", done.bird, done.blade, done.particle_steps);
-    archive("steps not done", done.particle_steps_not_done, done.blade_not_done);
+    archive("steps not done", done.particle_steps_not_done, done.blade_not_done, done.particle_steps_waited);
+  }
+
+  void Projectile::archive(Archive &archive, const Blade *const blade)
+  {
+    const auto group   = archive.group("bird " + std::to_string(number));
+    bool       is_gone = bird == nullptr;
+    archive("has gone", is_gone);
+    if (archive.is_reading() && bird && is_gone)
+      drop();
+    archive("waits", is_waiting);
+    archive("extent", extent.low, extent.high);
+    if (bird)
+      bird->archive(archive);
+    if (contact && !is_waiting)
+      contact->archive(archive, bird->points(), blade->facets());
+    smallest_step.archive(archive);
+    archive("removed", n_retired, n_dropped);
+    archive("gone at", time_gone);
+    archive("steps", n_steps_with);
+    archive("last touch", last_touch);
+    archive("reachable impulse", reachable_impulse);
+    birdstrike::archive(archive, "gone energy", gone_energy);
+    birdstrike::archive(archive, "gone momentum", gone_momentum);
+    archive_gone(archive, gone_contact);
   }
 
   void Scene::archive(Archive &archive)
   {
-    bool has_bird = bird != nullptr, has_contact = contact != nullptr;
-    archive("has bird", has_bird);
-    archive("has contact", has_contact);
-    if (archive.is_reading() && bird && !has_bird)
-      drop_bird();
     if (blade)
       blade->archive(archive);
     for (const auto &table : histories.tables)
       table->archive(archive);
-    if (bird)
-      bird->archive(archive);
-    if (contact)
-      contact->archive(archive, bird->points(), blade->facets());
+    for (Projectile &each : birds)
+      each.archive(archive, blade.get());
+    add_up_contacts();
     if (self_contact)
       self_contact->archive(archive, blade->facets());
     const auto group = archive.group("plan");
     archive("step", latest.step);
     archive("sub-steps", latest.n_bird, latest.n_blade);
     archive("largest bird step", largest_bird_step);
-    smallest_bird_step.archive(archive);
     smallest_blade_step.archive(archive);
-    birdstrike::archive(archive, "gone energy", gone_energy);
-    birdstrike::archive(archive, "gone momentum", gone_momentum);
-    archive_gone(archive, gone_contact);
   }
 
   void BirdStrike::archive(Archive &archive)
@@ -72,11 +86,7 @@ namespace birdstrike
       recorder->archive(archive);
     const auto group = archive.group("run");
     archive("time", now);
-    archive("steps", n_steps, n_steps_with_bird);
-    archive("retired", n_retired, n_dropped);
-    archive("bird gone at", time_bird_gone);
-    archive("last touch", last_touch);
-    archive("reachable impulse", reachable_impulse);
+    archive("steps", n_steps);
     limiters.archive(archive);
     is_started = true;
   }

@@ -1,5 +1,4 @@
 #include "simulation/bird_strike.h"
-#include "simulation/aim.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/core/allocation_guard.h>
@@ -27,17 +26,11 @@ namespace birdstrike
     /// Looking for particles that have left costs a pass over them: seldom enough not to count.
     constexpr unsigned long retirement_stride = 50;
 
-    /// How far ahead (s) the blade is carried on when its box is compared with the paths of particles.
-    constexpr double retirement_horizon = 2e-3;
-
 #ifndef NDEBUG
     /// Steps until every buffer has its size. After them a list may outgrow its memory in one step; a loop that
     /// allocates does so in every step.
     constexpr unsigned long warm_up = 300;
 #endif
-
-    /// The bird's phase may end once nothing has touched for this long (s).
-    constexpr double quiet_time = 0.1e-3;
 
     std::atomic<bool> stop_requested{false};
   } // namespace
@@ -55,17 +48,10 @@ namespace birdstrike
     , row_balance(INFINITY)
     , progress(parameters.time.end_time, parameters.output.console_interval)
   {
-    aim = compute_aim(parameters, scene);
     if (!folder.empty())
       recorder.emplace(view(), folder);
-    has_contact      = scene.contact != nullptr;
+    has_contact      = scene.has_contact();
     observed.contact = ContactWatch(parameters.output.channel_class);
-    if (scene.bird)
-      {
-        const Bird &bird = *scene.bird;
-        n_at_start       = bird.state().size();
-        bird_at_start = {bird.n_particles(), bird.packing().mass(), bird.energies().kinetic, bird.momenta().momentum};
-      }
   }
 
   void BirdStrike::run(const std::function<void(bool is_over)> &between_steps)
@@ -146,14 +132,16 @@ namespace birdstrike
   void BirdStrike::advance()
   {
     start();
+    scene.wake_birds(now);
     plan();
     limiters.count(schedule.limiter, now);
     step();
     now += schedule.step;
     ++n_steps;
-    if (scene.contact && scene.contact->report().n_touching > 0)
-      last_touch = now;
-    if (scene.bird && scene.contact && n_steps % retirement_stride == 0)
+    for (Projectile &each : scene.birds)
+      if (each.is_here() && each.contact && each.contact->report().n_touching > 0)
+        each.last_touch = now;
+    if (scene.has_contact() && n_steps % retirement_stride == 0)
       retire_particles();
     observe();
   }
@@ -165,7 +153,7 @@ namespace birdstrike
     for (const auto &table : scene.histories.tables)
       table->follow();
     if (scene.blade)
-      observed.update_peaks(*scene.blade, scene.contact != nullptr, now);
+      observed.update_peaks(*scene.blade, scene.has_contact(), now);
     const bool is_sample = n_steps % observation_stride == 0, is_due = recorder && recorder->is_due(now);
     if (!is_sample && !is_due)
       return;
@@ -197,45 +185,6 @@ namespace birdstrike
     recorder->flush_when_due(timings.wall());
     if (progress.is_due())
       progress.print({now, schedule.step, n_steps, balance.energy_error().now, schedule.limiter.brief()});
-  }
-
-  void BirdStrike::retire_particles()
-  {
-    const Timings::Scope scope(timings, sections.retirement);
-    const double         horizon = std::min(retirement_horizon, parameters.time.end_time - now);
-    if (parameters.bird.retire)
-      {
-        const bool          are_kept = parameters.output.removed_fly_on && parameters.output.bird_fields;
-        const FieldSnapshot before   = are_kept ? scene.bird->snapshot() : FieldSnapshot();
-        const std::size_t   n        = scene.retire_particles(horizon);
-        if (are_kept && n > 0)
-          observed.removed_particles.keep(before, scene.bird->snapshot(), now);
-        n_retired += n;
-      }
-    const std::size_t n_left = scene.bird->n_particles();
-    if (n_left > 0 && !is_bird_phase_over(horizon))
-      return;
-    log().info("The bird's phase ends at t = {}: {} particles are left, {:.2g} N s is the most that they could still "
-               "give. From here the blade runs on alone.",
-               format_quantity(now, "s"), n_left, reachable_impulse);
-    if (parameters.output.removed_fly_on && parameters.output.bird_fields && n_left > 0)
-      observed.removed_particles.keep(scene.bird->snapshot(), {}, now);
-    n_retired += n_left;
-    n_dropped = scene.bird->state().size();
-    stepper.drop_bird();
-    scene.drop_bird();
-    time_bird_gone    = now;
-    n_steps_with_bird = n_steps;
-  }
-
-  bool BirdStrike::is_bird_phase_over(const double horizon)
-  {
-    const auto  &given     = balance.state().blade_momentum.contact_impulse;
-    const double tolerated = parameters.time.bird_phase_tolerance * std::hypot(given[0], given[1], given[2]);
-    if (tolerated == 0. || now - last_touch < quiet_time || scene.blade->rotor() != nullptr)
-      return false; // of a blade that turns what is left may be met a turn later: it stays until it is removed
-    reachable_impulse = scene.compute_reachable_impulse(horizon);
-    return reachable_impulse <= tolerated;
   }
 
   EndReason BirdStrike::reason_to_stop() const

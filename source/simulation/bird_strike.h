@@ -68,7 +68,9 @@ namespace birdstrike
     void      observe(); ///< peaks after each step; balance and rows when they are due
     void      record(const SystemState &state);
     void      retire_particles();
-    bool      is_bird_phase_over(double horizon);
+    void      retire_particles(Projectile &projectile, double horizon);
+    bool      is_bird_phase_over(Projectile &projectile, double horizon);
+    void      end_phase_of(Projectile &projectile);
     void      finish();
     void      end_badly();            ///< what is known so far goes to the files
     RunView   view() const;           ///< the present
@@ -109,14 +111,6 @@ namespace birdstrike
     StepLimiters  limiters;
     EndReason     why_ended = EndReason::none;
 
-    BirdAtStart   bird_at_start;
-    StrikeAim     aim;
-    std::size_t   n_retired  = 0;
-    std::size_t   n_at_start = 0, n_dropped = 0; ///< particles that are computed
-    double        time_bird_gone    = -1.;       ///< s
-    bool          has_contact       = false;
-    unsigned long n_steps_with_bird = 0;
-    double        last_touch        = 0.; ///< s
-    double        reachable_impulse = 0.; ///< N s, of the particles left when the bird's phase ended
+    bool has_contact = false;
   };
 } // namespace birdstrike

@@ -1,5 +1,4 @@
 #include "simulation/bird_strike.h"
-#include <birdstrike/bird/bird.h>
 #include <birdstrike/report/closing.h>
 #include <birdstrike/report/columns.h>
 
@@ -13,17 +12,25 @@ namespace birdstrike
                 balance,
                 row_balance,
                 scene.blade.get(),
-                scene.bird.get(),
-                scene.contact.get(),
+                scene.has_contact() ? &scene.contact_report() : nullptr,
                 scene.self_contact != nullptr,
                 &scene.histories};
     run.time          = now;
     run.n_steps       = n_steps;
     run.bird_step     = scene.last_plan().bird_step();
     run.blade_step    = scene.last_plan().blade_step();
-    run.bird_at_start = bird_at_start;
-    run.aim           = aim;
-    run.n_retired     = n_retired;
+    for (const Projectile &each : scene.birds)
+      {
+        run.birds.push_back(each.report(scene.birds.size() > 1));
+        run.bird_at_start.particles += each.at_start.particles;
+        run.bird_at_start.mass += each.at_start.mass;
+        run.bird_at_start.kinetic_energy += each.at_start.kinetic_energy;
+        for (unsigned int d = 0; d < 3; ++d)
+          run.bird_at_start.momentum[d] += each.at_start.momentum[d];
+        run.n_retired += each.n_retired;
+      }
+    if (!scene.birds.empty())
+      run.aim = scene.birds.front().aim;
     run.end_reason    = why_ended;
     run.n_blade_steps = stepper.counts().blade;
     run.n_bird_steps  = stepper.counts().bird;

@@ -88,17 +88,17 @@ namespace birdstrike
     {
       const auto &v = bird.velocity;
       if (bird.shape != BirdShape::slab)
-        check({"bird_mass", "Bird/Mass", bird.mass, "kg", 1e-3, 20., {{"g", 1e-3}}}, warnings);
-      check({"bird_density", "Bird/Density", bird.density, "kg/m^3", 300., 3e3, of_density}, warnings);
+        check({"bird_mass", bird.section + "/Mass", bird.mass, "kg", 1e-3, 20., {{"g", 1e-3}}}, warnings);
+      check({"bird_density", bird.section + "/Density", bird.density, "kg/m^3", 300., 3e3, of_density}, warnings);
       check({"speed",
-             "Norm of Bird/Velocity",
+             "Norm of " + bird.section + "/Velocity",
              std::hypot(v[0], v[1], v[2]),
              "m/s",
              5.,
              1500.,
              {{"mm/s", 1e-3}, {"km/s", 1e3}}},
             warnings);
-      check({"spacing", "Bird/Particle spacing", bird.spacing, "m", 1e-4, 0.05, of_length}, warnings);
+      check({"spacing", bird.section + "/Particle spacing", bird.spacing, "m", 1e-4, 0.05, of_length}, warnings);
     }
 
     void check_layers(const BladeParameters &blade, Warnings &warnings)
@@ -153,19 +153,39 @@ namespace birdstrike
                        n, facets.n_facets)});
     }
 
-    void check_aim(const Scene &scene, const BirdParameters &bird, Warnings &warnings)
+    void check_aim(const Projectile &projectile, const FacetsView &facets, Warnings &warnings)
     {
-      if (!scene.contact)
-        return;
-      const double share = compute_share_in_the_way(scene.bird->points(), scene.blade->facets());
+      const BirdParameters &bird  = projectile.parameters;
+      const double          share = compute_share_in_the_way(projectile.bird->points(), facets);
       if (share < 0.98)
         warnings.push_back({"bird/misses_in_part",
                             "Only " + format_share(share) +
                               " of the bird's mass is in the way of the blade, by straight paths to its outline." +
                               (bird.roll == 0. && bird.shape != BirdShape::slab
-                                 ? " Rows of particles may lie along an edge and be caught or missed as a whole: see "
-                                   "Bird/Roll."
+                                 ? " Rows of particles may lie along an edge and be caught or missed as a whole: see " +
+                                     bird.section + "/Roll."
                                  : "")});
+    }
+
+    void check_projectile(const Projectile &projectile, const Scene &scene, Warnings &warnings)
+    {
+      if (projectile.contact)
+        check_aim(projectile, scene.blade->facets(), warnings);
+      const BirdParameters &bird   = projectile.parameters;
+      const double          across = projectile.bird->packing().diameter / bird.spacing;
+      if (bird.shape != BirdShape::slab && across < 8.)
+        warnings.push_back({"bird/coarse", fmt::format("{:.1f} particles across the bird: impulse and deflection are "
+                                                       "within a percent from about ten on, where an edge cuts the "
+                                                       "bird within ten percent at 16 ({}/Particle spacing).",
+                                                       across, bird.section)});
+    }
+
+    /// What a further bird's section says although that bird is not there.
+    void check_unused_bird(const BirdParameters &bird, const ParameterFile &file, Warnings &warnings)
+    {
+      if (!bird.enabled && file.is_changed(bird.section))
+        warnings.push_back(
+          {"entry/unused", bird.section + "/Enabled is false: no other entry of this section is used."});
     }
   } // namespace
 
@@ -183,8 +203,10 @@ namespace birdstrike
                                               "Material ids is empty: no other entry of this section is used."});
     if (blade.is_deformable())
       check_metals(blade, warnings);
-    if (parameters.bird.enabled)
-      check_bird(parameters.bird, warnings);
+    for (const BirdCase &each : parameters.birds())
+      check_bird(each.bird, warnings);
+    for (const CaseParameters::FurtherBird &each : parameters.further_birds)
+      check_unused_bird(each.bird, parameters.file, warnings);
     check({"end_time", "Time/End time", parameters.time.end_time, "s", 0., 0.5, {{"ms", 1e-3}, {"us", 1e-6}}},
           warnings);
     return warnings;
@@ -219,16 +241,8 @@ namespace birdstrike
         check_layers(blade, warnings);
         check_thick_shells(scene, warnings);
       }
-    if (scene.bird)
-      {
-        check_aim(scene, parameters.bird, warnings);
-        const double across = scene.bird->packing().diameter / parameters.bird.spacing;
-        if (parameters.bird.shape != BirdShape::slab && across < 8.)
-          warnings.push_back({"bird/coarse", fmt::format("{:.1f} particles across the bird: impulse and deflection are "
-                                                         "within a percent from about ten on, where an edge cuts the "
-                                                         "bird within ten percent at 16 (Bird/Particle spacing).",
-                                                         across)});
-      }
+    for (const Projectile &each : scene.birds)
+      check_projectile(each, scene, warnings);
     warnings.insert(warnings.end(), scene.histories.warnings.begin(), scene.histories.warnings.end());
     constexpr double much = 20. * 1024. * 1024. * 1024.; // bytes, 20 GiB
     if (const double bytes = compute_field_bytes(parameters, scene); bytes > much)

@@ -1,5 +1,4 @@
 #include "simulation/explain.h"
-#include "simulation/aim.h"
 #include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
@@ -135,7 +134,7 @@ namespace birdstrike
 
     void add_bird(TextTable &table, const Bird &bird, const BirdParameters &parameters, const std::string &liquid)
     {
-      table.add_heading("Bird: " + bird_shapes().name(parameters.shape) + ", " +
+      table.add_heading(parameters.section + ": " + bird_shapes().name(parameters.shape) + ", " +
                         particle_formulations().name(parameters.formulation));
       table.add("particles", format_count(bird.n_particles()));
       table.add("mass", fmt::format("{:.9g} kg", bird.packing().mass()));
@@ -153,15 +152,17 @@ namespace birdstrike
       table.add("memory, about", format_bytes(prices::bytes_per_particle * static_cast<double>(bird.state().size())));
     }
 
-    void add_aim(TextTable &table, const CaseParameters &parameters, const Scene &scene)
+    void add_aim(TextTable &table, const Projectile &projectile)
     {
-      const StrikeAim aim   = compute_aim(parameters, scene);
-      std::string     where = vector_text(aim.point, "m");
+      const StrikeAim &aim   = projectile.aim;
+      std::string      where = vector_text(aim.point, "m");
       if (!std::isnan(aim.span))
         where += ": " + format_share(aim.span) + " of the span, " + format_share(aim.chord) + " of the chord";
       table.add_heading("Strike");
       table.add("aim", where);
-      table.add("velocity", vector_text(parameters.bird.velocity, "m/s"));
+      table.add("velocity", vector_text(projectile.parameters.velocity, "m/s"));
+      if (projectile.parameters.arrival > 0.)
+        table.add("arrival", projectile.parameters.arrival, "s");
       table.add("speed relative to the blade", fmt::format("{:.5g} m/s", aim.speed));
       table.add("angle to its surface",
                 fmt::format("{:.4g} degrees, normal speed {:.5g} m/s", aim.angle, aim.normal_speed));
@@ -178,7 +179,7 @@ namespace birdstrike
                  may_lie_along = bird.roll == 0. && bird.shape != BirdShape::slab;
       table.add("mass in the way of the blade",
                 format_share(share) + ", by straight paths to its outline" +
-                  (is_cut && may_lie_along ? "; rows of particles may lie along an edge: see Bird/Roll" : ""));
+                  (is_cut && may_lie_along ? "; rows of particles may lie along an edge: see Roll" : ""));
     }
 
     void add_steps(TextTable &table, const CaseParameters &parameters, const Scene &scene)
@@ -187,7 +188,7 @@ namespace birdstrike
       const double    n_macro  = std::ceil(parameters.time.end_time / schedule.step);
       table.add_heading("Time");
       table.add("end time", parameters.time.end_time, "s");
-      table.add("flight skipped before first touch", scene.first_touch.flight_time, "s");
+      table.add("flight skipped before first touch", scene.flight_time(), "s");
       table.add("first time step", format_quantity(schedule.step, "s"));
       table.add("limited by", schedule.limiter.text());
       table.add("subcycles in it", fmt::format("bird {}, blade {}", schedule.n_bird, schedule.n_blade));
@@ -205,7 +206,7 @@ namespace birdstrike
       table.add_heading("Files");
       table.add("folder", parameters.run_directory());
       table.add("history rows", format_count(static_cast<std::uint64_t>(n_rows)));
-      if (scene.contact && output.channel_class > 0.) // report/force_channel.h; a row is four numbers
+      if (scene.has_contact() && output.channel_class > 0.) // report/force_channel.h; a row is four numbers
         {
           const double n_filtered = 200. * output.channel_class * end_time + 800.;
           table.add("rows of filtered.csv, at most",
@@ -219,8 +220,8 @@ namespace birdstrike
   {
     const Schedule &schedule = scene.last_plan();
     double          ns       = 0.; // of a step
-    if (scene.bird)
-      ns += schedule.n_bird * scene.bird->step_price();
+    for (const Projectile &each : scene.birds)
+      ns += schedule.n_bird * each.bird->step_price();
     if (scene.blade)
       ns += schedule.n_blade * scene.blade->prices().of_step;
     return 1e-9 * ns * std::ceil(parameters.time.end_time / schedule.step);
@@ -234,8 +235,9 @@ namespace birdstrike
     double       bytes    = 0.;
     if (scene.blade && output.blade_fields)
       bytes += n_fields * static_cast<double>(compute_field_file_bytes(scene.blade->snapshot()));
-    if (scene.bird && output.bird_fields)
-      bytes += n_fields * static_cast<double>(compute_field_file_bytes(scene.bird->snapshot()));
+    for (const Projectile &each : scene.birds)
+      if (output.bird_fields)
+        bytes += n_fields * static_cast<double>(compute_field_file_bytes(each.bird->snapshot()));
     return bytes;
   }
 
@@ -248,17 +250,17 @@ namespace birdstrike
                         "whole.");
     if (scene.blade)
       add_blade(table, *scene.blade, parameters.blade);
-    if (scene.bird)
+    for (const Projectile &each : scene.birds)
       {
         const double speed =
-          scene.contact ? scene.first_touch.closing_speed : Point3(parameters.bird.velocity.data()).norm();
-        add_bird(table, *scene.bird, parameters.bird,
-                 EquationOfState(parameters.equation_of_state, parameters.bird.density).summary(speed));
-        if (scene.contact)
-          add_aim(table, parameters, scene);
+          each.contact ? each.first_touch.closing_speed : Point3(each.parameters.velocity.data()).norm();
+        add_bird(table, *each.bird, each.parameters,
+                 EquationOfState(each.liquid, each.parameters.density).summary(speed));
+        if (each.contact)
+          add_aim(table, each);
         if (scene.blade)
-          add_mass_in_the_way(table, compute_share_in_the_way(scene.bird->points(), scene.blade->facets()),
-                              parameters.bird);
+          add_mass_in_the_way(table, compute_share_in_the_way(each.bird->points(), scene.blade->facets()),
+                              each.parameters);
       }
     add_steps(table, parameters, scene);
     add_files(table, parameters, scene);

@@ -59,13 +59,20 @@ namespace birdstrike
 
     Mover find_fastest_particle(const Scene &scene)
     {
-      if (!scene.bird)
-        return {};
-      const PointsView points = scene.bird->points();
-      return find_fastest(
-        "particle", points.n, [&](const std::size_t i, const unsigned int d) { return points.position[d][i]; },
-        [&](const std::size_t i, const unsigned int d) { return points.velocity[d][i]; },
-        [&](const std::size_t i) { return std::size_t(points.id[i]); });
+      Mover fastest;
+      for (const Projectile &each : scene.birds)
+        {
+          if (!each.bird)
+            continue;
+          const PointsView points = each.bird->points();
+          const Mover      own    = find_fastest(
+                    "particle", points.n, [&](const std::size_t i, const unsigned int d) { return points.position[d][i]; },
+                    [&](const std::size_t i, const unsigned int d) { return points.velocity[d][i]; },
+                    [&](const std::size_t i) { return each.first_id + points.id[i]; });
+          if (own.where.kind && (!fastest.where.kind || !(own.speed <= fastest.speed)))
+            fastest = own;
+        }
+      return fastest;
     }
 
     void require_slow(const Mover &mover, const double limit)
@@ -115,14 +122,15 @@ namespace birdstrike
   }
 
   Guards::Guards(const CaseParameters &parameters, const Scene &scene)
-    : initial_speed(std::max(find_fastest_node(scene).speed, find_fastest_particle(scene).speed))
+    : largest_penetration(parameters.contact.largest_penetration)
+    , initial_speed(std::max(find_fastest_node(scene).speed, find_fastest_particle(scene).speed))
   {
-    if (scene.bird)
+    for (const Projectile &each : scene.birds)
       {
-        const PointsView points = scene.bird->points();
-        largest_penetration     = parameters.contact.largest_penetration * points.spacing;
-        liquid_sound_speed      = *std::max_element(points.sound_speed, points.sound_speed + points.n);
-        shock_slope             = points.hugoniot_slope;
+        const PointsView points = each.bird->points();
+        liquid_sound_speed =
+          std::max(liquid_sound_speed, *std::max_element(points.sound_speed, points.sound_speed + points.n));
+        shock_slope = std::max(shock_slope, points.hugoniot_slope);
       }
     if (scene.blade && scene.blade->is_deformable())
       for (const auto &[number, of_section] : parameters.blade.by_section())
@@ -146,19 +154,28 @@ namespace birdstrike
 
   void Guards::check_penetration(const Scene &scene) const
   {
-    if (!scene.contact || scene.contact->report().penetration <= largest_penetration)
+    for (const Projectile &each : scene.birds)
+      if (each.is_here() && each.contact)
+        check_penetration(each, *scene.blade);
+  }
+
+  void Guards::check_penetration(const Projectile &projectile, const Blade &blade) const
+  {
+    const ContactReport &report = projectile.contact->report();
+    const PointsView     points = projectile.bird->points();
+    if (report.penetration <= largest_penetration * points.spacing)
       return;
-    const ContactReport &report = scene.contact->report();
-    const PointsView     points = scene.bird->points();
-    const std::uint32_t  i      = report.deepest_point;
-    FailureFacts         facts{"A particle is stuck in the blade, or has come through it",
+    const std::uint32_t i = report.deepest_point;
+    FailureFacts        facts{"A particle is stuck in the blade, or has come through it",
                        "penetration over particle spacing",
                        report.penetration / points.spacing,
                        "-",
-                       largest_penetration / points.spacing,
+                       largest_penetration,
                        "Contact/Largest penetration"};
-    facts.where = {"particle", points.id[i], {{points.position[0][i], points.position[1][i], points.position[2][i]}}};
-    const auto element = find_element(scene.blade->snapshot(), scene.blade->facets().nodes[report.deepest_facet]);
+    facts.where        = {"particle",
+                          projectile.first_id + points.id[i],
+                          {{points.position[0][i], points.position[1][i], points.position[2][i]}}};
+    const auto element = find_element(blade.snapshot(), blade.facets().nodes[report.deepest_facet]);
     facts.details =
       element < 0
         ? fmt::format("It is {:.3g} m below the surface, of facet {}.", report.penetration, report.deepest_facet)

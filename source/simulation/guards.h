@@ -4,8 +4,10 @@
 
 namespace birdstrike
 {
+  class Blade;
   struct CaseParameters;
   class NumericalFailure;
+  class Projectile;
   struct Scene;
 
   /// A node of the blade or a particle, and its speed (m/s).
@@ -47,7 +49,9 @@ namespace birdstrike
     void check_penetration(const Scene &scene) const;
 
   private:
-    double largest_penetration = 0.;                  ///< m
+    void check_penetration(const Projectile &projectile, const Blade &blade) const;
+
+    double largest_penetration = 0.;                  ///< over a bird's spacing
     double initial_speed       = 0.;                  ///< m/s
     double liquid_sound_speed = 0., shock_slope = 0.; ///< c_0, m/s, and s
     double metal_sound_speed = 0.;                    ///< m/s

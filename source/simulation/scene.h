@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulation/first_touch.h"
+#include "simulation/projectile/projectile.h"
 #include <birdstrike/contact/report.h>
 #include <birdstrike/core/thread_pool.h>
 #include <birdstrike/report/balance.h>
@@ -13,13 +13,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace birdstrike
 {
   struct CaseParameters;
-  class Bird;
   class Blade;
-  class Contact;
   class SelfContact;
   class PatchForces;
 
@@ -33,13 +32,10 @@ namespace birdstrike
   {
     ThreadPool                   pool;
     std::unique_ptr<Blade>       blade;
-    std::unique_ptr<Bird>        bird;
-    std::unique_ptr<Contact>     contact;
+    std::vector<Projectile>      birds;             ///< with their contacts, if there is a blade
     std::unique_ptr<SelfContact> self_contact;      ///< of a deformable blade
-    FirstTouch                   first_touch;       ///< of bird and blade, if both are there
     BladeHistories               histories;         ///< that the case asks for
     PatchForces                 *patches = nullptr; ///< of these, if there is contact
-    ContactReport                gone_contact;      ///< the last report of a contact that has been dropped
 
     /// @throws InputError for a case without parts, a bird that misses the blade or starts inside it.
     explicit Scene(const CaseParameters &parameters);
@@ -58,21 +54,27 @@ namespace birdstrike
     /// @throws NumericalFailure for a step that collapses (Time/Smallest step).
     Schedule plan(double remaining);
 
+    /// Birds that wait and are near now (s since the clock started) are computed from now on.
+    void wake_birds(double now);
+
+    bool        has_bird() const;         ///< that is computed, or waits
+    bool        has_contact() const;      ///< of such a bird
+    std::size_t n_particles_here() const; ///< of birds that are computed now
+    double      flight_time() const;      ///< s before first touch, of all birds
+
+    /// What all contacts have done in their last calls, those that have gone too. add_up_contacts() is to be called
+    /// after each.
+    const ContactReport &contact_report() const;
+    void                 add_up_contacts();
+
     /// The latest plan; a scene that has just been built has made its first.
     const Schedule &last_plan() const;
 
-    /// Energies and momenta of the whole scene; a bird that has gone keeps its books in `gone`.
+    /// Energies and momenta of the whole scene, of birds that have gone too.
     SystemState state() const;
 
-    /// Retires particles that can no longer meet the blade wherever it moves within `horizon` (s) at its present nodal
-    /// velocities; returns their number.
-    std::size_t retire_particles(double horizon);
-
-    /// Largest impulse (N s) that the bird could still give within `horizon` (s); for a bird that touches nothing.
-    double compute_reachable_impulse(double horizon);
-
-    /// Bird and contact are released. What particles are left count as retired; the last reports stay in the balance.
-    void drop_bird();
+    /// Where the blade's surface may be within `horizon` (s) at its present nodal velocities.
+    Box compute_reach_of_blade(double horizon) const;
 
     /// All parts, and what the next plan depends on. A bird that the archived scene has dropped is dropped here.
     void archive(Archive &archive);
@@ -86,15 +88,18 @@ namespace birdstrike
     Schedule              latest;
     double                largest_bird_step;                                                 // s, for the next plan
     double                largest_step_in_contact = std::numeric_limits<double>::infinity(); // s, of the blade
-    SmallestStep          smallest_bird_step, smallest_blade_step;
+    SmallestStep          smallest_blade_step;
     const char           *advice_on_crushed_elements;
-    EnergyReport          gone_energy;
-    MomentumReport        gone_momentum;
     double                seen_from_hub = 0.; // J, see SystemState
+    ContactReport         all_contacts;       // of several birds
 
-    void   limit_multirate();
-    bool   is_contact_softened() const;
-    double limit_in_contact(double bird_step) const; ///< s, of the blade
-    void   watch_patches();
+    void place_birds();
+    void limit_multirate();
+    template <class Predicate>
+    double limit_of_layers(const Predicate &counts) const; ///< s, of the blade
+
+    std::optional<StepVote> vote_of_birds(double remaining);
+    double                  limit_in_contact(double bird_step) const; ///< s, of the blade
+    void                    watch_patches();
   };
 } // namespace birdstrike

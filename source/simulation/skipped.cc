@@ -5,6 +5,7 @@
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
+#include <algorithm>
 #include <cmath>
 
 /// What a run did not compute, and what that saved, counted in the entities that it does compute. Every saving is units
@@ -32,7 +33,7 @@ namespace birdstrike
     const Stepper::Seconds seconds = stepper.seconds();
     costs.particle_step            = ratio(seconds.bird, static_cast<double>(counts.particle_steps));
     costs.element_step             = ratio(seconds.blade, n_elements() * static_cast<double>(counts.blade));
-    const ContactReport &report    = scene.contact ? scene.contact->report() : scene.gone_contact;
+    const ContactReport &report    = scene.contact_report();
     costs.contact_step             = ratio(seconds.contact, static_cast<double>(report.calls - report.skipped));
     return costs;
   }
@@ -41,9 +42,8 @@ namespace birdstrike
   {
     const UnitCosts costs   = compute_unit_costs();
     double          seconds = 0.;
-    if (scene.bird)
-      seconds += (costs.particle_step * static_cast<double>(scene.bird->state().size()) +
-                  (scene.contact ? costs.contact_step : 0.)) *
+    if (const std::size_t n = scene.n_particles_here(); n > 0)
+      seconds += (costs.particle_step * static_cast<double>(n) + (scene.has_contact() ? costs.contact_step : 0.)) *
                  ratio(static_cast<double>(stepper.counts().bird), now);
     if (scene.blade)
       seconds += costs.element_step * n_elements() * ratio(static_cast<double>(stepper.counts().blade), now);
@@ -52,29 +52,47 @@ namespace birdstrike
 
   std::vector<SkippedWork> BirdStrike::compute_skipped() const
   {
-    const Stepper::Counts   &counts = stepper.counts();
-    const UnitCosts          costs  = compute_unit_costs();
-    const double             n = static_cast<double>(n_at_start), n_cells = n_elements();
+    const Stepper::Counts   &counts  = stepper.counts();
+    const UnitCosts          costs   = compute_unit_costs();
+    const double             n_cells = n_elements();
     std::vector<SkippedWork> skipped;
     const auto               add = [&](const char *what, const double count, const char *unit, const double seconds) {
       if (count > 0.)
         skipped.push_back({what, count, unit, ratio(seconds, timings.wall() + seconds)});
     };
-    const double bird_time = time_bird_gone >= 0. ? time_bird_gone : now;
-    add("flight before first touch", scene.first_touch.flight_time, "s",
-        scene.first_touch.flight_time * (n * costs.particle_step * ratio(static_cast<double>(counts.bird), bird_time) +
-                                         n_cells * costs.element_step * ratio(static_cast<double>(counts.blade), now)));
+    double        n = 0., dropped = 0., bird_time = now;
+    unsigned long n_steps_with_bird = n_steps;
+    for (const Projectile &each : scene.birds)
+      {
+        n += static_cast<double>(each.n_at_start);
+        dropped += static_cast<double>(each.n_dropped);
+      }
+    if (!scene.has_bird())
+      {
+        bird_time         = 0.;
+        n_steps_with_bird = 0;
+        for (const Projectile &each : scene.birds)
+          {
+            bird_time         = std::max(bird_time, each.time_gone);
+            n_steps_with_bird = std::max(n_steps_with_bird, each.n_steps_with);
+          }
+      }
+    add("flight before first touch", scene.flight_time(), "s",
+        scene.flight_time() * (n * costs.particle_step * ratio(static_cast<double>(counts.bird), bird_time) +
+                               n_cells * costs.element_step * ratio(static_cast<double>(counts.blade), now)));
 
-    const ContactReport &report  = scene.contact ? scene.contact->report() : scene.gone_contact;
+    const ContactReport &report  = scene.contact_report();
     const double         apart   = static_cast<double>(report.skipped);
-    const double         without = time_bird_gone >= 0. ? static_cast<double>(n_steps - n_steps_with_bird) : 0.;
-    const double         dropped = static_cast<double>(n_dropped);
-    const double         retired =
-      n * static_cast<double>(counts.bird) - static_cast<double>(counts.particle_steps) + (n - dropped) * without;
+    const double         without = static_cast<double>(n_steps - n_steps_with_bird);
+    const double         waited  = static_cast<double>(counts.particle_steps_waited);
+    const double retired = n * static_cast<double>(counts.bird) - static_cast<double>(counts.particle_steps) - waited +
+                           (n - dropped) * without;
+    add("birds that wait", waited, "particle-steps", waited * costs.particle_step);
     add("contact steps with boxes apart", apart, "steps", apart * costs.contact_step);
     add("removed particles", retired, "particle-steps", retired * costs.particle_step);
-    add("bird and contact after the bird's phase", without, "steps",
-        without * (dropped * costs.particle_step + costs.contact_step));
+    if (!scene.birds.empty())
+      add("bird and contact after the bird's phase", without, "steps",
+          without * (dropped * costs.particle_step + costs.contact_step));
     const double not_done = n_cells * static_cast<double>(counts.blade_not_done);
     add("blade steps by multirate", not_done, "element-steps", not_done * costs.element_step);
     add("bird steps by multirate", static_cast<double>(counts.particle_steps_not_done), "particle-steps",
@@ -104,7 +122,7 @@ namespace birdstrike
       add("blade");
     else if (!scene.blade->is_deformable())
       add("finite elements of the rigid target");
-    if (n_at_start == 0)
+    if (scene.birds.empty())
       add("bird");
     if (!has_contact)
       add("contact");

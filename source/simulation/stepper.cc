@@ -36,8 +36,7 @@ namespace birdstrike
           kick_bird_by_contact(blade_half, HalfKick::second);
       }
     kick_bird(half, HalfKick::second, blade_half);
-    if (scene.bird)
-      done.particle_steps_not_done += (schedule.n_blade - 1) * scene.bird->state().size();
+    done.particle_steps_not_done += (schedule.n_blade - 1) * scene.n_particles_here();
   }
 
   void Stepper::advance_with_several_bird_steps(const Schedule &schedule)
@@ -78,14 +77,23 @@ namespace birdstrike
     verb(*part);
   }
 
+  template <class Verb>
+  void Stepper::each_bird(const std::size_t section, const Verb &verb)
+  {
+    const Timings::Scope scope(timings, section);
+    for (Projectile &each : scene.birds)
+      if (each.is_here())
+        verb(each);
+  }
+
   void Stepper::kick_bird(const double half_step, const HalfKick half, const double contact_half)
   {
-    timed(scene.bird, sections.bird_kick, [&](Bird &bird) { bird.kick(half_step, half, contact_half); });
+    each_bird(sections.bird_kick, [&](Projectile &each) { each.bird->kick(half_step, half, contact_half); });
   }
 
   void Stepper::kick_bird_by_contact(const double half_step, const HalfKick half)
   {
-    timed(scene.bird, sections.bird_kick, [&](Bird &bird) { bird.kick_contact(half_step, half); });
+    each_bird(sections.bird_kick, [&](Projectile &each) { each.bird->kick_contact(half_step, half); });
   }
 
   void Stepper::kick_blade(const double half_step, const HalfKick half)
@@ -95,12 +103,16 @@ namespace birdstrike
 
   void Stepper::kick_blade_by_contact(const double half_step, const HalfKick half)
   {
-    timed(scene.contact, sections.contact_kick, [&](const Contact &) { scene.blade->kick_contact(half_step, half); });
+    if (scene.has_contact())
+      timed(scene.blade, sections.contact_kick, [&](Blade &blade) { blade.kick_contact(half_step, half); });
   }
 
   void Stepper::drift_bird(const double step)
   {
-    timed(scene.bird, sections.bird_drift, [&](Bird &bird) { bird.drift(step); });
+    const Timings::Scope scope(timings, sections.bird_drift);
+    for (Projectile &each : scene.birds)
+      if (each.bird)
+        each.drift(step);
   }
 
   void Stepper::drift_blade(const double step)
@@ -110,7 +122,7 @@ namespace birdstrike
 
   void Stepper::update_neighbor_list()
   {
-    timed(scene.bird, sections.list, [](Bird &bird) { bird.update_neighbor_list(); });
+    each_bird(sections.list, [](Projectile &each) { each.bird->update_neighbor_list(); });
   }
 
   void Stepper::compute_blade_forces(const double step)
@@ -127,34 +139,53 @@ namespace birdstrike
 
   void Stepper::compute_contact_forces(const double step)
   {
-    timed(scene.contact, sections.contact, [&](Contact &contact) {
-      const NodeForces on_blade = scene.blade->clear_contact_forces();
-      contact.add_forces(scene.bird->points(), scene.blade->facets(), step,
-                         {scene.bird->clear_contact_forces(), on_blade}, scene.pool);
-      if (watch)
-        watch->update(contact.report(), step);
-      if (scene.patches)
-        scene.patches->update(on_blade, step);
-    });
+    if (!scene.has_contact())
+      return;
+    const Timings::Scope scope(timings, sections.contact);
+    const NodeForces     on_blade = scene.blade->clear_contact_forces();
+    const FacetsView     facets   = scene.blade->facets();
+    std::size_t          n        = 0;
+    for (Projectile &each : scene.birds)
+      if (each.is_here())
+        {
+          each.contact->find(each.bird->points(), facets, step, scene.pool);
+          ++n;
+        }
+    if (n > 1)
+      weights.assign(facets.n_nodes, 0.);
+    if (n > 1)
+      for (const Projectile &each : scene.birds)
+        if (each.is_here())
+          each.contact->add_weights(weights);
+    for (Projectile &each : scene.birds)
+      if (each.is_here())
+        each.contact->act(each.bird->points(), facets, step, {each.bird->clear_contact_forces(), on_blade}, scene.pool,
+                          n > 1 ? &weights : nullptr);
+    scene.add_up_contacts();
+    if (watch)
+      watch->update(scene.contact_report(), step);
+    if (scene.patches)
+      scene.patches->update(on_blade, step);
   }
 
   void Stepper::compute_bird_rates()
   {
-    timed(scene.bird, sections.rates, [&](Bird &bird) {
-      bird.compute_rates();
-      ++done.bird;
-      done.particle_steps += bird.state().size();
-    });
+    const std::size_t n = scene.n_particles_here();
+    each_bird(sections.rates, [](Projectile &each) { each.bird->compute_rates(); });
+    done.bird += n > 0;
+    done.particle_steps += n;
+    for (const Projectile &each : scene.birds)
+      if (n > 0 && each.waits())
+        done.particle_steps_waited += each.n_at_start;
   }
 
-  void Stepper::drop_bird()
+  void Stepper::end_contact()
   {
-    if (scene.contact)
-      {
-        const NodeForces none = scene.blade->clear_contact_forces();
-        if (scene.patches)
-          scene.patches->update(none, 0.);
-      }
+    if (!scene.blade)
+      return;
+    const NodeForces none = scene.blade->clear_contact_forces();
+    if (scene.patches)
+      scene.patches->update(none, 0.);
   }
 
   Stepper::Stepper(Scene &scene, Timings &timings, ContactWatch *const watch)

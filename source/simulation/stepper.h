@@ -6,6 +6,7 @@
 #include <birdstrike/time_control/schedule.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace birdstrike
 {
@@ -30,6 +31,7 @@ namespace birdstrike
       std::uint64_t particle_steps = 0;
       /// What a single rate would have done more.
       std::uint64_t particle_steps_not_done = 0, blade_not_done = 0;
+      std::uint64_t particle_steps_waited = 0; ///< of birds that waited while others were computed
     };
     /// Run time, s.
     struct Seconds
@@ -45,8 +47,8 @@ namespace birdstrike
 
     void advance(const Schedule &schedule);
 
-    /// Before the scene drops its bird: from then on the blade runs alone.
-    void drop_bird();
+    /// Once the scene has dropped its last bird: from then on the blade runs alone.
+    void end_contact();
 
     const Counts &counts() const;
     Seconds       seconds() const;
@@ -68,6 +70,8 @@ namespace birdstrike
     void compute_contact_forces(double step);
     void compute_bird_rates();
 
+    template <class Verb>
+    void each_bird(std::size_t section, const Verb &verb); ///< verb(projectile), of those that are computed now
     template <class Part, class Verb>
     void timed(const Part &part, std::size_t section, const Verb &verb); ///< verb(*part), unless there is no such part
 
@@ -75,6 +79,8 @@ namespace birdstrike
     Timings      &timings;
     ContactWatch *watch;
     Counts        done;
+
+    std::vector<double> weights; ///< [nodes], of the touches of several birds
     struct Sections
     {
       std::size_t bird_kick, blade_kick, contact_kick, bird_drift, blade_drift, list, blade_forces, self_contact,

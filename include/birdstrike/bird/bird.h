@@ -99,7 +99,7 @@ namespace birdstrike
     PointsView     points() const;
     EnergyReport   energies() const;
     MomentumReport momenta() const;
-    FieldSnapshot  snapshot() const;
+    FieldSnapshot  snapshot(std::size_t first_id = 0) const; ///< ids from there on
     std::size_t    n_particles() const;
     std::string    summary() const;
 

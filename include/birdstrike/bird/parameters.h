@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace dealii
@@ -66,9 +67,10 @@ namespace birdstrike
     double                span_share = 0., chord_share = 0.;
   };
 
-  /// User entries of section "Bird"; every default lives here and nowhere else.
+  /// User entries of section "Bird", or "Bird 2" and so on; every default lives here and nowhere else.
   struct BirdParameters
   {
+    std::string           section            = "Bird"; ///< of the file, in which these entries stand
     bool                  enabled            = true;
     double                mass               = 0.1005; ///< kg; of a slab it follows from the lengths
     double                density            = 950.;   ///< kg/m^3
@@ -85,6 +87,7 @@ namespace birdstrike
     std::array<double, 3> aim_point{{0.21784, 0., 0.}}; ///< m; 70 % of a 311.2 mm span
     double                chordwise_offset    = 0.;     ///< m
     double                stand_off           = 0.;     ///< m; 0 is automatic
+    double                arrival             = 0.;     ///< s, of the first touch
     ParticleFormulation   formulation         = ParticleFormulation::riemann;
     SmoothingKernel       kernel              = SmoothingKernel::automatic;
     double                smoothing_ratio     = 1.3;
@@ -143,5 +146,8 @@ namespace birdstrike
     ///   standard        0.2 %, 1/38  0.6 %, 1/17  0.8 %, 1/13  1.1 %, 1/10
     ///   peak force      1            1.11         1.20         1.31, of the first touch
     double largest_courant_number() const;
+
+  private:
+    [[noreturn]] void refuse(const std::string &entry, const std::string &found, const std::string &action) const;
   };
 } // namespace birdstrike

@@ -63,6 +63,14 @@ namespace birdstrike
     void add_forces(const PointsView &points, const FacetsView &facets, double step, const Sink &sink,
                     ThreadPool &pool);
 
+    /// The same in two parts, for several contacts on one surface (each of its own points): dampers of all of them share
+    /// the masses of the nodes that they touch, so that together they take and never make energy. First each finds its
+    /// touches and adds what they weigh on the nodes to `weights` ([n_nodes]), then each adds its forces.
+    void find(const PointsView &points, const FacetsView &facets, double step, ThreadPool &pool);
+    void add_weights(std::vector<double> &weights) const;
+    void act(const PointsView &points, const FacetsView &facets, double step, const Sink &sink, ThreadPool &pool,
+             const std::vector<double> *weights = nullptr); ///< of all contacts; none: of this one
+
     /// What the springs of the last call can bear, s; infinite where nothing touches.
     StepLimit step_limit() const
     {
@@ -92,7 +100,9 @@ namespace birdstrike
     void       book_released(const ContactScene &scene);
     ContactLaw law(const ContactScene &scene) const;
     void choose_modulus(const PointsView &points, double step, const TouchRecord &touch, const CandidateBlock &block);
-    void add_forces_of_touches(const ContactScene &scene, const Sink &sink, ThreadPool &pool);
+    void add_forces_of_touches(const ContactScene &scene, const Sink &sink, ThreadPool &pool,
+                               const std::vector<double> *weights);
+    ContactScene describe(const PointsView &points, const FacetsView &facets, double step) const;
     void update_limit(const PointsView &points, const FacetsView &facets, const NodeSums::Largest &nodes);
     void sum_report(const SymmetryPlane &plane);
     void update_peaks(double spacing);

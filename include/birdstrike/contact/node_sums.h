@@ -45,12 +45,18 @@ namespace birdstrike
       return &mobilities[block.first_node];
     }
 
-    void share_masses(const FacetsView &facets, ThreadPool &pool);
+    /// Adds the sums of the weights, [n_nodes].
+    void add_weights(std::vector<double> &weights) const;
+
+    /// `weights`: the sums of all contacts on this surface; none: there is this one only.
+    void share_masses(const FacetsView &facets, ThreadPool &pool, const std::vector<double> *weights = nullptr);
 
     /// Adds the forces; stiffness over mass of the same nodes.
     Largest add_to(const NodeForces &forces, const FacetsView &facets, ThreadPool &pool) const;
 
   private:
+    double sum_weights(std::size_t n) const; // of a node, by its place
+
     std::vector<Sum>             sums;           // of all blocks, one after the other
     std::vector<double>          mobilities;     // likewise
     std::vector<std::uint32_t>   nodes;          // those that any block knows

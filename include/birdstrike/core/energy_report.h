@@ -156,6 +156,10 @@ namespace birdstrike
                   sizeof(MomentumReport::Vector) * momentum_kinds.size() + sizeof(double) * momentum_scales.size() &&
                 are_distinct(momentum_kinds));
 
+  /// Of several parts together.
+  void add(EnergyReport &sum, const EnergyReport &one);
+  void add(MomentumReport &sum, const MomentumReport &one);
+
   void archive(Archive &archive, const char *name, EnergyReport &energy);
   void archive(Archive &archive, const char *name, MomentumReport &momentum);
 } // namespace birdstrike

@@ -9,11 +9,20 @@
 #include <birdstrike/structure/parameters.h>
 #include <birdstrike/time_control/parameters.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace birdstrike
 {
+  /// A bird of the scene, and its liquid.
+  struct BirdCase
+  {
+    unsigned int          number; ///< 1: section Bird, k: section Bird k
+    const BirdParameters &bird;
+    const EosParameters  &liquid;
+  };
+
   /// Everything one case is made of. The members are bound to `file`, so the object can neither be copied nor moved.
   struct CaseParameters
   {
@@ -24,6 +33,14 @@ namespace birdstrike
     BladeParameters   blade;
     BirdParameters    bird;
     EosParameters     equation_of_state; ///< of the bird: section Bird/Equation of state
+    /// Sections "Bird 2" to "Bird 4"; what they do not give is as in section Bird.
+    struct FurtherBird
+    {
+      BirdParameters bird;
+      EosParameters  liquid;
+    };
+    std::array<FurtherBird, 3> further_birds;
+
     ContactParameters contact;
     TimeParameters    time;
     OutputParameters  output;
@@ -38,8 +55,14 @@ namespace birdstrike
     /// Reads and checks a case; see ParameterFile::read. Raises InputError.
     void read(const std::string &path, const std::vector<std::string> &overrides = {});
 
+    /// Those that are enabled, in the order of their numbers.
+    std::vector<BirdCase> birds() const;
+
     /// Where the run writes: `Output/Directory`, or runs/<case name>.
     std::string run_directory() const;
+
+  private:
+    void check_further_birds(const std::string &path) const;
   };
 
   /// Names of entries, "Section/Entry".

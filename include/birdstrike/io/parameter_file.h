@@ -50,6 +50,25 @@ namespace birdstrike
     ParameterFile(const ParameterFile &)            = delete;
     ParameterFile &operator=(const ParameterFile &) = delete;
 
+    /// Entries of a section that stand for those of another of the same entries.
+    struct Inheritance
+    {
+      std::string section, from;
+      std::string when; ///< entry of `section` that must be true
+      /// What is given of the first entries, in `section` itself, stands for all of the second, which are not
+      /// inherited then.
+      struct Alternative
+      {
+        std::vector<std::string> given, replaced;
+      };
+      std::vector<Alternative> alternatives;
+      std::vector<std::string> own; ///< entries that are never inherited
+    };
+
+    /// From now on read() gives what neither the file nor an override says of a section the values of the other one,
+    /// before anything is checked. What was given there is given here, too.
+    void inherit(const Inheritance &rule);
+
     /// Reads the file, then the overrides "Section/Entry=value", and checks every group.
     void read(const std::string &path, const std::vector<std::string> &overrides = {});
 
@@ -58,6 +77,9 @@ namespace birdstrike
 
     /// Whether the file, one that it includes or an override has set the entry "Section/Entry".
     bool is_given(const std::string &entry) const;
+
+    /// Whether any entry of a section, by its whole name, is not at its default.
+    bool is_changed(const std::string &section) const;
 
     /// Files that the one that was read includes, in the order of reading.
     const std::vector<std::string> &included_files() const;
@@ -78,6 +100,9 @@ namespace birdstrike
     ParameterTree tree() const;
 
   private:
+    void apply(const Inheritance &rule);
+
+    std::vector<Inheritance>                  inheritances;
     std::vector<ParameterGroup>               groups;
     std::unique_ptr<dealii::ParameterHandler> prm;
     std::string                               original_text;

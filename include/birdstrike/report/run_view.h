@@ -17,8 +17,9 @@ namespace birdstrike
   struct CaseParameters;
   class Bird;
   class Blade;
-  class Contact;
   struct BladeHistories;
+  struct ContactReport;
+  struct FieldSnapshot;
 
   /// Work that a run did not do: what, how much of it, and the share of the run time that it would have been (NaN: no
   /// estimate).
@@ -53,6 +54,18 @@ namespace birdstrike
     double                duration            = none;        ///< s, length over speed; none of a slab
   };
 
+  /// One bird of a run.
+  struct BirdOfRun
+  {
+    unsigned int          number   = 1;       ///< 1: section Bird, k: Bird k
+    std::size_t           first_id = 0;       ///< of its particles in files
+    const Bird           *bird     = nullptr; ///< none once it has gone
+    BirdAtStart           at_start;
+    StrikeAim             aim;
+    double                arrival = 0.; ///< s
+    std::array<double, 3> impulse{};    ///< N s, on the blade
+  };
+
   /// All that is known of a run at one instant: what every quantity (source/report/quantities.h) is taken from. Parts
   /// that the case lacks, or that have gone, are null. What is said of the whole run is known at its end only.
   struct RunView
@@ -62,8 +75,7 @@ namespace birdstrike
     const Balance        &balance; ///< that judges the run
     const Balance        &shown;   ///< of the present state
     const Blade          *blade;
-    const Bird           *bird;
-    const Contact        *contact;
+    const ContactReport  *contact; ///< of all birds together
     bool                  has_self_contact;
     const BladeHistories *histories = nullptr; ///< none: nothing is asked for
 
@@ -71,8 +83,10 @@ namespace birdstrike
     unsigned long n_steps   = 0;
     double        bird_step = 0., blade_step = 0.; ///< s
 
-    BirdAtStart bird_at_start = {};
-    StrikeAim   aim           = {};
+    std::vector<BirdOfRun> birds = {};
+
+    BirdAtStart bird_at_start = {}; ///< of all together
+    StrikeAim   aim           = {}; ///< of the first
     std::size_t n_retired     = 0; ///< particles that the computation has let go
 
     EndReason   end_reason    = EndReason::none;
@@ -82,5 +96,9 @@ namespace birdstrike
     std::vector<SkippedWork>           skipped       = {};
     std::vector<StepLimiters::Limiter> limiters      = {}; ///< of macro steps
     Warnings                           case_warnings = {}; ///< known before the first step
+
+    bool          has_bird() const; ///< that is computed still
+    std::size_t   n_particles() const;
+    FieldSnapshot bird_snapshot() const; ///< of all together, empty if all have gone
   };
 } // namespace birdstrike

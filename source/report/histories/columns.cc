@@ -1,6 +1,6 @@
 #include "report/histories/columns.h"
 #include "report/quantities.h"
-#include <birdstrike/contact/contact.h>
+#include <birdstrike/contact/report.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/columns.h>
 #include <birdstrike/structure/blade.h>
@@ -22,7 +22,7 @@ namespace birdstrike
         case Subject::run:
           return true;
         case Subject::bird:
-          return run.bird != nullptr;
+          return run.has_bird();
         case Subject::contact:
           return run.contact != nullptr;
         case Subject::blade:
@@ -56,10 +56,20 @@ namespace birdstrike
           {{"pressure_" + column_name(patches[p].name), "Pa",
             "Mean contact pressure where the closest point lies in this disc of Contact/Pressure patches"},
            [p](const RunView &now) {
-             return now.contact && !now.contact->report().patch_pressures.empty()
-                      ? now.contact->report().patch_pressures[p]
-                      : 0.;
+             return now.contact && !now.contact->patch_pressures.empty() ? now.contact->patch_pressures[p] : 0.;
            }});
+    }
+
+    /// Of each bird, where there are several.
+    void add_birds(const RunView *run, std::vector<HistoryColumn> &columns)
+    {
+      const std::size_t n = run == nullptr ? 1 : run->birds.size() > 1 && run->contact ? run->birds.size() : 0;
+      for (std::size_t k = 0; k < n; ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          columns.push_back(
+            {{"bird_" + (run ? std::to_string(run->birds[k].number) : "NUMBER") + "_impulse_" + axis_names[c], "N s",
+              "Time integral of the contact force of this bird, of several, on the blade, global axes"},
+             [k, c](const RunView &now) { return now.birds[k].impulse[c]; }});
     }
 
     void add_probes(const RunView *run, std::vector<HistoryColumn> &columns)
@@ -154,6 +164,7 @@ namespace birdstrike
     std::vector<HistoryColumn> columns;
     add_quantities(run, false, columns);
     add_pressures(run, columns);
+    add_birds(run, columns);
     add_quantities(run, true, columns);
     add_probes(run, columns);
     return columns;

@@ -49,10 +49,10 @@ namespace birdstrike
         add_table(*source);
     if (run.blade && run.parameters.output.blade_fields)
       blade_fields.emplace(folder, "blade");
-    if (run.bird && run.parameters.output.bird_fields)
+    if (run.has_bird() && run.parameters.output.bird_fields)
       {
         bird_fields.emplace(folder, "bird");
-        no_bird = run.bird->snapshot();
+        no_bird = run.bird_snapshot();
         no_bird.points.clear();
         no_bird.cells.clear();
         for (Field &field : no_bird.fields)
@@ -122,10 +122,10 @@ namespace birdstrike
           deform(blade);
         writer.write(*blade_fields, std::move(blade), run.time);
       }
-    const bool has_bird = run.bird || run.parameters.output.removed_fly_on;
+    const bool has_bird = run.has_bird() || run.parameters.output.removed_fly_on;
     if (bird_fields && (has_bird || !std::exchange(has_left_bird, true))) // ParaView shows the last file from there on
       {
-        FieldSnapshot bird = run.bird ? run.bird->snapshot() : no_bird;
+        FieldSnapshot bird = run.has_bird() ? run.bird_snapshot() : no_bird;
         if (run.parameters.output.removed_fly_on)
           run.observed.removed_particles.add_to(bird, run.time);
         writer.write(*bird_fields, std::move(bird), run.time);

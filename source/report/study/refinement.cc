@@ -101,8 +101,12 @@ namespace birdstrike
       }
     if (refines_bird(refinement))
       {
-        level.size = std::stod(fmt::format("{:.6g}", parameters.bird.spacing * factor)); // as it is set
-        level.overrides.push_back(set_number("Bird/Particle spacing", level.size));
+        const auto refined = [&](const BirdParameters &bird) { // as it is set
+          return std::stod(fmt::format("{:.6g}", bird.spacing * factor));
+        };
+        level.size = refined(parameters.bird);
+        for (const BirdCase &each : parameters.birds())
+          level.overrides.push_back(set_number(each.bird.section + "/Particle spacing", refined(each.bird)));
       }
     if (refinement == Refinement::step)
       level.overrides = {set_number("Time/Step scale", parameters.time.step_scale * factor),

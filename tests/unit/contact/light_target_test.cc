@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 using namespace birdstrike;
@@ -135,4 +136,64 @@ TEST(LightTarget, LargestFrequencyBoundsTheSpringsOwn)
   const double exact = stiffness * (1. / 1e-6 + weights / 1e-6);
   EXPECT_GE(std::pow(contact.report().largest_frequency, 2), exact * (1. - 1e-9));
   EXPECT_LE(std::pow(contact.report().largest_frequency, 2), 1.5 * exact); // Jensen's inequality gives that much away
+}
+
+// Points that four contacts share out among them take the same forces as if all were one contact's: the dampers of each
+// own the part of a node's mass that their weight is of the weights of all.
+TEST(LightTarget, SeveralContactsShareTheMassesOfTheNodesThatTheyTouch)
+{
+  ThreadPool pool;
+  for (const double areal_mass : {0.1, 2., 200.})
+    {
+      FreeMasses                whole = layer_on_plate(areal_mass, 100., 5e-3);
+      std::array<FreeMasses, 4> part;
+      std::array<Contact, 4>    contacts{Contact(ContactParameters()), Contact(ContactParameters()),
+                                      Contact(ContactParameters()), Contact(ContactParameters())};
+      for (std::size_t k = 0; k < part.size(); ++k)
+        {
+          part[k].spacing        = spacing;
+          part[k].hugoniot_slope = whole.hugoniot_slope;
+          for (std::size_t i = k; i < whole.id.size(); i += part.size())
+            part[k].add_point({whole.position(i), whole.velocity(i), whole.mass[i], density, sound_speed});
+        }
+      const double        step   = 5e-7;
+      const FacetsView    facets = whole.facets();
+      Contact             all{ContactParameters()};
+      std::vector<double> weights, expected;
+      double              largest = 0.;
+      for (const double depth : {0., 0.02 * spacing}) // one call before they touch, to know the side
+        {
+          const auto lower = [&](FreeMasses &scene) {
+            for (std::size_t i = 0; i < scene.id.size(); ++i)
+              scene.place(i, scene.position(i) - Point3(0., 0., depth));
+          };
+          lower(whole);
+          whole.compute_contact(all, step, pool);
+          expected = whole.node_force;
+          whole.node_force.assign(expected.size(), 0.);
+          weights.assign(facets.n_nodes, 0.);
+          for (std::size_t k = 0; k < part.size(); ++k)
+            {
+              lower(part[k]);
+              for (auto &component : part[k].point_force)
+                std::fill(component.begin(), component.end(), 0.);
+              contacts[k].find(part[k].points(), facets, step, pool);
+              contacts[k].add_weights(weights);
+            }
+          for (std::size_t k = 0; k < part.size(); ++k)
+            {
+              auto &force = part[k].point_force;
+              contacts[k].act(part[k].points(), facets, step,
+                              {{{force[0].data(), force[1].data(), force[2].data()}}, {whole.node_force.data(), 6}},
+                              pool, &weights);
+            }
+        }
+      EXPECT_GT(all.report().n_touching, whole.id.size() / 2);
+      for (std::size_t i = 0; i < whole.id.size(); ++i)
+        largest = std::max(largest, whole.force_on_point(i).norm());
+      for (std::size_t i = 0; i < whole.id.size(); ++i)
+        EXPECT_NEAR((part[i % 4].force_on_point(i / 4) - whole.force_on_point(i)).norm(), 0., 1e-12 * largest);
+      for (std::size_t j = 0; j < expected.size(); ++j)
+        EXPECT_NEAR(whole.node_force[j], expected[j], 1e-11 * largest);
+    }
 }

@@ -32,7 +32,44 @@ TEST(CaseParameters, HasOneSectionForEachRoomAndOneForStudies)
 {
   const CaseParameters parameters;
   EXPECT_EQ(parameters.file.tree().subsection_names({}),
-            (std::vector<std::string>{"Case", "Blade", "Bird", "Contact", "Time", "Output", "Study"}));
+            (std::vector<std::string>{"Case", "Blade", "Bird", "Bird 2", "Bird 3", "Bird 4", "Contact", "Time",
+                                      "Output", "Study"}));
+}
+
+// What a further bird's section does not say is as in section Bird; of what stands for one another (velocity, aim) what
+// it says replaces all.
+TEST(CaseParameters, FurtherBirdsAreAsTheFirstButForWhatTheySay)
+{
+  const ScratchFolder scratch;
+  const std::string   file = scratch.write(
+      "birds.prm", "subsection Bird\n set Mass = 0.2\n set Speed = 150\n set Angle to surface = 60\n"
+                     " set Aim span fraction = 0.7\n set Aim chord fraction = 0.5\n"
+                     " subsection Equation of state\n  set Type = linear\n  set Bulk modulus = 2e9\n end\nend\n"
+                     "subsection Bird 2\n set Enabled = true\n set Angle to surface = 90\n"
+                     " set Arrival time = 1 ms\nend\n"
+                     "subsection Bird 4\n set Enabled = true\n set Mass = 50 g\n set Velocity = 0, 0, 200\n"
+                     " set Aim point = 0.1, 0, 0\n subsection Equation of state\n  set Type = us-up\n end\nend\n");
+  CaseParameters parameters;
+  parameters.read(file);
+  const auto birds = parameters.birds();
+  ASSERT_EQ(birds.size(), 3u);
+  EXPECT_EQ(birds[1].number, 2u);
+  EXPECT_EQ(birds[1].bird.mass, 0.2);
+  EXPECT_NEAR(birds[1].bird.velocity[2], 150., 1e-9);
+  EXPECT_EQ(birds[1].bird.aim_point, birds[0].bird.aim_point);
+  EXPECT_EQ(birds[1].bird.arrival, 1e-3);
+  EXPECT_EQ(birds[1].liquid.type, birdstrike::EosType::linear);
+  EXPECT_EQ(birds[2].number, 4u);
+  EXPECT_EQ(birds[2].bird.mass, 0.05);
+  EXPECT_EQ(birds[2].bird.velocity[2], 200.);
+  EXPECT_EQ(birds[2].bird.aim_point[0], 0.1);
+  EXPECT_EQ(birds[2].bird.arrival, 0.) << "its own";
+  EXPECT_EQ(birds[2].liquid.type, birdstrike::EosType::us_up);
+  EXPECT_EQ(birds[2].liquid.bulk_modulus, 2e9);
+
+  CaseParameters again; // the printed file says all of it
+  again.read(scratch.write("again.prm", parameters.file.as_prm()));
+  EXPECT_EQ(first_difference(parameters, again, {"Case/Name"}), "");
 }
 
 TEST(CaseParameters, DefaultsPassTheirOwnRangesAndReadBack)

@@ -18,7 +18,7 @@ inline birdstrike::Summary make_empty_summary(const std::string &name)
   parameters.name = name;
   const birdstrike::Observed observed;
   const birdstrike::Balance  balance(1.);
-  return birdstrike::Summary({parameters, observed, balance, balance, nullptr, nullptr, nullptr, false});
+  return birdstrike::Summary({parameters, observed, balance, balance, nullptr, nullptr, false});
 }
 
 /// A run folder as a run leaves it, without the run: a blade that vibrates about `stays` (m) with a period of 10 ms.

@@ -37,7 +37,7 @@ namespace
 
     std::vector<std::string> codes(const double end = 10e-3) const
     {
-      RunView run{parameters, observed, balance, balance, nullptr, nullptr, nullptr, false};
+      RunView run{parameters, observed, balance, balance, nullptr, nullptr, false};
       run.time = end;
       std::vector<std::string> all;
       for (const Warning &warning : find_run_warnings(run))
@@ -111,7 +111,7 @@ TEST(RunWarnings, StandInTheSummaryAfterThoseOfTheCase)
 {
   SoundRun run;
   run.observed.failure.n_partly = 1;
-  RunView view{run.parameters, run.observed, run.balance, run.balance, nullptr, nullptr, nullptr, false};
+  RunView view{run.parameters, run.observed, run.balance, run.balance, nullptr, nullptr, false};
   view.time          = 10e-3;
   view.case_warnings = {{"unit/speed", "Fast."}};
   const Warnings all = Summary(view).warnings();

@@ -81,7 +81,7 @@ namespace
 
     RunView view() const
     {
-      return {parameters, observed, balance, balance, nullptr, nullptr, nullptr, false};
+      return {parameters, observed, balance, balance, nullptr, nullptr, false};
     }
   };
 } // namespace

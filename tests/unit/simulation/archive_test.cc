@@ -59,7 +59,7 @@ namespace
     Overrides    overrides;
     unsigned int from, to; ///< steps, among which one is drawn to archive at
     /// A quantity that must not be zero by then: what the case is here for has happened.
-    std::string  happened = "contact/report/touching";
+    std::string  happened = "bird 1/contact/report/touching";
     unsigned int threads  = 1; ///< of the run that goes on
   };
 
@@ -99,10 +99,12 @@ namespace
                                "Blade/Section 1/Material/Failure strain=0.005"};
   const Overrides   composite{"Bird/Particle spacing=0.008", "Blade/Mesh/Elements along span=22",
                             "Blade/Mesh/Elements along chord=9"};
+  const Overrides   second_bird{"Bird 2/Enabled=true", "Bird 2/Arrival time=0.4 ms", "Bird 2/Aim point=0.15, 0.01, 0",
+                              "Bird 2/Density=900", "Bird 2/Particle spacing=0.005"};
   const std::string formulation = "Blade/Element/Formulation=";
 
   const Case cases[] = {
-    {"BirdFree", shipped("bird-free"), coarse_bird, 20, 60, "bird/particles/velocity"},
+    {"BirdFree", shipped("bird-free"), coarse_bird, 20, 60, "bird 1/bird/particles/velocity"},
     {"RigidPlate", shipped("rigid-plate"), coarse_bird, 20, 200},
     {"FreeRigidPlate", shipped("rigid-plate"),
      with(coarse_bird, {"Blade/Rigid/Motion=free along normal", "Blade/Rigid/Mass=0.05"}), 20, 200, "plate/speed"},
@@ -112,7 +114,7 @@ namespace
     {"FanBladeComposite", shipped("fan-blade-composite"), composite, 100, 300,
      "blade/elements/section 0/laminate/plies/modes", 2},
     {"Frontal", shipped("frontal"), coarse, 20, 400, "blade/elements/section 0/points/plastic strain", 2},
-    {"FrontalSolid", shipped("frontal"), solid, 20, 400, "contact/report/touching", 2},
+    {"FrontalSolid", shipped("frontal"), solid, 20, 400, "bird 1/contact/report/touching", 2},
     {"Oblique", shipped("oblique"), coarse, 20, 300},
     {"ObliqueSolid", shipped("oblique"), solid, 20, 300},
     {"Quickstart", shipped("quickstart"), coarse, 20, 300},
@@ -157,9 +159,12 @@ namespace
      20,
      200,
      "stepper/steps not done"},
-    {"Retired", shipped("oblique"), with(coarse, {"Bird/Retirement margin=0.005"}), 300, 500, "bird/retired/particles"},
+    {"Retired", shipped("oblique"), with(coarse, {"Bird/Retirement margin=0.005"}), 300, 500,
+     "bird 1/bird/retired/particles"},
     {"BirdGone", shipped("oblique"), with(coarse, {"Bird/Retirement margin=0.005"}), 900, 1000,
-     "plan/gone energy/retired"},
+     "bird 1/gone energy/retired"},
+    {"SecondBirdWaits", shipped("frontal"), with(coarse, second_bird), 20, 100, "bird 2/waits"},
+    {"SecondBirdStrikes", shipped("frontal"), with(coarse, second_bird), 400, 500, "bird 2/contact/report/touching", 2},
     {"Collapse", shipped("perforation"), with(plate, {"Blade/Material/Smallest step=0.8", "Bird/Velocity=0, 0, 400"}),
      60, 120, "blade/elements/section 0/failed"},
     {"SolidCollapse", shipped("perforation"),

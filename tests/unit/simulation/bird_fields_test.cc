@@ -21,10 +21,11 @@ TEST(BirdFields, EndWithTheBird)
   const Observed observed;
   const Balance  balance(1.);
   {
-    RunView  run{parameters, observed, balance, balance, nullptr, scene.bird.get(), nullptr, false};
+    RunView run{parameters, observed, balance, balance, nullptr, nullptr, false};
+    run.birds = {scene.birds.front().report(false)};
     Recorder recorder(run, scratch.path());
     recorder.record(run);
-    run.bird = nullptr;
+    run.birds.front().bird = nullptr;
     for (const double time : {0.5e-3, 1e-3, 2e-3, 3e-3}) // the first before a file is due
       {
         run.time = time;

@@ -34,8 +34,8 @@ namespace
     void set_particle(const std::uint32_t id, const double speed) const
     {
       std::uint32_t k = 0; // in the order of memory
-      scene->bird->set_state([&](Point3 &, Point3 &v, double &) {
-        if (scene->bird->state().id[k++] == id)
+      scene->birds.front().bird->set_state([&](Point3 &, Point3 &v, double &) {
+        if (scene->birds.front().bird->state().id[k++] == id)
           v[0] = speed;
       });
     }

@@ -21,9 +21,9 @@ namespace
     scene.state();
     scene.last_plan();
     scene.n_list_changes();
-    if (scene.bird)
+    if (scene.has_bird())
       {
-        const Bird &bird = *scene.bird;
+        const Bird &bird = *scene.birds.front().bird;
         bird.step_limit();
         bird.points();
         bird.energies();
@@ -76,11 +76,11 @@ namespace
         stepper.advance(scene.plan(1.));
       }
     std::vector<double> values;
-    if (scene.bird)
+    if (scene.has_bird())
       for (unsigned int d = 0; d < 3; ++d)
         {
-          append(values, scene.bird->points().position[d], scene.bird->points().n);
-          append(values, scene.bird->points().velocity[d], scene.bird->points().n);
+          append(values, scene.birds.front().bird->points().position[d], scene.birds.front().bird->points().n);
+          append(values, scene.birds.front().bird->points().velocity[d], scene.birds.front().bird->points().n);
         }
     if (scene.blade)
       {

@@ -28,7 +28,7 @@ namespace
     CaseParameters parameters;
     parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/quickstart.prm", entries);
     Scene            scene(parameters);
-    const PointsView points = scene.bird->points();
+    const PointsView points = scene.birds.front().bird->points();
     const FacetsView facets = scene.blade->facets();
     // placed a millionth of a spacing before it, to round-off of a flight of less than a metre
     const auto  &v      = parameters.bird.velocity;

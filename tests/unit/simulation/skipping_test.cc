@@ -75,10 +75,10 @@ TEST(Skipping, ContactRestsWhileBoxesAreApart)
                   {"Bird/Particle spacing=0.005", "Blade/Mesh/Elements along span=20",
                    "Blade/Mesh/Elements along chord=6", "Time/End time=0.2e-3"});
   Scene scene(parameters);
-  scene.bird->advance_in_flight(-0.15e-3); // 27 mm back: the search looks 5 mm ahead
+  scene.birds.front().bird->advance_in_flight(-0.15e-3); // 27 mm back: the search looks 5 mm ahead
   BirdStrike strike(parameters, scene);
   strike.run();
-  const ContactReport &report = scene.contact->report();
+  const ContactReport &report = scene.birds.front().contact->report();
   EXPECT_GT(report.skipped, report.calls / 2);
   EXPECT_LE(report.searches + report.reused, report.calls - report.skipped);
   const Strike run{strike.compute_summary(), {}};

@@ -26,6 +26,9 @@ namespace birdstrike
   /// taken as straight in that frame; the bird then comes through the aim point as the blade sees it, whose place in
   /// the mesh is that of the first touch.
   ///
+  /// A bird that arrives later meets the blade as it lies at the start then, of a blade that turns after as much of its
+  /// rotation, and is taken back along its path by that time.
+  ///
   /// @throws InputError for a bird that misses the blade or starts inside it.
   FirstTouch place_at_first_touch(Bird &bird, Blade &blade, const BirdParameters &parameters);
 } // namespace birdstrike

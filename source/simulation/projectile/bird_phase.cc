@@ -1,4 +1,4 @@
-#include "simulation/bird_phase.h"
+#include "simulation/projectile/bird_phase.h"
 
 #include <birdstrike/core/box.h>
 

@@ -1,8 +1,9 @@
-#include "simulation/aim.h"
-#include "simulation/scene.h"
+#include "simulation/projectile/aim.h"
+#include "simulation/projectile/projectile.h"
 #include <birdstrike/bird/shape.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/structure/blade.h>
+#include <birdstrike/structure/rotor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,27 +36,26 @@ namespace birdstrike
     }
   } // namespace
 
-  StrikeAim compute_aim(const CaseParameters &parameters, const Scene &scene)
+  StrikeAim compute_aim(const Projectile &projectile, const Blade &blade)
   {
-    StrikeAim aim;
-    if (!scene.contact)
-      return aim;
-    const BirdParameters &bird = parameters.bird;
-    const Point3          velocity(scene.first_touch.closing_velocity.data());
-    aim.point         = bird.target();
-    aim.velocity      = scene.first_touch.closing_velocity;
-    aim.speed         = velocity.norm();
-    const double sine = std::min(1., std::abs(velocity.dot(find_normal(bird, scene.blade->facets()))) / aim.speed);
-    aim.normal_speed  = aim.speed * sine;
-    aim.angle         = std::asin(sine) * 180. / M_PI;
+    StrikeAim             aim;
+    const BirdParameters &bird = projectile.parameters;
+    const Point3          velocity(projectile.first_touch.closing_velocity.data());
+    aim.point                 = bird.target();
+    aim.velocity              = projectile.first_touch.closing_velocity;
+    aim.speed                 = velocity.norm();
+    const Rotor *const rotor  = blade.rotor(); // which has turned the surface by then
+    const Point3       normal = Turned{rotor ? *rotor : Rotor(), bird.arrival}(find_normal(bird, blade.facets()));
+    const double       sine   = std::min(1., std::abs(velocity.dot(normal)) / aim.speed);
+    aim.normal_speed          = aim.speed * sine;
+    aim.angle                 = std::asin(sine) * 180. / M_PI;
     if (const auto &surface = bird.aimed_surface; surface && bird.chordwise_offset == 0.)
       {
         aim.span  = surface->span_share;
         aim.chord = surface->chord_share;
       }
     if (sine > 0.)
-      aim.hugoniot_pressure =
-        EquationOfState(parameters.equation_of_state, bird.density).hugoniot(aim.normal_speed).pressure;
+      aim.hugoniot_pressure = EquationOfState(projectile.liquid, bird.density).hugoniot(aim.normal_speed).pressure;
     aim.stagnation_pressure = 0.5 * bird.density * aim.speed * aim.speed;
     if (bird.shape != BirdShape::slab)
       aim.duration = Shape(bird).length() / aim.speed;

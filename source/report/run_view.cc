@@ -1,0 +1,55 @@
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/report/run_view.h>
+
+#include <algorithm>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// The particles of one snapshot behind those of another one, of the same fields.
+    void append(FieldSnapshot &all, const FieldSnapshot &some)
+    {
+      const auto n = static_cast<std::uint32_t>(all.points.size() / 3);
+      all.points.insert(all.points.end(), some.points.begin(), some.points.end());
+      for (const std::uint32_t cell : some.cells)
+        all.cells.push_back(n + cell);
+      for (std::size_t k = 0; k < all.fields.size(); ++k)
+        all.fields[k].values.insert(all.fields[k].values.end(), some.fields[k].values.begin(),
+                                    some.fields[k].values.end());
+    }
+  } // namespace
+
+  bool RunView::has_bird() const
+  {
+    return std::ranges::any_of(birds, [](const BirdOfRun &each) { return each.bird != nullptr; });
+  }
+
+  std::size_t RunView::n_particles() const
+  {
+    std::size_t n = 0;
+    for (const BirdOfRun &each : birds)
+      n += each.bird ? each.bird->n_particles() : 0;
+    return n;
+  }
+
+  FieldSnapshot RunView::bird_snapshot() const
+  {
+    FieldSnapshot all;
+    bool          is_first = true;
+    for (const BirdOfRun &each : birds)
+      if (each.bird)
+        {
+          FieldSnapshot some = each.bird->snapshot(each.first_id);
+          if (birds.size() > 1)
+            some.fields.push_back(
+              {"bird", "", false, 1, std::vector<double>(some.points.size() / 3, each.number), true});
+          if (is_first)
+            all = std::move(some);
+          else
+            append(all, some);
+          is_first = false;
+        }
+    return all;
+  }
+} // namespace birdstrike

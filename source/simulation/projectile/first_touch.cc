@@ -1,0 +1,191 @@
+#include "simulation/projectile/first_touch.h"
+#include <birdstrike/bird/bird.h>
+#include <birdstrike/contact/flight.h>
+#include <birdstrike/core/errors.h>
+#include <birdstrike/structure/blade.h>
+#include <birdstrike/structure/rotor.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace birdstrike
+{
+  namespace
+  {
+    /// Gap in particle spacings that is left before the first touch: on the touch itself round-off would say which of
+    /// the particles that come at once push in the first step.
+    constexpr double clearance = 1e-6;
+
+    /// The surface of a blade as its hub will have turned it after some time.
+    struct TurnedSurface
+    {
+      std::vector<double> position, velocity; // [n_nodes][3]
+      FacetsView          view;
+
+      TurnedSurface(const FacetsView &facets, const Rotor &rotor, const double time)
+        : position(3 * facets.n_nodes), velocity(3 * facets.n_nodes), view(facets)
+      {
+        for (std::size_t n = 0; n < facets.n_nodes; ++n)
+          {
+            const Point3 x = rotor.carried(Point3(facets.position + 3 * n), time);
+            const Point3 v = rotor.turned(Point3(facets.velocity + facets.velocity_stride * n), time);
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                position[3 * n + d] = x[d];
+                velocity[3 * n + d] = v[d];
+              }
+          }
+        view.position        = position.data();
+        view.velocity        = velocity.data();
+        view.velocity_stride = 3;
+      }
+    };
+
+    /// Velocity (m/s) of the surface where the bird aims: of the node nearest to that point.
+    Point3 find_velocity_at_aim(const Point3 &aim, const FacetsView &facets)
+    {
+      std::uint32_t nearest  = 0;
+      double        smallest = INFINITY;
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        for (const std::uint32_t node : facets.nodes[f])
+          if (const double d = (Point3(facets.position + 3 * node) - aim).squaredNorm(); d < smallest)
+            {
+              smallest = d;
+              nearest  = node;
+            }
+      return Point3(facets.velocity + facets.velocity_stride * nearest);
+    }
+
+    void move(Bird &bird, const BirdParameters &parameters, const Point3 &way)
+    {
+      bird.advance_in_flight(1., Point3(parameters.velocity.data()) - way);
+    }
+
+    /// Puts a bird, which stands off along its own velocity, where it flies through the aim point as the blade sees it
+    /// come: back by the way that the blade has still to go.
+    void aim_in_fixed_axes(Bird &bird, const BirdParameters &parameters, const Point3 &aim, const Point3 &frame)
+    {
+      move(bird, parameters, aim - Point3(parameters.target().data()));
+      if (Point3(parameters.velocity.data()).norm() == 0.)
+        throw InputError(parameters.section +
+                         "/Velocity: a bird at rest has no path that could be aimed.\nGive it the speed of the "
+                         "aircraft, in m/s.");
+      const PointsView points = bird.points();
+      Point3           centre = Point3::Zero();
+      for (std::size_t p = 0; p < points.n; ++p)
+        centre += Point3(points.position[0][p], points.position[1][p], points.position[2][p]);
+      centre /= static_cast<double>(points.n);
+      const Point3 velocity(parameters.velocity.data()), to_aim = aim - centre;
+      const double time = to_aim.dot(velocity) / velocity.squaredNorm();
+      bird.advance_in_flight(time, velocity - frame); // by time times `frame`
+    }
+
+    /// The points moved by `shift`, all with one velocity, and a view of them.
+    struct MovedPoints
+    {
+      std::array<std::vector<double>, 3> position, velocity;
+      PointsView                         view;
+
+      MovedPoints(const PointsView &points, const Point3 &shift, const Point3 &common_velocity) : view(points)
+      {
+        for (int d = 0; d < 3; ++d)
+          {
+            position[d].assign(points.position[d], points.position[d] + points.n);
+            for (double &x : position[d])
+              x += shift[d];
+            velocity[d].assign(points.n, common_velocity[d]);
+            view.position[d] = position[d].data();
+            view.velocity[d] = velocity[d].data();
+          }
+      }
+    };
+
+    /// How long (s) before the present place of the points, which fly on with `velocity`, the first of them touched;
+    /// 0 if none has. They are followed from where all of them were behind the whole surface.
+    double find_earlier_touch(const PointsView &points, const FacetsView &facets, const Point3 &velocity)
+    {
+      const Point3 along = velocity.normalized();
+      double       front = -INFINITY, rear = INFINITY, margin = points.spacing;
+      for (std::size_t p = 0; p < points.n; ++p)
+        front = std::max(front, along.dot(Point3(points.position[0][p], points.position[1][p], points.position[2][p])));
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        {
+          margin = std::max(margin, 2. * facets.half_thickness[f]);
+          for (const std::uint32_t n : facets.nodes[f])
+            rear = std::min(rear, along.dot(Point3(facets.position + 3 * n)));
+        }
+      const double behind = front - rear + 2. * margin; // m, how far to go back
+      if (!(behind > 0.))
+        return 0.;
+      const double      time = behind / velocity.norm();
+      const MovedPoints moved(points, -time * velocity, velocity);
+      return std::max(0., time - time_to_first_touch(moved.view, facets));
+    }
+
+    [[noreturn]] void refuse_overlap(const Overlap &overlap, const BirdParameters &parameters)
+    {
+      throw InputError(fmt::format("The bird starts inside the blade: {:.3g} m deep at ({:.4g}, {:.4g}, {:.4g}).\n{}",
+                                   overlap.depth, overlap.position[0], overlap.position[1], overlap.position[2],
+                                   parameters.stand_off > 0.
+                                     ? "Enlarge " + parameters.section + "/Stand-off, or set it to 0 to have it chosen."
+                                     : "Move " + parameters.section + "/Aim point, about which it starts."));
+    }
+
+    /// To the first touch of this surface, part of which moves with the velocity `frame`.
+    FirstTouch fly_to(Bird &bird, const FacetsView &facets, const BirdParameters &parameters, const Point3 &frame)
+    {
+      const Point3 velocity = Point3(parameters.velocity.data()) - frame;
+      FirstTouch   touch{0., velocity.norm(), {{velocity[0], velocity[1], velocity[2]}}};
+      const double before           = clearance * parameters.spacing / touch.closing_speed; // s
+      const bool   is_free_to_start = parameters.stand_off == 0. && parameters.shape != BirdShape::slab;
+      if (is_free_to_start)
+        if (const double earlier = find_earlier_touch(bird.points(), facets, velocity); earlier > 0.)
+          {
+            bird.advance_in_flight(-earlier - before, frame);
+            return touch;
+          }
+      if (const Overlap overlap = initial_overlap(bird.points(), facets); overlap.depth > 0.)
+        refuse_overlap(overlap, parameters);
+      touch.flight_time = time_to_first_touch(MovedPoints(bird.points(), Point3::Zero(), velocity).view, facets);
+      if (!std::isfinite(touch.flight_time))
+        throw InputError(fmt::format("The bird misses the blade: no particle meets it along {0}/Velocity.\n"
+                                     "Change {0}/Aim point, {0}/Chordwise offset or {0}/Velocity.",
+                                     parameters.section));
+      touch.flight_time = std::max(0., touch.flight_time - before);
+      bird.advance_in_flight(touch.flight_time, frame);
+      return touch;
+    }
+  } // namespace
+
+  FirstTouch place_at_first_touch(Bird &bird, Blade &blade, const BirdParameters &parameters)
+  {
+    const FacetsView             at_start = blade.facets();
+    const Rotor *const           rotor    = blade.rotor();
+    Point3                       aim(parameters.target().data());
+    std::optional<TurnedSurface> turned;
+    if (rotor != nullptr && parameters.arrival > 0.)
+      {
+        turned.emplace(at_start, *rotor, parameters.arrival);
+        aim = rotor->carried(aim, parameters.arrival);
+      }
+    const FacetsView &facets = turned ? turned->view : at_start;
+    const Point3      frame  = find_velocity_at_aim(aim, facets);
+    if (Point3(parameters.velocity.data()) == frame)
+      throw InputError(
+        fmt::format("The bird does not close in on the blade: {0}/Velocity is that of the blade where it "
+                    "aims.\nSet {0}/Velocity, in m/s, to what carries it to the blade.",
+                    parameters.section));
+    if (rotor != nullptr)
+      aim_in_fixed_axes(bird, parameters, aim, frame);
+    const FirstTouch touch = fly_to(bird, facets, parameters, frame);
+    if (parameters.arrival == 0.)
+      return touch;
+    bird.advance_in_flight(-parameters.arrival, rotor != nullptr ? Point3(Point3::Zero()) : frame);
+    if (const Overlap overlap = initial_overlap(bird.points(), at_start); overlap.depth > 0.)
+      refuse_overlap(overlap, parameters);
+    return touch;
+  }
+} // namespace birdstrike
