@@ -141,7 +141,8 @@ namespace birdstrike
     Packing packing;
     packing.points = shape.is_slab() ? pack_slab(parameters, shape) : pack(parameters, shape);
     if (packing.points.empty())
-      throw InputError("Section '" + parameters.section + "': the shape holds no particle.\nChoose a smaller 'Particle spacing'.");
+      throw InputError("Section '" + parameters.section +
+                       "': the shape holds no particle.\nChoose a smaller 'Particle spacing'.");
 
     const std::size_t n     = packing.points.size();
     const double      m     = shape.volume() * parameters.density;
@@ -175,7 +176,8 @@ namespace birdstrike
             shape.is_slab() ? std::max(1., std::round(nominal / (a * parameters.spacing))) * cell : nominal;
           check_period(packing.period[d], range, parameters.section);
           if (!shape.is_slab() && std::abs(packing.axis[d]) < 1. - 1e-12)
-            throw InputError("Section '" + parameters.section + "', entry 'Periodic directions': a cylinder repeats itself along its axis "
+            throw InputError("Section '" + parameters.section +
+                             "', entry 'Periodic directions': a cylinder repeats itself along its axis "
                              "only.\nLet the velocity point along that direction, without yaw or pitch.");
         }
     for (Point3 &p : packing.points)
@@ -185,7 +187,8 @@ namespace birdstrike
         packing.plane = SymmetryPlane(true);
         std::erase_if(packing.points, [](const Point3 &p) { return p[1] < 0.; });
         if (2 * packing.points.size() != n)
-          throw InputError("Section '" + parameters.section + "': the packing is not symmetric about y = 0.\nCompute the whole bird.");
+          throw InputError("Section '" + parameters.section +
+                           "': the packing is not symmetric about y = 0.\nCompute the whole bird.");
       }
     return packing;
   }

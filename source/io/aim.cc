@@ -107,13 +107,14 @@ namespace birdstrike
     void check_angle(const BirdParameters &bird, const BladeParameters &blade)
     {
       if (!blade.loads.initial_spin.empty() || !blade.loads.initial_velocity.empty())
-        throw InputError(bird.section + "/Angle to surface: the blade moves at the start (Blade/Loads/Initial spin or Initial "
+        throw InputError(bird.section +
+                         "/Angle to surface: the blade moves at the start (Blade/Loads/Initial spin or Initial "
                          "velocity), so that the angle of the bird's velocity is not that at which they meet.\nGive "
                          "Bird/Speed with Flight direction, or Bird/Velocity; explain says at which angle they meet.");
       if (const double degrees = bird.angle_to_surface[0]; degrees == 0. || std::abs(degrees) == 180.)
-        throw InputError(
-          bird.section + "/Angle to surface: along the surface the bird never meets it.\nGive an angle other than 0 "
-          "and 180 degrees; 90 is along the normal.");
+        throw InputError(bird.section +
+                         "/Angle to surface: along the surface the bird never meets it.\nGive an angle other than 0 "
+                         "and 180 degrees; 90 is along the normal.");
     }
 
     /// The direction that is given besides Velocity; nothing if none is.
@@ -159,8 +160,7 @@ namespace birdstrike
         {
           if (bird.flight_direction.empty())
             refuse_difference(bird, "Angle to surface", fmt::format("{:g} degrees", bird.angle_to_surface[0]),
-                              "Velocity",
-                              "along " + shown(given.normalized()) + " instead of " + shown(*direction));
+                              "Velocity", "along " + shown(given.normalized()) + " instead of " + shown(*direction));
           refuse_difference(bird, "Flight direction", shown(Point3(bird.flight_direction.data())), "Velocity",
                             shown(given.normalized()));
         }
@@ -172,7 +172,7 @@ namespace birdstrike
   {
     void resolve(BirdParameters &bird, const BladeParameters &blade, ParameterFile &file)
     {
-      const auto   is_given             = [&](const char *entry) { return file.is_given(bird.section + "/" + entry); };
+      const auto   is_given = [&](const char *entry) { return file.is_given(bird.section + "/" + entry); };
       const Aim    aim(bird, blade);
       const Point3 point                = aim.find_point(is_given("Aim point"));
       bird.aimed_surface                = aim.find_surface(point);

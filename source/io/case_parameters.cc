@@ -128,8 +128,7 @@ namespace birdstrike
     {
       std::vector<ParameterGroup> groups{
         describe_case(parameters.name, parameters.description, parameters.has_symmetry_plane),
-        ParameterGroup::of(parameters.blade, "Blade"),
-        ParameterGroup::of(parameters.bird),
+        ParameterGroup::of(parameters.blade, "Blade"), ParameterGroup::of(parameters.bird),
         ParameterGroup::of(parameters.equation_of_state, "Bird")};
       for (auto &further : parameters.further_birds)
         groups.push_back({[&further](dealii::ParameterHandler &prm) {
@@ -148,8 +147,7 @@ namespace birdstrike
     }
   } // namespace
 
-  CaseParameters::CaseParameters()
-    : further_birds(make_further_birds()), file(groups_of(*this))
+  CaseParameters::CaseParameters() : further_birds(make_further_birds()), file(groups_of(*this))
   {
     for (const FurtherBird &each : further_birds)
       file.inherit(as_first_bird(each.bird.section));
@@ -163,6 +161,8 @@ namespace birdstrike
                        ": a name is no path, for it names a folder in runs.\nGive a name without "
                        "'/', and the folder in Output/Directory.");
     check_further_birds(path);
+    blade.mesh.row.axis   = blade.spin.axis;
+    blade.mesh.row.centre = blade.spin.centre;
     blade.is_halved = bird.is_halved = has_symmetry_plane;
     for (FurtherBird &each : further_birds)
       each.bird.is_halved = has_symmetry_plane;

@@ -41,10 +41,9 @@ namespace birdstrike
       return fmt::format("The bird, {1:.4g} m long and {2:.4g} m thick by {3}, takes {4:.3g} particles at {0}/Particle "
                          "spacing = {5:g} m.",
                          bird.section, shape.length(), shape.diameter(),
-                         shape.is_slab()
-                           ? bird.section + "/Slab lengths"
-                           : fmt::format("{0}/Mass = {1:g} kg and {0}/Density = {2:g} kg/m^3", bird.section, bird.mass,
-                                         bird.density),
+                         shape.is_slab() ? bird.section + "/Slab lengths"
+                                         : fmt::format("{0}/Mass = {1:g} kg and {0}/Density = {2:g} kg/m^3",
+                                                       bird.section, bird.mass, bird.density),
                          n_particles, bird.spacing);
     }
 
@@ -87,16 +86,16 @@ namespace birdstrike
       fmt::format("The case needs about {} of memory; {} are there.\n", gibibytes(needed), gibibytes(available));
     if (size.bytes_of_blade > size.bytes_of_bird)
       throw InputError(found + describe_mesh(parameters.blade, size) + "\nReduce these numbers.");
-    const double left    = std::max(0.1 * available, 0.9 * available - size.bytes_of_blade);
-    const double fitting = std::min(left / price_of_particle(parameters.output), most_particles);
-    const auto            birds = parameters.birds();
+    const double          left    = std::max(0.1 * available, 0.9 * available - size.bytes_of_blade);
+    const double          fitting = std::min(left / price_of_particle(parameters.output), most_particles);
+    const auto            birds   = parameters.birds();
     const BirdParameters &largest =
       std::max_element(birds.begin(), birds.end(), [](const BirdCase &a, const BirdCase &b) {
         return count_particles(a.bird) < count_particles(b.bird);
       })->bird;
     const double spacing = largest.spacing * std::cbrt(size.n_particles / fitting);
-    throw InputError(found + describe_bird(largest, count_computed(largest, parameters.has_symmetry_plane)) +
-                     fmt::format("\nIf that is its size, set {}/Particle spacing to {:.2g} m or more.", largest.section,
-                                 spacing));
+    throw InputError(
+      found + describe_bird(largest, count_computed(largest, parameters.has_symmetry_plane)) +
+      fmt::format("\nIf that is its size, set {}/Particle spacing to {:.2g} m or more.", largest.section, spacing));
   }
 } // namespace birdstrike

@@ -124,8 +124,8 @@ namespace birdstrike
       refuse_unless(bird.chordwise_offset == 0., bird.section + "/Chordwise offset", "0");
       // along the span, yaw turns about y and pitch about z; elsewhere yaw turns out of the plane
       const bool flies_along_span = std::abs(v[0]) > 0.999999 * speed && speed > 0.;
-      refuse_unless((flies_along_span ? bird.pitch : bird.yaw) == 0., bird.section + (flies_along_span ? "/Pitch" : "/Yaw"),
-                    "0: the bird's axis lies in the plane");
+      refuse_unless((flies_along_span ? bird.pitch : bird.yaw) == 0.,
+                    bird.section + (flies_along_span ? "/Pitch" : "/Yaw"), "0: the bird's axis lies in the plane");
       refuse_unless(bird.roll == 0., bird.section + "/Roll", "0: the lattice is its own mirror image");
       refuse_unless(!bird.is_periodic[1], bird.section + "/Periodic directions", "none, x, z");
     }

@@ -1,4 +1,5 @@
 #include "mesh/blade_grid.h"
+#include "mesh/generated_surface.h"
 
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/fe/fe_q.h>
@@ -46,6 +47,13 @@ namespace birdstrike
           node_of_vertex[cell->vertex_index(v)] = node(cell, v);
         }
     return static_cast<std::size_t>(std::count(is_inside.begin(), is_inside.end(), false)) / n_unknowns;
+  }
+
+  template <int dim>
+  Point3 BladeMesh<dim>::Grid::as_first(const unsigned int cell, const Point3 &x) const
+  {
+    const unsigned int blade = cell / (triangulation.n_active_cells() / row.n_blades);
+    return blade == 0 ? x : turn(row, -row.angles()[blade], x);
   }
 
   template <int dim>

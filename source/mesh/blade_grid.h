@@ -21,6 +21,7 @@ namespace birdstrike
     dealii::DoFHandler<dim, 3>                dofs;
     std::vector<std::uint32_t>                node_of_vertex; ///< global
     bool                                      is_halved = false;
+    MeshParameters::Row                       row;
     bool is_turned = false; ///< the normal of a shell looks against the first cell's
 
     /// Numbers the unknowns; of a body those on the skin first. Returns how many nodes these are.
@@ -30,6 +31,9 @@ namespace birdstrike
     {
       return static_cast<std::uint32_t>(cell->vertex_dof_index(vertex, 0) / n_unknowns);
     }
+
+    /// Where the place x on a cell lies in the first blade of the row.
+    Point3 as_first(unsigned int cell, const Point3 &x) const;
 
     NodeSpace make_space(std::uint32_t first, std::uint32_t last) const;
 

@@ -31,7 +31,8 @@ namespace birdstrike
         for (const unsigned int q : values.quadrature_point_indices())
           {
             const dealii::Point<3> &p = values.quadrature_point(q);
-            SurfacePlace            place{&p[0], cell->material_id()};
+            const Point3            x = grid->as_first(cell->active_cell_index(), Point3(p[0], p[1], p[2]));
+            SurfacePlace            place{x.data(), cell->material_id()};
             for (const unsigned int v : cell->vertex_indices())
               {
                 const std::uint32_t n = this->space.local(Grid::node(cell, v));

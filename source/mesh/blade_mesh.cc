@@ -17,7 +17,7 @@ namespace birdstrike
   {
     MeshLabels generate(const GeometryParameters &p, dealii::Triangulation<2, 3> &triangulation)
     {
-      make_shell(generate_surface(p.mesh, p.is_halved), triangulation);
+      make_shell(generate_surface(p.mesh, p.is_halved), p.mesh.row, triangulation);
       return {built_in_boundaries()};
     }
 
@@ -26,7 +26,7 @@ namespace birdstrike
       const ThicknessLaw law       = make_thickness_law(p);
       const auto         thickness = [&law](const Point3 &x) { return thickness_at(law, {x.data()}); };
       make_solid(generate_surface(p.mesh, p.is_halved), layer_heights(p.mesh.n_layers, p.mesh.layer_grading), thickness,
-                 triangulation);
+                 p.mesh.row, triangulation);
       return {built_in_boundaries()};
     }
 
@@ -98,8 +98,10 @@ namespace birdstrike
     const MeshParameters &mesh         = parameters.mesh;
     const bool            is_generated = mesh.generator != MeshGenerator::file;
     grid->labels = is_generated ? generate(parameters, grid->triangulation) : read_mesh_file(mesh, grid->triangulation);
-    set_material_ids(mesh.material_boxes, parameters.is_halved, grid->triangulation);
+    grid->row    = mesh.row;
     grid->is_halved = parameters.is_halved;
+    set_material_ids(mesh.material_boxes, parameters.is_halved, grid->triangulation,
+                     [this](const unsigned int cell, const Point3 &x) { return grid->as_first(cell, x); });
     if (grid->is_halved)
       put_on_symmetry_plane(grid->triangulation);
     if (is_generated && grid->is_halved)
@@ -170,7 +172,7 @@ namespace birdstrike
     this->boundary_ids.assign(ids.begin(), ids.end());
     this->boundary_names = grid->labels.boundaries;
     this->material_names = grid->labels.materials;
-    if (this->space.is_whole())
+    if (this->space.is_whole() && grid->row.n_blades == 1)
       check_connection(*this);
     if (grid->is_halved)
       this->cut_at_symmetry_plane();

@@ -96,6 +96,35 @@ namespace birdstrike
         }
     }
 
+    /// Adds to what describes one blade the others of the row.
+    template <int dim, class Sides>
+    void repeat(const MeshParameters::Row &row, std::vector<dealii::Point<3>> &vertices,
+                std::vector<dealii::CellData<dim>> &cells, Sides &sides)
+    {
+      const auto n_vertices = static_cast<unsigned int>(vertices.size());
+      const auto n_cells = cells.size(), n_sides = sides.size();
+      const auto angles = row.angles();
+      for (unsigned int blade = 1; blade < angles.size(); ++blade)
+        {
+          for (unsigned int v = 0; v < n_vertices; ++v)
+            {
+              const dealii::Point<3> &p = vertices[v];
+              vertices.push_back(point(turn(row, angles[blade], Point3(p[0], p[1], p[2]))));
+            }
+          const auto add_copies = [&](auto &all, const std::size_t n) {
+            for (std::size_t k = 0; k < n; ++k)
+              {
+                auto copy = all[k];
+                for (unsigned int &vertex : copy.vertices)
+                  vertex += blade * n_vertices;
+                all.push_back(copy);
+              }
+          };
+          add_copies(cells, n_cells);
+          add_copies(sides, n_sides);
+        }
+    }
+
     dealii::CellData<2> face(const unsigned int a, const unsigned int b, const unsigned int c, const unsigned int d,
                              const unsigned int id)
     {
@@ -112,7 +141,13 @@ namespace birdstrike
                                                         : flat_plate(parameters, is_halved);
   }
 
-  void make_shell(const GeneratedSurface &s, dealii::Triangulation<2, 3> &triangulation)
+  Point3 turn(const MeshParameters::Row &row, const double angle, const Point3 &point)
+  {
+    const Point3 axis = Point3(row.axis.data()).normalized(), centre(row.centre.data());
+    return centre + Eigen::AngleAxisd(angle, axis) * (point - centre);
+  }
+
+  void make_shell(const GeneratedSurface &s, const MeshParameters::Row &row, dealii::Triangulation<2, 3> &triangulation)
   {
     std::vector<dealii::Point<3>>    vertices;
     std::vector<dealii::CellData<2>> cells;
@@ -132,6 +167,7 @@ namespace birdstrike
       edge.boundary_id = id;
       rim.boundary_lines.push_back(edge);
     });
+    repeat(row, vertices, cells, rim.boundary_lines);
     triangulation.create_triangulation(vertices, cells, rim);
   }
 
@@ -154,7 +190,8 @@ namespace birdstrike
   }
 
   void make_solid(const GeneratedSurface &s, const std::vector<double> &heights,
-                  const std::function<double(const Point3 &)> &thickness, dealii::Triangulation<3> &triangulation)
+                  const std::function<double(const Point3 &)> &thickness, const MeshParameters::Row &row,
+                  dealii::Triangulation<3> &triangulation)
   {
     const unsigned int               m = heights.size(), n_layers = m - 1;
     std::vector<dealii::Point<3>>    vertices;
@@ -186,6 +223,7 @@ namespace birdstrike
       for (unsigned int k = 0; k < n_layers; ++k)
         skin.boundary_quads.push_back(face(m * a + k, m * b + k, m * a + k + 1, m * b + k + 1, id));
     });
+    repeat(row, vertices, cells, skin.boundary_quads);
     triangulation.create_triangulation(vertices, cells, skin);
   }
 } // namespace birdstrike

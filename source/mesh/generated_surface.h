@@ -28,8 +28,13 @@ namespace birdstrike
   /// Throws InputError where the surface has no symmetric half, or laws are out of range.
   GeneratedSurface generate_surface(const MeshParameters &parameters, bool is_halved);
 
+  /// Turns points about the axis of a row by one of its angles (rad).
+  Point3 turn(const MeshParameters::Row &row, double angle, const Point3 &point);
+
   /// One quadrilateral between neighbouring lines; ids 0 root, 1 tip, 2 leading edge, 3 trailing edge, 4 symmetry.
-  void make_shell(const GeneratedSurface &surface, dealii::Triangulation<2, 3> &triangulation);
+  /// Cells, and those that follow, blade after blade of the row.
+  void make_shell(const GeneratedSurface &surface, const MeshParameters::Row &row,
+                  dealii::Triangulation<2, 3> &triangulation);
 
   /// Heights of the layers' boundaries over the mid-surface in thicknesses, from -0.5 to 0.5, symmetric about 0; the
   /// layers grow geometrically from the faces to the middle, grading = middle over outermost.
@@ -39,5 +44,6 @@ namespace birdstrike
   /// a cell along the span, second along the chord, third along the normal; faces at -1/2 and +1/2 carry ids 5 and 6.
   /// `thickness` (m) is asked at the mid-surface nodes.
   void make_solid(const GeneratedSurface &surface, const std::vector<double> &heights,
-                  const std::function<double(const Point3 &)> &thickness, dealii::Triangulation<3> &triangulation);
+                  const std::function<double(const Point3 &)> &thickness, const MeshParameters::Row &row,
+                  dealii::Triangulation<3> &triangulation);
 } // namespace birdstrike

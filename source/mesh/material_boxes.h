@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/number.h>
 #include <birdstrike/core/text_lists.h>
 
 #include <array>
@@ -10,10 +11,12 @@
 namespace birdstrike
 {
   /// Gives the cells whose centre lies in a box the material id of that box, of a list "xmin ymin zmin xmax ymax zmax:
-  /// id; ..." (m); later boxes win. Throws InputError for a box without cells (of a half: on neither side), and on a
-  /// half if a cell's mirror image about y = 0 would have another id.
-  template <class Triangulation>
-  void set_material_ids(const std::string &boxes, const bool is_halved, Triangulation &triangulation)
+  /// id; ..." (m); later boxes win. `as_first(cell, x)`: where x lies in the first blade of a row. Throws InputError
+  /// for a box without cells (of a half: on neither side), and on a half if a cell's mirror image about y = 0 would
+  /// have another id.
+  template <class Triangulation, class AsFirst>
+  void set_material_ids(const std::string &boxes, const bool is_halved, Triangulation &triangulation,
+                        const AsFirst &as_first)
   {
     const std::string entry = "Mesh/Material boxes";
     struct Box
@@ -45,7 +48,8 @@ namespace birdstrike
     };
     for (const auto &cell : triangulation.active_cell_iterators())
       {
-        const auto         c   = cell->center();
+        const auto         x   = cell->center();
+        const Point3       c   = as_first(cell->active_cell_index(), Point3(x[0], x[1], x[2]));
         const unsigned int own = cell->material_id(), id = id_at({c[0], c[1], c[2]}, own);
         if (is_halved && id_at({c[0], -c[1], c[2]}, own) != id)
           throw InputError("Blade/" + entry +

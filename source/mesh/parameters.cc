@@ -5,6 +5,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace birdstrike
 {
   namespace
@@ -68,6 +71,24 @@ namespace birdstrike
       prm.leave_subsection();
     }
 
+    void declare_row(dealii::ParameterHandler &prm, MeshParameters::Row &p)
+    {
+      prm.enter_subsection("Row");
+      prm.add_parameter("Blades", p.n_blades,
+                        "Number of blades like the built-in one, turned about Spin/Axis through Spin/Centre; each is "
+                        "computed. [-]",
+                        Integer(1, 1000));
+      prm.add_parameter("Pitch", p.pitch,
+                        "Angle from one blade to the next, positive about the axis: of a fan of 22 blades 360/22. "
+                        "[degree]",
+                        Double(-180., 180.));
+      prm.add_parameter("Place", p.place,
+                        "Which of the row, 1 the first, lies as the other entries of Mesh say: aim, root and tip are "
+                        "this blade's. [-]",
+                        Integer(1, 1000));
+      prm.leave_subsection();
+    }
+
     void require(const bool condition, const std::string &message)
     {
       if (!condition)
@@ -98,6 +119,7 @@ namespace birdstrike
                       "other cells keep theirs, 0 in built-in parts. See Section 1. [m]",
                       Anything());
     declare_profile(prm, p.profile);
+    declare_row(prm, p.row);
     prm.leave_subsection();
   }
 
@@ -139,9 +161,45 @@ namespace birdstrike
   {
     if (mesh.generator == MeshGenerator::file)
       return {};
-    const double n_chord = mesh.n_chord / (is_halved ? 2u : 1u), n_span = mesh.n_span, n_layers = mesh.n_layers;
-    return {n_span * n_chord * (is_solid ? n_layers : 1.),
-            (n_span + 1.) * (n_chord + 1.) * (is_solid ? n_layers + 1. : 1.)};
+    const double n_chord = mesh.n_chord / (is_halved ? 2u : 1u), n_span = mesh.n_span, n_layers = mesh.n_layers,
+                 n_blades = mesh.row.n_blades;
+    return {n_blades * n_span * n_chord * (is_solid ? n_layers : 1.),
+            n_blades * (n_span + 1.) * (n_chord + 1.) * (is_solid ? n_layers + 1. : 1.)};
+  }
+
+  std::vector<unsigned int> MeshParameters::Row::places() const
+  {
+    std::vector<unsigned int> all{place};
+    for (unsigned int k = 1; k <= n_blades; ++k)
+      if (k != place)
+        all.push_back(k);
+    return all;
+  }
+
+  std::vector<double> MeshParameters::Row::angles() const
+  {
+    std::vector<double> all;
+    for (const unsigned int k : places())
+      all.push_back((static_cast<double>(k) - place) * pitch * std::numbers::pi / 180.);
+    return all;
+  }
+
+  void GeometryParameters::check_row() const
+  {
+    const MeshParameters::Row &row = mesh.row;
+    require(row.place <= row.n_blades, "Mesh/Row/Place: there are " + std::to_string(row.n_blades) +
+                                         " blades in the row.\nGive a place from 1 to that.");
+    if (row.n_blades == 1)
+      return;
+    require(mesh.generator != MeshGenerator::file,
+            "Mesh/Row/Blades: a file holds one blade, which is not repeated.\nLet Mesh/Generator be blade or flat "
+            "plate, or set Blades to 1.");
+    require(!is_halved, "Mesh/Row/Blades: a row has no plane of symmetry.\nSet Case/Symmetry plane to none.");
+    require(row.pitch != 0., "Mesh/Row/Pitch: the blades lie in one another.\nGive the angle from one to the next.");
+    require(std::abs(row.pitch) * row.n_blades <= 360. * (1. + 1e-9),
+            "Mesh/Row/Pitch: " + std::to_string(row.n_blades) +
+              " blades at this pitch go more than once around.\n"
+              "Give fewer blades, or 360 over the number of those of the fan.");
   }
 
   void GeometryParameters::check_geometry() const

@@ -45,7 +45,8 @@ namespace birdstrike
         {"", "end/reason", "", [](View run) { return end_reasons().name(run.end_reason); }, "ended"},
         {"step", "", "-", [](View run) { return static_cast<double>(run.n_steps); }, "",
          "Number of time steps so far; of bird and blade the longer one where they are subcycled"},
-        {"bird_step", "", "s", [](View run) { return run.has_bird() ? run.bird_step : 0.; }, "", "Present step of the bird"},
+        {"bird_step", "", "s", [](View run) { return run.has_bird() ? run.bird_step : 0.; }, "",
+         "Present step of the bird"},
         {"blade_step", "", "s", [](View run) { return run.blade_step; }, "", "Present step of the blade"},
         {"", "blade/kind", "",
          [](View run) { return blade_kinds().name(run.blade ? run.blade->kind() : BladeKind::none); }, "blade"},
@@ -146,8 +147,7 @@ namespace birdstrike
     Quantities of_penetration()
     {
       return {
-        {"points_in_contact", "", "-",
-         [](View run) { return run.contact ? double(run.contact->n_touching) : 0.; }, "",
+        {"points_in_contact", "", "-", [](View run) { return run.contact ? double(run.contact->n_touching) : 0.; }, "",
          "Pairs of particle and facet that touch"},
         {"penetration", "", "m", [](View run) { return run.contact ? run.contact->penetration : 0.; }, "",
          "Largest penetration of a particle now"},

@@ -15,10 +15,10 @@ namespace birdstrike
                 scene.has_contact() ? &scene.contact_report() : nullptr,
                 scene.self_contact != nullptr,
                 &scene.histories};
-    run.time          = now;
-    run.n_steps       = n_steps;
-    run.bird_step     = scene.last_plan().bird_step();
-    run.blade_step    = scene.last_plan().blade_step();
+    run.time       = now;
+    run.n_steps    = n_steps;
+    run.bird_step  = scene.last_plan().bird_step();
+    run.blade_step = scene.last_plan().blade_step();
     for (const Projectile &each : scene.birds)
       {
         run.birds.push_back(each.report(scene.birds.size() > 1));

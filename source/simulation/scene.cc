@@ -100,12 +100,15 @@ namespace birdstrike
       throw InputError(
         "Output/Histories asks for histories of a blade, and the case has none.\nLeave its entries empty, "
         "or set Blade/Kind.");
-    if (requests.patches.empty())
+    std::vector<unsigned int> places; // of a row
+    if (blade && has_contact() && parameters.blade.mesh.row.n_blades > 1)
+      places = parameters.blade.mesh.row.places();
+    if (requests.patches.empty() && places.empty())
       return;
     if (!has_contact())
       throw InputError("Output/Histories/Patches is set, and nothing can touch the blade.\nLeave it empty, or set "
                        "Bird/Enabled and Contact/Enabled to true.");
-    auto table = std::make_unique<PatchForces>(requests.patches, blade->facets());
+    auto table = std::make_unique<PatchForces>(requests.patches, blade->facets(), places);
     patches    = table.get();
     histories.tables.push_back(std::move(table));
   }

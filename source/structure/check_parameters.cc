@@ -55,6 +55,11 @@ namespace birdstrike
     if (kind == BladeKind::none)
       return;
     check_spin();
+    check_row();
+    require(mesh.row.n_blades == 1 || std::hypot(spin.axis[0], spin.axis[1], spin.axis[2]) > 0.,
+            "Spin/Axis: the axis of the row has no length.\nAllowed: any three numbers that are not all zero.");
+    require(mesh.row.n_blades == 1 || mass_scaling.method == MassScalingMethod::off,
+            "Mass scaling/Method: it knows one blade, not a row.\nSet it to off, or Mesh/Row/Blades to 1.");
     if (is_deformable() || rigid.surface == RigidSurface::mesh)
       require(
         mesh.generator != MeshGenerator::file || !mesh.file.empty(),

@@ -20,6 +20,7 @@ namespace birdstrike
   template <class Kind>
   DeformableBlade<Kind>::DeformableBlade(const BladeParameters &parameters, ThreadPool &pool)
     : plane(parameters.is_halved)
+    , row(parameters.mesh.row.places())
     , mesh(parameters)
     , hub(parameters.spin)
     , supports(parameters.supports, mesh, hub.turns())
@@ -63,6 +64,9 @@ namespace birdstrike
   template <class Kind>
   VibrationModes DeformableBlade<Kind>::compute_modes(const std::size_t n)
   {
+    if (row.size() > 1)
+      throw InputError("Blade/Mesh/Row/Blades: modes of a row, which come in as many alike, are not computed.\n"
+                       "Set it to 1: each blade has the modes of one.");
     BladeEquilibrium<Kind::n_unknowns> equilibrium(mesh, motion, elements, supports.held_dofs, hub);
     return birdstrike::compute_modes(equilibrium, n);
   }

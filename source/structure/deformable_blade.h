@@ -130,6 +130,7 @@ namespace birdstrike
     Field contact_pressure() const; ///< of the whole surface, Pa
 
     SymmetryPlane                    plane;
+    std::vector<unsigned int>        row; ///< places of the blades, pieces of the mesh
     typename Kind::Mesh              mesh;
     Rotor                            hub;
     Supports                         supports;

@@ -75,6 +75,14 @@ namespace birdstrike
     motion.add_fields(snapshot.fields);
     snapshot.fields.push_back(contact_pressure());
     Kind::add_fields(elements, left, snapshot.fields);
+    if (row.size() > 1)
+      {
+        const auto pieces = plain.pieces();
+        Field      blade{"blade", "", true, 1, {}, true}; // its place in the row
+        for (const std::size_t e : left)
+          blade.values.push_back(row[pieces[e]]);
+        snapshot.fields.push_back(std::move(blade));
+      }
     if (sections.all.size() > 1)
       {
         Field section{"section", "-", true, 1, {}, true}; // 0: the blade's own

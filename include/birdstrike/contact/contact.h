@@ -63,9 +63,9 @@ namespace birdstrike
     void add_forces(const PointsView &points, const FacetsView &facets, double step, const Sink &sink,
                     ThreadPool &pool);
 
-    /// The same in two parts, for several contacts on one surface (each of its own points): dampers of all of them share
-    /// the masses of the nodes that they touch, so that together they take and never make energy. First each finds its
-    /// touches and adds what they weigh on the nodes to `weights` ([n_nodes]), then each adds its forces.
+    /// The same in two parts, for several contacts on one surface (each of its own points): dampers of all of them
+    /// share the masses of the nodes that they touch, so that together they take and never make energy. First each
+    /// finds its touches and adds what they weigh on the nodes to `weights` ([n_nodes]), then each adds its forces.
     void find(const PointsView &points, const FacetsView &facets, double step, ThreadPool &pool);
     void add_weights(std::vector<double> &weights) const;
     void act(const PointsView &points, const FacetsView &facets, double step, const Sink &sink, ThreadPool &pool,
@@ -103,11 +103,11 @@ namespace birdstrike
     void add_forces_of_touches(const ContactScene &scene, const Sink &sink, ThreadPool &pool,
                                const std::vector<double> *weights);
     ContactScene describe(const PointsView &points, const FacetsView &facets, double step) const;
-    void update_limit(const PointsView &points, const FacetsView &facets, const NodeSums::Largest &nodes);
-    void sum_report(const SymmetryPlane &plane);
-    void update_peaks(double spacing);
-    void size_touches(); ///< for the present lists
-    void archive_report(Archive &archive);
+    void         update_limit(const PointsView &points, const FacetsView &facets, const NodeSums::Largest &nodes);
+    void         sum_report(const SymmetryPlane &plane);
+    void         update_peaks(double spacing);
+    void         size_touches(); ///< for the present lists
+    void         archive_report(Archive &archive);
 
     static constexpr const char *step_limit_reason = "contact, stiffness of the touches";
 

@@ -30,9 +30,9 @@ namespace birdstrike
     std::string description;                ///< one sentence
     bool        has_symmetry_plane = false; ///< half of the scene is computed, mirrored at y = 0
 
-    BladeParameters   blade;
-    BirdParameters    bird;
-    EosParameters     equation_of_state; ///< of the bird: section Bird/Equation of state
+    BladeParameters blade;
+    BirdParameters  bird;
+    EosParameters   equation_of_state; ///< of the bird: section Bird/Equation of state
     /// Sections "Bird 2" to "Bird 4"; what they do not give is as in section Bird.
     struct FurtherBird
     {

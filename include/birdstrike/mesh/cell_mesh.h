@@ -60,6 +60,9 @@ namespace birdstrike
     std::vector<std::uint32_t> nodes_on(const std::vector<unsigned int> &ids) const;
     bool                       has_boundary_id(unsigned int id) const;
 
+    /// Per cell; a mesh is one piece, or a row of blades of which piece 0 is the one that is described.
+    std::vector<std::uint32_t> pieces() const;
+
     /// Takes the mesh as the half y >= 0 of a symmetric one: boundary sides whose nodes all have y = 0 move to
     /// `symmetry_sides`. Throws InputError if there is none.
     void cut_at_symmetry_plane();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -44,6 +46,20 @@ namespace birdstrike
       std::string lean           = "0"; ///< m
     };
 
+    /// Blades like the built-in part, turned about an axis.
+    struct Row
+    {
+      unsigned int          n_blades = 1;
+      double                pitch    = 360. / 22.; ///< degrees, from one to the next
+      unsigned int          place    = 1;          ///< of the blade that lies as the other entries say
+      std::array<double, 3> axis{{0., 0., 1.}};    ///< of Blade/Spin, set by the blade, as the next
+      std::array<double, 3> centre{{0., 0., 0.}};  ///< m
+
+      /// Of the blades in the order of the mesh: first the one that lies as the other entries say, then the others.
+      std::vector<unsigned int> places() const;
+      std::vector<double>       angles() const; ///< rad, from the first one
+    };
+
     MeshGenerator generator     = MeshGenerator::flat_plate;
     double        length        = 0.3112; ///< m
     double        chord         = 0.0889; ///< m
@@ -54,6 +70,7 @@ namespace birdstrike
     unsigned int  n_layers      = 1;  ///< of bricks through the thickness
     double        layer_grading = 1.; ///< middle over outermost layer
     Profile       profile;
+    Row           row;
     std::string   file;
     double        file_scale = 1.; ///< m per unit of the file
     std::string   material_boxes;  ///< "xmin ymin zmin xmax ymax zmax: 1; ..."
@@ -94,5 +111,6 @@ namespace birdstrike
 
     /// Rules between their entries. Throws InputError.
     void check_geometry() const;
+    void check_row() const;
   };
 } // namespace birdstrike

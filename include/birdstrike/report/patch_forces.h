@@ -20,7 +20,8 @@ namespace birdstrike
   public:
     /// Of the undeformed surface, whose nodes stay where they are in memory. Throws InputError for what cannot be read,
     /// a patch without a facet, and one that a plane of symmetry cuts but is not its own image.
-    PatchForces(const std::string &requests, const FacetsView &surface);
+    /// `places`: of a row of blades, whose patches "blade_1" and so on these are, the place of each piece.
+    PatchForces(const std::string &requests, const FacetsView &surface, const std::vector<unsigned int> &places = {});
 
     /// After each evaluation of contact; `step` (s) leads to it from the one before, of which there is none at first.
     void update(const NodeForces &forces, double step);
@@ -43,7 +44,8 @@ namespace birdstrike
       Point3                                    force = Point3::Zero(), impulse = Point3::Zero(); ///< N, N s
       double                                    peak = 0.; ///< N, since the last row
     };
-    void add(const std::string &name, const std::vector<double> &numbers, const FacetsView &surface);
+    template <class Holds>
+    void add(const std::string &name, const FacetsView &surface, const Holds &holds); ///< holds(facet, its middle)
 
     const double      *position; ///< [n_nodes][3], m
     std::vector<Patch> patches;

@@ -87,7 +87,7 @@ namespace birdstrike
 
     BirdAtStart bird_at_start = {}; ///< of all together
     StrikeAim   aim           = {}; ///< of the first
-    std::size_t n_retired     = 0; ///< particles that the computation has let go
+    std::size_t n_retired     = 0;  ///< particles that the computation has let go
 
     EndReason   end_reason    = EndReason::none;
     std::size_t n_blade_steps = 0, n_bird_steps = 0;

@@ -1,5 +1,6 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
+#include <birdstrike/mesh/pieces.h>
 #include <birdstrike/report/patch_forces.h>
 
 #include <algorithm>
@@ -61,7 +62,9 @@ namespace birdstrike
     }
   } // namespace
 
-  PatchForces::PatchForces(const std::string &requests, const FacetsView &surface) : position(surface.position)
+  PatchForces::PatchForces(const std::string &requests, const FacetsView &surface,
+                           const std::vector<unsigned int> &places)
+    : position(surface.position)
   {
     name = "patches";
     std::set<std::string> taken;
@@ -69,14 +72,28 @@ namespace birdstrike
       if (!taken.insert(patch).second)
         throw InputError(entry + " has the name '" + patch + "' twice.\nGive each patch a name of its own.");
       else
-        add(patch, parse(patch, text), surface);
+        {
+          const std::vector<double> numbers = parse(patch, text);
+          add(patch, surface, [&](std::size_t, const Point3 &middle) { return holds(numbers, middle); });
+          patches.back().plane = SymmetryPlane(surface.plane.exists() && is_on_plane(patch, numbers));
+        }
+    const std::vector<std::uint32_t> piece = pieces_of(surface);
+    for (unsigned int place = 1; place <= places.size(); ++place)
+      {
+        const std::string blade = "blade_" + std::to_string(place);
+        if (taken.contains(blade))
+          throw InputError(entry + " has the name '" + blade +
+                           "', which a blade of the row has.\nGive it another one.");
+        const auto k = static_cast<std::uint32_t>(std::ranges::find(places, place) - places.begin());
+        add(blade, surface, [&](const std::size_t facet, const Point3 &) { return piece[facet] == k; });
+      }
   }
 
-  void PatchForces::add(const std::string &patch_name, const std::vector<double> &numbers, const FacetsView &surface)
+  template <class Holds>
+  void PatchForces::add(const std::string &patch_name, const FacetsView &surface, const Holds &holds)
   {
     Patch               patch;
     std::vector<double> all(surface.n_nodes, 0.), here(surface.n_nodes, 0.); // area of the facets of each node
-    patch.plane = SymmetryPlane(surface.plane.exists() && is_on_plane(patch_name, numbers));
     for (std::size_t f = 0; f < surface.n_facets; ++f)
       {
         const auto  &nodes  = surface.nodes[f];
@@ -84,7 +101,7 @@ namespace birdstrike
         Point3       middle = Point3::Zero();
         for (const std::uint32_t n : nodes)
           middle += 0.25 * Point3(position + 3 * n);
-        const bool is_here = holds(numbers, middle);
+        const bool is_here = holds(f, middle);
         for (const std::uint32_t n : nodes)
           {
             all[n] += area;

@@ -1,3 +1,4 @@
+#include <birdstrike/mesh/pieces.h>
 #include <birdstrike/structure/probes/mid_chord.h>
 
 #include <algorithm>
@@ -85,9 +86,12 @@ namespace birdstrike
       has_above = has_above || offset(static_cast<std::uint32_t>(n)) > tolerance;
     const auto is_above = [&](const std::uint32_t n) { return offset(n) > (has_above ? tolerance : -tolerance); };
 
+    const auto            piece = pieces_of(surface); // of a row the blade that is described
     std::vector<Crossing> crossings;
     for (std::size_t f = 0; f < surface.n_facets; ++f)
       {
+        if (piece[f] > 0)
+          continue;
         const auto  &c      = surface.nodes[f];
         const Point3 area   = (node(c[2]) - node(c[0])).cross(node(c[3]) - node(c[1]));
         const double cosine = area.dot(normal); // of a shell both faces are one, however it lists its nodes
