@@ -60,6 +60,12 @@ namespace birdstrike
     return {points, facets, topology, step, range, last.calls, last.calls == 1, is_changed, search.nodes_motion()};
   }
 
+  void Contact::begin_at(const double time)
+  {
+    clock    = time;
+    is_first = false;
+  }
+
   void Contact::find(const PointsView &points, const FacetsView &facets, const double step, ThreadPool &pool)
   {
     clock += is_first ? 0. : step;

@@ -17,20 +17,6 @@ namespace birdstrike
     /// Of coordinates in a triangle: a path along the edge of two meets one of them.
     constexpr double slack = 1e-9;
 
-    Point3 mean_relative_velocity(const PointsView &points, const FacetsView &facets)
-    {
-      Point3 sum = Point3::Zero(), nodes = Point3::Zero();
-      double mass = 0.;
-      for (std::size_t i = 0; i < points.n; ++i)
-        {
-          sum += points.mass[i] * Point3(points.velocity[0][i], points.velocity[1][i], points.velocity[2][i]);
-          mass += points.mass[i];
-        }
-      for (std::size_t n = 0; n < facets.n_nodes; ++n)
-        nodes += Eigen::Map<const Point3>(facets.velocity + facets.velocity_stride * n);
-      return sum / mass - nodes / static_cast<double>(facets.n_nodes);
-    }
-
     std::vector<Quadrilateral> make_outline(const FacetsView &facets)
     {
       std::vector<Quadrilateral> outline;
@@ -133,11 +119,10 @@ namespace birdstrike
     };
   } // namespace
 
-  double compute_share_in_the_way(const PointsView &points, const FacetsView &facets)
+  double compute_share_in_the_way(const PointsView &points, const FacetsView &facets, const Point3 &velocity)
   {
     if (points.n == 0 || facets.n_facets == 0)
       return 0.;
-    const Point3 velocity = mean_relative_velocity(points, facets);
     if (velocity.norm() == 0.)
       return 0.;
     Paths paths(points, velocity.normalized());

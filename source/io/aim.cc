@@ -62,8 +62,8 @@ namespace birdstrike
             bird.section + "/" + (has_shares ? "Aim span fraction" : "Angle to surface") +
             ": this blade has no span and chord to measure by.\nThey are there for built-in parts, and for whole "
             "meshes "
-            "of a file whose root and tip Blade/Supports/Clamped (or Hub) and Tip name.\nGive Bird/Aim point and "
-            "Bird/Velocity instead.");
+            "of a file whose root and tip Blade/Supports/Clamped (or Hub) and Tip name.\nGive Aim point and Velocity "
+            "instead.");
       }
 
       Point3 find_point(const bool is_given) const
@@ -110,7 +110,7 @@ namespace birdstrike
         throw InputError(bird.section +
                          "/Angle to surface: the blade moves at the start (Blade/Loads/Initial spin or Initial "
                          "velocity), so that the angle of the bird's velocity is not that at which they meet.\nGive "
-                         "Bird/Speed with Flight direction, or Bird/Velocity; explain says at which angle they meet.");
+                         "Speed with Flight direction, or Velocity; explain says at which angle they meet.");
       if (const double degrees = bird.angle_to_surface[0]; degrees == 0. || std::abs(degrees) == 180.)
         throw InputError(bird.section +
                          "/Angle to surface: along the surface the bird never meets it.\nGive an angle other than 0 "
@@ -147,10 +147,10 @@ namespace birdstrike
           if (bird.speed.empty() && !direction)
             return given; // the default
           if (bird.speed.empty() || !direction)
-            throw InputError(
-              bird.section + "/" + (direction ? "Speed" : "Angle to surface") +
-              " is missing.\nA velocity is Bird/Velocity, or Bird/Speed together with Angle to surface or "
-              "Flight direction.");
+            throw InputError(bird.section + "/" + (direction ? "Speed" : "Angle to surface") +
+                             " is missing.\nA velocity is Velocity, or Speed together with Angle to surface or Flight "
+                             "direction; a further "
+                             "bird that gives one of these does not take Velocity from section Bird.");
           return bird.speed[0] * *direction;
         }
       if (!bird.speed.empty() && std::abs(given.norm() - bird.speed[0]) > tolerance * bird.speed[0])

@@ -124,6 +124,19 @@ namespace birdstrike
               {"Arrival time"}};
     }
 
+    void check_liquid(const BirdCase &bird)
+    {
+      try
+        {
+          bird.liquid.check();
+          const EquationOfState eos(bird.liquid, bird.bird.density); // refuses what contradicts the density
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("Section '" + bird.bird.section + "': " + error.what());
+        }
+    }
+
     std::vector<ParameterGroup> groups_of(CaseParameters &parameters)
     {
       std::vector<ParameterGroup> groups{
@@ -190,7 +203,7 @@ namespace birdstrike
               throw InputError("Section '" + each.bird.section +
                                "': there is no first bird.\nSet Bird/Enabled to true, or give this one its place.");
             each.bird.check();
-            each.liquid.check();
+            check_liquid(each);
           }
         catch (const InputError &error)
           {

@@ -19,7 +19,7 @@ namespace birdstrike
     namespace fs = std::filesystem;
     using Bytes  = std::string;
 
-    constexpr int         version     = 4;
+    constexpr int         version     = 3;
     constexpr std::size_t n_head      = 512; ///< bytes: the smallest user block of HDF5
     constexpr const char *head_format = "birdstrike checkpoint %d, %llu bytes, CRC-32 %08lx\n";
 

@@ -50,9 +50,15 @@ namespace birdstrike
   }
 
   template <int dim>
+  std::uint32_t BladeMesh<dim>::Grid::blade_of(const unsigned int cell) const
+  {
+    return cell / (triangulation.n_active_cells() / row.n_blades);
+  }
+
+  template <int dim>
   Point3 BladeMesh<dim>::Grid::as_first(const unsigned int cell, const Point3 &x) const
   {
-    const unsigned int blade = cell / (triangulation.n_active_cells() / row.n_blades);
+    const std::uint32_t blade = blade_of(cell);
     return blade == 0 ? x : turn(row, -row.angles()[blade], x);
   }
 

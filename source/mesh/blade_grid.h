@@ -32,6 +32,7 @@ namespace birdstrike
       return static_cast<std::uint32_t>(cell->vertex_dof_index(vertex, 0) / n_unknowns);
     }
 
+    std::uint32_t blade_of(unsigned int cell) const; ///< of the row
     /// Where the place x on a cell lies in the first blade of the row.
     Point3 as_first(unsigned int cell, const Point3 &x) const;
 

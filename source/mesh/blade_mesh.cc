@@ -66,6 +66,8 @@ namespace birdstrike
         {
           skin.cells.push_back(face.nodes);
           skin.material_ids.push_back(mesh.material_ids[face.cell]);
+          if (!mesh.blades.empty())
+            skin.blades.push_back(mesh.blades[face.cell]);
           skin.n_owned_cells += skin.is_owned(skin.cells.size() - 1);
         }
       join_facets(skin, n_lines, [&](const std::size_t facet, const unsigned int side) {
@@ -155,6 +157,8 @@ namespace birdstrike
           }
         this->n_owned_cells += this->is_owned(n);
         this->material_ids.push_back(cell->material_id());
+        if (grid->row.n_blades > 1)
+          this->blades.push_back(grid->blade_of(cell->active_cell_index()));
         for (unsigned int f = 0; f < this->n_sides; ++f)
           {
             const unsigned int side =

@@ -1,7 +1,6 @@
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/mesh/cell_mesh.h>
-#include <birdstrike/mesh/pieces.h>
 
 #include <algorithm>
 #include <limits>
@@ -89,13 +88,6 @@ namespace birdstrike
     for (std::size_t cell = 0; cell < cells.size(); ++cell)
       are_owned.push_back(is_owned(cell));
     return are_owned;
-  }
-
-  template <int dim>
-  std::vector<std::uint32_t> CellMesh<dim>::pieces() const
-  {
-    return number_pieces(
-      cells.size(), [this](const std::size_t cell) -> const auto & { return neighbors[cell]; });
   }
 
   template <int dim>

@@ -72,19 +72,18 @@ namespace birdstrike
   BladeEnd::BladeEnd(const BladeMesh<dim> &mesh, const SpanEnd end, const std::vector<unsigned int> &ids)
     : nodes(mesh.nodes_on(ids))
   {
-    const std::vector<std::uint32_t> piece = mesh.pieces();
-    if (std::ranges::find(piece, 1U) != piece.end()) // a row: of the blade that is described
+    if (!mesh.blades.empty()) // of a row: those of the blade that is described
       {
         std::vector<bool> is_on_it(mesh.nodes.size(), false);
-        for (std::size_t cell = 0; cell < piece.size(); ++cell)
+        for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
           for (const std::uint32_t n : mesh.cells[cell])
-            is_on_it[n] = is_on_it[n] || piece[cell] == 0;
+            is_on_it[n] = is_on_it[n] || mesh.blade_of(cell) == 0;
         std::erase_if(nodes, [&](const std::uint32_t n) { return !is_on_it[n]; });
       }
     double size = 0., weight = 0.;
     for (std::size_t s = 0; s < mesh.boundary.size(); ++s)
       if (const auto &side = mesh.boundary[s];
-          piece[side.cell] == 0 && std::find(ids.begin(), ids.end(), side.id) != ids.end())
+          mesh.blade_of(side.cell) == 0 && std::find(ids.begin(), ids.end(), side.id) != ids.end())
         {
           const SideGeometry g = geometry_of(mesh, side, end);
           sides.push_back(s);

@@ -10,7 +10,7 @@ namespace birdstrike
   void Observed::start(const Blade &blade)
   {
     if (const std::optional<SpanLine> line = blade.span_line())
-      mid_chord.emplace(blade.facets(), *line);
+      mid_chord.emplace(blade.facets(), *line, blade.blades_of_facets());
   }
 
   void Observed::update_peaks(const Blade &blade, const bool has_contact, const double time)

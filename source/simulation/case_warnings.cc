@@ -4,7 +4,6 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/facet_grid.h>
-#include <birdstrike/contact/mass_in_the_way.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
@@ -153,24 +152,36 @@ namespace birdstrike
                        n, facets.n_facets)});
     }
 
-    void check_aim(const Projectile &projectile, const FacetsView &facets, Warnings &warnings)
+    void check_aim(const Projectile &projectile, Warnings &warnings)
     {
       const BirdParameters &bird  = projectile.parameters;
-      const double          share = compute_share_in_the_way(projectile.bird->points(), facets);
+      const double          share = projectile.first_touch.share_in_the_way;
       if (share < 0.98)
         warnings.push_back({"bird/misses_in_part",
-                            "Only " + format_share(share) +
-                              " of the bird's mass is in the way of the blade, by straight paths to its outline." +
+                            "Only " + format_share(share) + " of the mass of section '" + bird.section +
+                              "' is in the way of the blade, by straight paths to its outline." +
                               (bird.roll == 0. && bird.shape != BirdShape::slab
                                  ? " Rows of particles may lie along an edge and be caught or missed as a whole: see " +
                                      bird.section + "/Roll."
                                  : "")});
     }
 
-    void check_projectile(const Projectile &projectile, const Scene &scene, Warnings &warnings)
+    void check_arrival(const Projectile &projectile, const double end_time, Warnings &warnings)
+    {
+      const BirdParameters &bird = projectile.parameters;
+      if (bird.arrival > 0. && !projectile.contact)
+        warnings.push_back({"entry/unused", bird.section + "/Arrival time is set, and there is nothing to arrive at."});
+      else if (bird.arrival >= end_time)
+        warnings.push_back({"bird/late", fmt::format("{}/Arrival time = {:g} s is not before Time/End time = {:g} s: "
+                                                     "this bird strikes nothing.",
+                                                     bird.section, bird.arrival, end_time)});
+    }
+
+    void check_projectile(const Projectile &projectile, const double end_time, Warnings &warnings)
     {
       if (projectile.contact)
-        check_aim(projectile, scene.blade->facets(), warnings);
+        check_aim(projectile, warnings);
+      check_arrival(projectile, end_time, warnings);
       const BirdParameters &bird   = projectile.parameters;
       const double          across = projectile.bird->packing().diameter / bird.spacing;
       if (bird.shape != BirdShape::slab && across < 8.)
@@ -242,7 +253,7 @@ namespace birdstrike
         check_thick_shells(scene, warnings);
       }
     for (const Projectile &each : scene.birds)
-      check_projectile(each, scene, warnings);
+      check_projectile(each, parameters.time.end_time, warnings);
     warnings.insert(warnings.end(), scene.histories.warnings.begin(), scene.histories.warnings.end());
     constexpr double much = 20. * 1024. * 1024. * 1024.; // bytes, 20 GiB
     if (const double bytes = compute_field_bytes(parameters, scene); bytes > much)

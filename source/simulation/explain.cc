@@ -2,7 +2,6 @@
 #include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
-#include <birdstrike/contact/mass_in_the_way.h>
 #include <birdstrike/core/prices.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/fields.h>
@@ -258,9 +257,8 @@ namespace birdstrike
                  EquationOfState(each.liquid, each.parameters.density).summary(speed));
         if (each.contact)
           add_aim(table, each);
-        if (scene.blade)
-          add_mass_in_the_way(table, compute_share_in_the_way(each.bird->points(), scene.blade->facets()),
-                              each.parameters);
+        if (each.contact)
+          add_mass_in_the_way(table, each.first_touch.share_in_the_way, each.parameters);
       }
     add_steps(table, parameters, scene);
     add_files(table, parameters, scene);

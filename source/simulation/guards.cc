@@ -71,6 +71,8 @@ namespace birdstrike
                     [&](const std::size_t i) { return each.first_id + points.id[i]; });
           if (own.where.kind && (!fastest.where.kind || !(own.speed <= fastest.speed)))
             fastest = own;
+          if (!std::isfinite(fastest.speed))
+            break;
         }
       return fastest;
     }

@@ -86,9 +86,10 @@ namespace birdstrike
         if (each.is_here())
           largest_bird_step = std::min(largest_bird_step, each.bird->shocked_step(each.first_touch.closing_speed));
       }
+    if (!has_contact())
+      return;
     require_apart(birds);
-    if (has_contact())
-      limit_multirate();
+    limit_multirate();
   }
 
   Scene::~Scene() = default;
@@ -101,14 +102,14 @@ namespace birdstrike
         "Output/Histories asks for histories of a blade, and the case has none.\nLeave its entries empty, "
         "or set Blade/Kind.");
     std::vector<unsigned int> places; // of a row
-    if (blade && has_contact() && parameters.blade.mesh.row.n_blades > 1)
+    if (has_contact() && !blade->blades_of_facets().empty())
       places = parameters.blade.mesh.row.places();
     if (requests.patches.empty() && places.empty())
       return;
     if (!has_contact())
       throw InputError("Output/Histories/Patches is set, and nothing can touch the blade.\nLeave it empty, or set "
                        "Bird/Enabled and Contact/Enabled to true.");
-    auto table = std::make_unique<PatchForces>(requests.patches, blade->facets(), places);
+    auto table = std::make_unique<PatchForces>(requests.patches, blade->facets(), blade->blades_of_facets(), places);
     patches    = table.get();
     histories.tables.push_back(std::move(table));
   }
@@ -196,10 +197,10 @@ namespace birdstrike
 
   double Scene::flight_time() const
   {
-    double time = 0.;
+    double time = INFINITY;
     for (const Projectile &each : birds)
-      time += each.first_touch.flight_time;
-    return time;
+      time = std::min(time, each.parameters.arrival > 0. ? 0. : each.first_touch.flight_time);
+    return std::isfinite(time) ? time : 0.;
   }
 
   const ContactReport &Scene::contact_report() const

@@ -60,7 +60,7 @@ namespace birdstrike
     bool        has_bird() const;         ///< that is computed, or waits
     bool        has_contact() const;      ///< of such a bird
     std::size_t n_particles_here() const; ///< of birds that are computed now
-    double      flight_time() const;      ///< s before first touch, of all birds
+    double      flight_time() const;      ///< s, skipped before the first touch of any bird
 
     /// What all contacts have done in their last calls, those that have gone too. add_up_contacts() is to be called
     /// after each.

@@ -111,6 +111,12 @@ namespace birdstrike
           vote = own;
         vote->price = own.price;
       }
+    if (!vote && !(blade && blade->is_deformable())) // all wait: nothing else has a step
+      for (const Projectile &each : birds)
+        if (each.waits())
+          if (const double step = each.bird->shocked_step(each.first_touch.closing_speed);
+              !vote || step < vote->limit.value)
+            vote = StepVote{{step, "birds that wait", {}}, 1.};
     in_touch.value = of_touches.step();
     if (vote && in_touch.value < vote->limit.value)
       vote->limit = in_touch;

@@ -133,6 +133,9 @@ namespace birdstrike
 
   void BladeParameters::check_laminate(const std::size_t section) const
   {
+    require(mesh.row.n_blades == 1,
+            "Mesh/Row/Blades: the reference direction of plies is that of one blade, not of a row.\nSet it to 1, or "
+            "leave Laminate/Plies empty.");
     const std::string where = section_path(section) + "Laminate/";
     require(kind != BladeKind::solid,
             where + "Plies: there are no laminates of bricks.\nSet Blade/Kind = shell, or leave Plies empty.");

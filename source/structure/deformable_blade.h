@@ -59,7 +59,12 @@ namespace birdstrike
     }
     void       archive(Archive &archive) override;
     FacetsView facets() const override;
-    void       add_internal_forces(const std::span<const NodalForce> forces) override
+
+    std::vector<std::uint32_t> blades_of_facets() const override
+    {
+      return mesh.surface().blades;
+    }
+    void add_internal_forces(const std::span<const NodalForce> forces) override
     {
       motion.add_internal_forces(forces);
     }

@@ -77,10 +77,9 @@ namespace birdstrike
     Kind::add_fields(elements, left, snapshot.fields);
     if (row.size() > 1)
       {
-        const auto pieces = plain.pieces();
-        Field      blade{"blade", "", true, 1, {}, true}; // its place in the row
+        Field blade{"blade", "", true, 1, {}, true}; // its place in the row
         for (const std::size_t e : left)
-          blade.values.push_back(row[pieces[e]]);
+          blade.values.push_back(row[plain.blade_of(e)]);
         snapshot.fields.push_back(std::move(blade));
       }
     if (sections.all.size() > 1)

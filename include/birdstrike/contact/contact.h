@@ -92,6 +92,7 @@ namespace birdstrike
 
     /// The clock for peak_force_time: 0 at the first call of add_forces, then the sum of the steps given.
     void set_clock(double time);
+    void begin_at(double time); ///< the first call comes after a step
 
   private:
     void       update_candidates(const PointsView &points, const FacetsView &facets, ThreadPool &pool);

@@ -36,6 +36,7 @@ namespace birdstrike
     std::size_t                                    n_owned_cells = 0;
     std::vector<std::array<std::int32_t, n_sides>> neighbors;      ///< cell across a side, or as FacetsView says
     std::vector<unsigned int>                      material_ids;   ///< per cell
+    std::vector<std::uint32_t>                     blades;         ///< per cell, of a row; empty: one blade
     std::vector<BoundarySide>                      boundary;       ///< without
     std::vector<BoundarySide>                      symmetry_sides; ///< those in the plane y = 0 where the mesh is cut
     std::vector<std::uint32_t>                     symmetry_nodes; ///< sorted, of these sides
@@ -60,8 +61,11 @@ namespace birdstrike
     std::vector<std::uint32_t> nodes_on(const std::vector<unsigned int> &ids) const;
     bool                       has_boundary_id(unsigned int id) const;
 
-    /// Per cell; a mesh is one piece, or a row of blades of which piece 0 is the one that is described.
-    std::vector<std::uint32_t> pieces() const;
+    /// Of a row of blades, 0 the one that is described.
+    std::uint32_t blade_of(const std::size_t cell) const
+    {
+      return blades.empty() ? 0 : blades[cell];
+    }
 
     /// Takes the mesh as the half y >= 0 of a symmetric one: boundary sides whose nodes all have y = 0 move to
     /// `symmetry_sides`. Throws InputError if there is none.

@@ -20,8 +20,9 @@ namespace birdstrike
   public:
     /// Of the undeformed surface, whose nodes stay where they are in memory. Throws InputError for what cannot be read,
     /// a patch without a facet, and one that a plane of symmetry cuts but is not its own image.
-    /// `places`: of a row of blades, whose patches "blade_1" and so on these are, the place of each piece.
-    PatchForces(const std::string &requests, const FacetsView &surface, const std::vector<unsigned int> &places = {});
+    /// Of a row, each blade is a patch of its own, "blade_1" and so on: `blades` of each facet, and the place of each.
+    PatchForces(const std::string &requests, const FacetsView &surface, const std::vector<std::uint32_t> &blades = {},
+                const std::vector<unsigned int> &places = {});
 
     /// After each evaluation of contact; `step` (s) leads to it from the one before, of which there is none at first.
     void update(const NodeForces &forces, double step);

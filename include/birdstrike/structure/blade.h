@@ -59,6 +59,12 @@ namespace birdstrike
     /// The surface offered to contact; valid for the life of the blade.
     virtual FacetsView facets() const = 0;
 
+    /// Of each undeformed facet of a row of blades which it is of, 0 the one that is described; empty: one blade.
+    virtual std::vector<std::uint32_t> blades_of_facets() const
+    {
+      return {};
+    }
+
     /// Forces between nodes of the surface: adds to those of the present compute_internal_forces, which kick_internal
     /// kicks with. Once a step at most.
     virtual void add_internal_forces(std::span<const NodalForce> forces)

@@ -1,6 +1,5 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
-#include <birdstrike/mesh/pieces.h>
 #include <birdstrike/report/patch_forces.h>
 
 #include <algorithm>
@@ -63,7 +62,7 @@ namespace birdstrike
   } // namespace
 
   PatchForces::PatchForces(const std::string &requests, const FacetsView &surface,
-                           const std::vector<unsigned int> &places)
+                           const std::vector<std::uint32_t> &blades, const std::vector<unsigned int> &places)
     : position(surface.position)
   {
     name = "patches";
@@ -77,7 +76,6 @@ namespace birdstrike
           add(patch, surface, [&](std::size_t, const Point3 &middle) { return holds(numbers, middle); });
           patches.back().plane = SymmetryPlane(surface.plane.exists() && is_on_plane(patch, numbers));
         }
-    const std::vector<std::uint32_t> piece = pieces_of(surface);
     for (unsigned int place = 1; place <= places.size(); ++place)
       {
         const std::string blade = "blade_" + std::to_string(place);
@@ -85,7 +83,7 @@ namespace birdstrike
           throw InputError(entry + " has the name '" + blade +
                            "', which a blade of the row has.\nGive it another one.");
         const auto k = static_cast<std::uint32_t>(std::ranges::find(places, place) - places.begin());
-        add(blade, surface, [&](const std::size_t facet, const Point3 &) { return piece[facet] == k; });
+        add(blade, surface, [&](const std::size_t facet, const Point3 &) { return blades[facet] == k; });
       }
   }
 

@@ -1,6 +1,7 @@
 #include "simulation/projectile/first_touch.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/flight.h>
+#include <birdstrike/contact/mass_in_the_way.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/structure/blade.h>
 #include <birdstrike/structure/rotor.h>
@@ -180,7 +181,8 @@ namespace birdstrike
                     parameters.section));
     if (rotor != nullptr)
       aim_in_fixed_axes(bird, parameters, aim, frame);
-    const FirstTouch touch = fly_to(bird, facets, parameters, frame);
+    FirstTouch touch       = fly_to(bird, facets, parameters, frame);
+    touch.share_in_the_way = compute_share_in_the_way(bird.points(), facets, Point3(touch.closing_velocity.data()));
     if (parameters.arrival == 0.)
       return touch;
     bird.advance_in_flight(-parameters.arrival, rotor != nullptr ? Point3(Point3::Zero()) : frame);

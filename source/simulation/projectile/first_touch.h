@@ -15,6 +15,8 @@ namespace birdstrike
     double closing_speed = 0.; ///< m/s, of the bird relative to the blade where it aims
 
     std::array<double, 3> closing_velocity{}; ///< likewise
+
+    double share_in_the_way = 0.; ///< of the bird's mass, by straight paths from there (contact/mass_in_the_way.h)
   };
 
   /// Moves the bird in closed form to where its first particle touches the blade as it lies at the start, along its

@@ -74,7 +74,8 @@ namespace birdstrike
     contact     = std::make_unique<Contact>(contact_parameters);
     first_touch = place_at_first_touch(*bird, blade, parameters);
     bird->set_closing_speed(first_touch.closing_speed);
-    is_waiting = parameters.arrival > 0. && blade.is_deformable();
+    is_waiting = parameters.arrival > 0.;
+    last_touch = parameters.arrival;
     extent     = extent_of(bird->points());
     aim        = compute_aim(*this, blade);
   }
@@ -100,7 +101,7 @@ namespace birdstrike
     last_touch = std::max(now, parameters.arrival);
     bird->update_neighbor_list();
     bird->compute_rates();
-    contact->set_clock(now);
+    contact->begin_at(now);
     log().info("Section '{}': from t = {} on this bird is near enough to be met.", parameters.section,
                format_quantity(now, "s"));
   }

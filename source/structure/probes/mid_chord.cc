@@ -1,4 +1,3 @@
-#include <birdstrike/mesh/pieces.h>
 #include <birdstrike/structure/probes/mid_chord.h>
 
 #include <algorithm>
@@ -20,8 +19,9 @@ namespace birdstrike
     }
   } // namespace
 
-  MidChord::MidChord(const FacetsView &surface, const SpanLine &line)
+  MidChord::MidChord(const FacetsView &surface, const SpanLine &line, const std::vector<std::uint32_t> &blades)
     : surface(surface)
+    , blades(blades)
     , root(point(line.root))
     , along((point(line.tip) - root).normalized())
     , normal(point(line.normal))
@@ -86,11 +86,10 @@ namespace birdstrike
       has_above = has_above || offset(static_cast<std::uint32_t>(n)) > tolerance;
     const auto is_above = [&](const std::uint32_t n) { return offset(n) > (has_above ? tolerance : -tolerance); };
 
-    const auto            piece = pieces_of(surface); // of a row the blade that is described
     std::vector<Crossing> crossings;
     for (std::size_t f = 0; f < surface.n_facets; ++f)
       {
-        if (piece[f] > 0)
+        if (!blades.empty() && blades[f] > 0)
           continue;
         const auto  &c      = surface.nodes[f];
         const Point3 area   = (node(c[2]) - node(c[0])).cross(node(c[3]) - node(c[1]));

@@ -147,6 +147,22 @@ TEST(RowOfBlades, SlicesAreWhatTheGeometryGives)
   EXPECT_LT(whole, 1e-9) << "of all blades together";
 }
 
+// What is in the way is so for the blades that are struck, however many stand all around.
+TEST(RowOfBlades, TheShareInTheWayDoesNotHangOnBladesOnTheOtherSide)
+{
+  const Overrides coarse{"Blade/Mesh/Elements along span=6", "Blade/Mesh/Elements along chord=3",
+                         "Bird/Particle spacing=0.006", "Blade/Spin/Prestress=false"};
+  const auto      share = [&](const std::string &blades, const std::string &place) {
+    Overrides all = coarse;
+    all.push_back("Blade/Mesh/Row/Blades=" + blades);
+    all.push_back("Blade/Mesh/Row/Place=" + place);
+    CaseParameters parameters;
+    parameters.read(fan, all);
+    return Scene(parameters).birds.front().first_touch.share_in_the_way;
+  };
+  EXPECT_NEAR(share("22", "11"), share("8", "4"), 1e-3);
+}
+
 // Two plates 10 mm apart, the first of which is struck: the second takes it up (self-contact is that of blades too).
 TEST(RowOfBlades, BladesThatMeetDoNotGoThroughOneAnother)
 {

@@ -1,6 +1,8 @@
 #include "strike_harness.h"
 
+#include <birdstrike/bird/bird.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/report/run_view.h>
 
 #include <gtest/gtest.h>
@@ -66,6 +68,28 @@ TEST(SeveralBirds, StrikeAsAloneWhereNothingGives)
   EXPECT_NEAR(both.summary.number("contact/impulse/2"), impulse(both, 0, 2) + impulse(both, 1, 2), 1e-12 * alone);
   EXPECT_DOUBLE_EQ(both.summary.number("bird/mass"),
                    first.summary.number("bird/mass") + other.summary.number("bird/mass"));
+}
+
+// Nothing moves at a rigid plate while a bird waits, longer than removal of particles looks ahead: it strikes like the
+// first.
+TEST(SeveralBirds, WaitForAnyTimeAtARigidPlate)
+{
+  const Strike late =
+    run_text(rigid_plate, {"Bird 2/Enabled=true", "Bird 2/Arrival time=3.5e-3", "Time/End time=4.6e-3"});
+  EXPECT_GT(impulse(late, 0, 2), 14.);
+  EXPECT_NEAR(impulse(late, 1, 2), impulse(late, 0, 2), 0.01 * impulse(late, 0, 2));
+}
+
+TEST(SeveralBirds, AreNamedWhereOneMovesByNoNumber)
+{
+  CaseParameters parameters;
+  parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/frontal.prm",
+                  with(coarse, {"Bird 2/Enabled=true", "Bird 2/Aim point=0.1, 0, 0", "Bird 2/Mass=0.02"}));
+  Scene        scene(parameters);
+  const Guards guards(parameters, scene);
+  EXPECT_THROW(scene.birds.front().bird->set_state([](Point3 &, Point3 &v, double &) { v[0] = NAN; }),
+               NumericalFailure);
+  EXPECT_THROW(guards.check_motion(scene, 0.), NumericalFailure);
 }
 
 // A bird that comes after the end is not there: not a bit of what happens before hangs on it.

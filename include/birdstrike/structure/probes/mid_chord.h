@@ -19,7 +19,8 @@ namespace birdstrike
   {
   public:
     /// The surface must be undeformed, and outlive this object.
-    MidChord(const FacetsView &surface, const SpanLine &line);
+    /// `blades`: of each facet of a row, which is cut where it is 0.
+    MidChord(const FacetsView &surface, const SpanLine &line, const std::vector<std::uint32_t> &blades = {});
 
     /// m from the root along the straight line to the tip, ascending; empty if the plane misses the surface.
     const std::vector<double> &span_position() const;
@@ -44,11 +45,12 @@ namespace birdstrike
       double            reference; ///< m, of the undeformed place along the normal
     };
 
-    FacetsView           surface;
-    Point3               root, along, normal, across; ///< across: unit normal of the cutting plane
-    double               length;
-    std::vector<double>  span;
-    std::vector<Station> stations;
+    FacetsView                 surface;
+    std::vector<std::uint32_t> blades;
+    Point3                     root, along, normal, across; ///< across: unit normal of the cutting plane
+    double                     length;
+    std::vector<double>        span;
+    std::vector<Station>       stations;
 
     std::vector<Crossing> cut_face(double side) const;
     Crossing              cross(std::uint32_t a, std::uint32_t b) const;
