@@ -40,7 +40,8 @@ namespace birdstrike
 
     using Notes = std::map<std::string, std::string>;
 
-    void add_prm_section(std::string &out, const ParameterTree &tree, const Notes &notes, const SectionPath &section)
+    void add_prm_section(std::string &out, const ParameterTree &tree, const Notes &notes, const SectionPath &section,
+                         const std::set<std::string> &left_out)
     {
       const std::string indent(2 * section.size(), ' ');
       for (const KnownEntry &entry : tree.entries())
@@ -56,10 +57,12 @@ namespace birdstrike
           }
       for (const std::string &name : tree.subsection_names(section))
         {
+          if (section.empty() && left_out.contains(name))
+            continue;
           SectionPath inner = section;
           inner.push_back(name);
           out += indent + "subsection " + name + "\n";
-          add_prm_section(out, tree, notes, inner);
+          add_prm_section(out, tree, notes, inner, left_out);
           if (out.size() > 2 && out.compare(out.size() - 2, 2, "\n\n") == 0)
             out.pop_back();
           out += indent + "end\n\n";
@@ -178,10 +181,14 @@ namespace birdstrike
     return original_text;
   }
 
-  std::string ParameterFile::as_prm() const
+  std::string ParameterFile::as_prm(const bool with_unused) const
   {
-    std::string text;
-    add_prm_section(text, tree(), notes, {});
+    std::string           text;
+    std::set<std::string> left_out;
+    for (const Inheritance &rule : inheritances)
+      if (!with_unused && !is_changed(rule.section))
+        left_out.insert(rule.section);
+    add_prm_section(text, tree(), notes, {}, left_out);
     while (text.size() > 1 && text.compare(text.size() - 2, 2, "\n\n") == 0)
       text.pop_back();
     return text;

@@ -61,6 +61,6 @@ namespace birdstrike
   void print_parameters(const bool as_json)
   {
     const CaseParameters parameters;
-    std::cout << (as_json ? parameters.file.as_json() : parameters.file.as_prm());
+    std::cout << (as_json ? parameters.file.as_json() : parameters.file.as_prm(true));
   }
 } // namespace birdstrike

@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 CASE = ["--set", "Bird/Particle spacing=7 mm", "--set", "Blade/Mesh/Elements along span=12", "--set", "Blade/Mesh/Elements along chord=4",
-        "--set", "Time/End time=200e-6", "--set", "Output/Flush interval=0", "--set", "Output/History interval=1e-7", "--set", "Output/Field interval=1e-5"]
+        "--set", "Time/End time=280e-6", "--set", "Output/Flush interval=0", "--set", "Output/History interval=1e-7", "--set", "Output/Field interval=1e-5"]
 
 
 def run(program, top, folder, *more, limit=None, **streams):

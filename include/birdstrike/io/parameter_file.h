@@ -91,8 +91,9 @@ namespace birdstrike
     const std::string &original() const;
 
     /// Every entry with its text, unit, range and default, at its present value: a file that can be read again and
-    /// gives the same values to the last digit.
-    std::string as_prm() const;
+    /// gives the same values to the last digit. Sections that would inherit and are at their defaults are left out
+    /// unless `with_unused`.
+    std::string as_prm(bool with_unused = false) const;
 
     /// The same as JSON: sections nest, an entry is {"text", "unit", "range", "default", "value"}.
     std::string as_json() const;
