@@ -26,7 +26,7 @@ namespace birdstrike
     LaminateElement<double> make_element(const Laminate &law, const ShellGeometry<double> &g,
                                          const std::array<double, 2> &axes, const ShellFormulation formulation)
     {
-      const auto [c, s] = axes;
+      const double c = axes[0], s = axes[1];
       // a1, a2 and the contravariant base, which is normal to the other one, in the frame of the element
       const std::array<double, 2> along[2]  = {{{g.c2y, -g.c2x}}, {{-g.c1y, g.c1x}}},
                                   across[2] = {{{g.c1x, g.c1y}}, {{g.c2x, g.c2y}}};
