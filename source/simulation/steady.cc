@@ -55,6 +55,8 @@ namespace birdstrike
       table.add("speed of the hub", fmt::format("{:.6g} rad/s", speed));
       table.add("unknowns", format_count(report.n_unknowns));
       table.add("load steps, iterations", fmt::format("{}, {}", report.n_load_steps, report.n_iterations));
+      if (report.n_linear_iterations > 0)
+        table.add("  of multigrid, in all", format_count(report.n_linear_iterations));
       std::string falling;
       for (const double r : report.residuals)
         falling += fmt::format("{}{:.2g}", falling.empty() ? "" : ", ", r);
@@ -80,6 +82,7 @@ namespace birdstrike
       json["solve"] = {{"unknowns", report.n_unknowns},
                        {"load_steps", report.n_load_steps},
                        {"iterations", report.n_iterations},
+                       {"linear_iterations", report.n_linear_iterations},
                        {"residuals", report.residuals}};
       json["tip"] = {{"mid_chord", tip.mid_chord}, {"leading", tip.leading}, {"trailing", tip.trailing}, {"unit", "m"}};
       json["root"]               = {{"normal_force", root.normal_force},

@@ -35,6 +35,14 @@ namespace birdstrike
     return choices;
   }
 
+  const NamedChoices<LinearSolverChoice> &linear_solvers()
+  {
+    static const NamedChoices<LinearSolverChoice> choices{{"automatic", LinearSolverChoice::automatic},
+                                                          {"direct", LinearSolverChoice::direct},
+                                                          {"multigrid", LinearSolverChoice::multigrid}};
+    return choices;
+  }
+
   const NamedChoices<RigidSurface> &rigid_surfaces()
   {
     static const NamedChoices<RigidSurface> choices{{"rectangle", RigidSurface::rectangle},

@@ -31,7 +31,7 @@ namespace birdstrike
     , motion(mesh, Kind::masses(lumped), supports, Loads(parameters.loads, mesh, pressed.facets), hub, pool)
     , surface(Kind::make_surface(mesh, lumped))
     , can_fail(parameters.can_fail())
-    , n_load_steps(parameters.spin.n_load_steps)
+    , implicit(parameters.spin)
   {
     elements.set_owned(mesh.space.n_owned(), mesh.owned_cells());
     elements.use_nodal_masses(lumped.node);
@@ -56,7 +56,7 @@ namespace birdstrike
     if (prestress.n_unknowns == 0)
       {
         BladeEquilibrium<Kind::n_unknowns> equilibrium(mesh, motion, elements, supports.held_dofs, hub);
-        prestress = solve_static(equilibrium, n_load_steps);
+        prestress = solve_static(equilibrium, implicit.n_load_steps, implicit.linear_solver);
       }
     return prestress;
   }
@@ -68,7 +68,7 @@ namespace birdstrike
       throw InputError("Blade/Mesh/Row/Blades: modes of a row, which come in as many alike, are not computed.\n"
                        "Set it to 1: each blade has the modes of one.");
     BladeEquilibrium<Kind::n_unknowns> equilibrium(mesh, motion, elements, supports.held_dofs, hub);
-    return birdstrike::compute_modes(equilibrium, n);
+    return birdstrike::compute_modes(equilibrium, n, implicit.linear_solver);
   }
 
   template <class Kind>

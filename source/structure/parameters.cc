@@ -172,6 +172,10 @@ namespace birdstrike
                         "Steps in which the static solve applies spin and loads; halved where one does not converge. "
                         "[-]",
                         Integer(1, 1000));
+      declare_choice(prm, "Linear solver", p.linear_solver, linear_solvers(),
+                     "What solves the linear equations of static equilibrium and modes: factors (direct), or Krylov's "
+                     "methods preconditioned by algebraic multigrid, whose memory grows as the mesh does. automatic: "
+                     "multigrid beyond 50 000 unknowns. [-]");
       prm.leave_subsection();
     }
 

@@ -45,6 +45,14 @@ namespace birdstrike
     selective ///< of solids
   };
 
+  /// Of equations of static equilibrium and modes.
+  enum class LinearSolverChoice
+  {
+    automatic, ///< by the number of unknowns
+    direct,
+    multigrid
+  };
+
   enum class RigidSurface
   {
     rectangle,
@@ -61,6 +69,7 @@ namespace birdstrike
   const NamedChoices<ElementFormulation> &element_formulations();
   const NamedChoices<ThicknessRule>      &thickness_rules();
   const NamedChoices<MassScalingMethod>  &mass_scaling_methods();
+  const NamedChoices<LinearSolverChoice> &linear_solvers();
   const NamedChoices<RigidSurface>       &rigid_surfaces();
   const NamedChoices<RigidMotion>        &rigid_motions();
 } // namespace birdstrike

@@ -91,6 +91,7 @@ namespace birdstrike
       std::array<double, 3> centre{{0., 0., 0.}}; ///< m, a point on the axis
       bool                  has_prestress = true;
       unsigned int          n_load_steps  = 4;
+      LinearSolverChoice    linear_solver = LinearSolverChoice::automatic;
     };
 
     struct Rigid

@@ -113,6 +113,7 @@ namespace birdstrike
   {
     std::size_t         n_unknowns   = 0;
     unsigned int        n_load_steps = 0, n_iterations = 0;
+    std::size_t         n_linear_iterations = 0; ///< of multigrid, in all of them
     std::vector<double> residuals; ///< of the last load step: norm of the forces over that of loads and spin
   };
 

@@ -64,7 +64,7 @@ namespace birdstrike
 
   DirectSolver::~DirectSolver() = default;
 
-  void DirectSolver::solve(const std::span<const double> right, std::vector<double> &result)
+  void DirectSolver::solve(const std::span<const double> right, double, std::vector<double> &result)
   {
     std::copy(right.begin(), right.end(), trilinos->right.begin());
     if (trilinos->solver->Solve() != 0)

@@ -192,6 +192,27 @@ namespace birdstrike
     return result;
   }
 
+  template <unsigned int n_unknowns>
+  std::vector<std::vector<double>> BladeEquilibrium<n_unknowns>::rigid_motions() const
+  {
+    const NodeArrays arrays = motion.arrays();
+    Point3           centre = Point3::Zero();
+    for (std::size_t n = 0; n < arrays.n; ++n)
+      centre += Point3(arrays.position + 3 * n) / static_cast<double>(arrays.n);
+    std::vector<std::vector<double>> result(6);
+    for (std::size_t k = 0; k < free->size(); ++k)
+      {
+        const auto &[node, is_rotation, axis] = (*free)[k];
+        const Point3 arm                      = Point3(arrays.position + 3 * node) - centre;
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            result[d].push_back(is_rotation ? 0. : axis[d]);
+            result[3 + d].push_back(is_rotation ? axis[d] : axis.dot(Point3(Point3::Unit(d)).cross(arm)));
+          }
+      }
+    return result;
+  }
+
   template class BladeEquilibrium<3>;
   template class BladeEquilibrium<6>;
 } // namespace birdstrike

@@ -40,6 +40,9 @@ namespace birdstrike
     virtual double load_norm() = 0;
     /// kg and kg m^2, [n].
     virtual std::vector<double> masses() const = 0;
+    /// What the body's rigid motions from the position of the last forces make of the unknowns, [6][n]: translations
+    /// (1), rotations (1 rad) about the centre of the nodes.
+    virtual std::vector<std::vector<double>> rigid_motions() const = 0;
     /// For one vector of the unknowns, nodal values [n_nodes][3] of displacements.
     std::vector<double> nodal_displacements(std::span<const double> values) const;
 
@@ -63,10 +66,11 @@ namespace birdstrike
                      std::span<const std::uint32_t> held, const Rotor &rotor);
     ~BladeEquilibrium() override; ///< leaves motion and elements in the accepted state, whatever was tried
 
-    void                compute_forces(std::span<const double> step, std::vector<double> &forces) override;
-    void                accept(std::span<const double> step) override;
-    double              load_norm() override;
-    std::vector<double> masses() const override;
+    void                             compute_forces(std::span<const double> step, std::vector<double> &forces) override;
+    void                             accept(std::span<const double> step) override;
+    double                           load_norm() override;
+    std::vector<double>              masses() const override;
+    std::vector<std::vector<double>> rigid_motions() const override;
 
   private:
     void find_unknowns();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "structure/implicit/equilibrium.h"
+#include <birdstrike/structure/choices.h>
 #include <birdstrike/structure/reports.h>
 
 namespace birdstrike
@@ -11,5 +12,5 @@ namespace birdstrike
   ///
   /// @throws NumericalFailure, with the load factor reached, where no step converges: the blade buckles, flows
   /// unbounded or fails.
-  StaticReport solve_static(Equilibrium &equilibrium, unsigned int n_load_steps);
+  StaticReport solve_static(Equilibrium &equilibrium, unsigned int n_load_steps, LinearSolverChoice linear_solver);
 } // namespace birdstrike

@@ -69,6 +69,18 @@ namespace birdstrike
     return value[found - column.begin()];
   }
 
+  double SparseRows::find(const std::size_t row, const std::uint32_t column_number) const
+  {
+    const auto first = column.begin() + begin[row], last = column.begin() + begin[row + 1];
+    const auto found = std::lower_bound(first, last, column_number);
+    return found != last && *found == column_number ? value[found - column.begin()] : 0.;
+  }
+
+  std::size_t SparseRows::n_not_zero(const std::size_t row) const
+  {
+    return begin[row + 1] - begin[row] - std::count(value.begin() + begin[row], value.begin() + begin[row + 1], 0.);
+  }
+
   SparseRows make_pattern(const FreeUnknowns &unknowns, const NodeLists &displacements, const NodeLists &rotations)
   {
     SparseRows                 rows{{0}, {}, {}};

@@ -39,7 +39,9 @@ namespace birdstrike
     {
       return begin.size() - 1;
     }
-    double &at(std::size_t row, std::uint32_t column_number);
+    double     &at(std::size_t row, std::uint32_t column_number);
+    double      find(std::size_t row, std::uint32_t column_number) const; ///< zero where nothing is stored
+    std::size_t n_not_zero(std::size_t row) const;
   };
 
   /// Zeros where forces on an unknown may depend on another: on displacements within one reach, on rotations within
