@@ -1,13 +1,18 @@
 #include "structure/implicit/direct_solver.h"
 #include "structure/implicit/mpi.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/memory.h>
 #include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/quiet_errors.h>
+
+#include <fmt/format.h> // before Amesos_Mumps.h, which has a compare of its own
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <Amesos.h>
+#include <Amesos_Mumps.h>
 #include <Epetra_LinearProblem.h>
 
 #include <algorithm>
@@ -41,10 +46,30 @@ namespace birdstrike
       quiet.set("PrintStatus", false);
       solver->SetParameters(quiet);
       const QuietErrors quietly; // Amesos prints what MUMPS says of a singular matrix
-      if (solver->SymbolicFactorization() != 0 || solver->NumericFactorization() != 0)
+      const bool        is_analysed = solver->SymbolicFactorization() == 0;
+      if (is_analysed)
+        require_memory();
+      if (!is_analysed || solver->NumericFactorization() != 0)
         throw NumericalFailure(
           "Static solve: the tangent is singular. Is the blade held, and is every part of the mesh "
           "joined to what is held?");
+    }
+
+    /// MUMPS estimates what its factors and fronts will take; a process that takes more than there is is killed without
+    /// a word.
+    void require_memory() const
+    {
+      auto *mumps = dynamic_cast<Amesos_Mumps *>(solver.get());
+      if (mumps == nullptr)
+        return;
+      constexpr int estimate = 15; // INFOG(16), in millions of bytes
+      const double  needed   = 1e6 * mumps->GetINFOG()[estimate];
+      const auto    there    = static_cast<double>(available_memory());
+      if (needed > there)
+        throw InputError(fmt::format("Blade/Spin/Linear solver: factors of {} unknowns take {:.3g} GB, and {:.3g} GB "
+                                     "of memory are there.\nSet it to "
+                                     "multigrid or automatic, or take a coarser mesh.",
+                                     right.size(), 1e-9 * needed, 1e-9 * there));
     }
 
     static std::vector<unsigned int> lengths(const SparseRows &rows)

@@ -58,8 +58,13 @@ namespace birdstrike
               for (std::uint32_t n = 0; n < colours.size(); ++n)
                 if (const auto [k, end] = free->of(n, is_rotation); colours[n] == which && k + local < end)
                   for (const std::uint32_t reached : reach[is_rotation].of(n))
-                    for (std::size_t row = free->of(reached, false).first; row < free->of(reached, true).second; ++row)
-                      tangent.at(row, k + local) = (below[row] - above[row]) / (2. * size_of(n));
+                    {
+                      std::size_t       row     = free->of(reached, false).first; // all of a node have the same columns
+                      const std::size_t end_row = free->of(reached, true).second;
+                      const std::size_t place   = row < end_row ? tangent.place(row, k + local) : 0;
+                      for (; row < end_row; ++row)
+                        tangent.value[tangent.begin[row] + place] = (below[row] - above[row]) / (2. * size_of(n));
+                    }
             }
       }
     return tangent;

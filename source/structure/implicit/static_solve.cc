@@ -13,10 +13,13 @@ namespace birdstrike
     constexpr double       tolerance       = 1e-10; // of the forces, to the norm of loads and spin
     constexpr double       round_off       = 1e-7; // likewise: below it a norm that no longer falls is one of round-off
     constexpr unsigned int most_iterations = 30;
-    constexpr unsigned int patience        = 8;          // iterations within which the norm must halve
-    constexpr std::size_t  easy            = 5;          // residuals of a load step after which the next is longer
-    constexpr double       loosest         = 1e-4;       // of the linear equations
-    constexpr double       shortest_step   = 1. / 1024.; // of the load factor
+    constexpr unsigned int patience        = 8;     // iterations within which the norm must halve
+    constexpr std::size_t  easy            = 5;     // residuals of a load step after which the next is longer
+    constexpr unsigned int most_repetitions = 6;    // of steps with one tangent
+    constexpr double       pays             = 0.3;  // what such a step may leave of the forces
+    constexpr double       astray           = 1e3;  // what it leaves of them where Newton's method will not converge
+    constexpr double       loosest          = 1e-3; // of the linear equations
+    constexpr double       shortest_step    = 1. / 1024.; // of the load factor
 
     double norm_of(const std::vector<double> &v)
     {
@@ -68,51 +71,80 @@ namespace birdstrike
       std::string         why; ///< what has gone wrong last, empty where forces were only left over
 
     private:
-      /// A step of Newton's, as long as it makes the forces smaller.
+      /// A step of Newton's, as long as it makes the forces smaller, and steps with the same tangent while they pay.
       bool improve(std::vector<double> &step)
       {
+        why.clear();
+        std::unique_ptr<LinearSolver> solver;
         try
           {
-            const auto solver = make_linear_solver(linear_solver, equilibrium.compute_tangent(step), equilibrium);
-            solver->solve(forces, inner_tolerance(), correction);
-            n_linear_iterations += solver->n_iterations;
+            solver = make_linear_solver(linear_solver, equilibrium.compute_tangent(step), equilibrium);
+            solver->solve(forces, inner_tolerance(residuals.back()), correction);
           }
         catch (const NumericalFailure &failure)
           {
             why = failure.what();
             return false; // singular, or an element on the point of turning inside out
           }
-        const double before = norm_of(forces);
-        for (double length = 1.; length > 0.05; length *= 0.5)
+        // steps of bending make membrane forces that the next ones take away: the norm may grow for a while
+        const double most      = residuals.size() < 3 ? 1e4 : residuals.size() < 8 ? 30. : 1.;
+        bool         is_better = false;
+        for (double length = 1.; length > 0.05 && !is_better; length *= 0.5)
+          is_better = try_step(step, length, most) < most;
+        is_better = is_better && repeat(*solver, step);
+        n_linear_iterations += solver->n_iterations;
+        return is_better;
+      }
+
+      /// What a step of bending has left over in the membrane is as stiff as it was before the step, and needs no new
+      /// tangent (Shamanskii 1967). False where such a step shows that the load step's first has gone astray.
+      bool repeat(LinearSolver &solver, std::vector<double> &step)
+      {
+        try
           {
-            tried.resize(step.size());
-            for (std::size_t i = 0; i < step.size(); ++i)
-              tried[i] = step[i] + length * correction[i];
-            try
+            double norm = norm_of(forces) / scale;
+            for (unsigned int k = 0; k < most_repetitions && norm > tolerance; ++k)
               {
-                equilibrium.compute_forces(tried, forces_there);
-              }
-            catch (const NumericalFailure &failure)
-              {
-                why = failure.what();
-                continue;
-              }
-            // steps of bending make membrane forces that the next ones take away: the norm may grow for a while
-            if (norm_of(forces_there) < (residuals.size() < 3 ? 1e4 : residuals.size() < 8 ? 30. : 1.) * before)
-              {
-                step.swap(tried);
-                forces.swap(forces_there);
-                return true;
+                solver.solve(forces, 0.1 * pays, correction);
+                if (const double left = try_step(step, 1., pays); left >= pays)
+                  return residuals.size() > 1 || left < astray;
+                norm = norm_of(forces) / scale;
               }
           }
-        return false;
+        catch (const NumericalFailure &)
+          {
+          } // of the linear equations: the step before stands
+        return true;
+      }
+
+      /// Goes a share of the correction if that leaves less than `most` times the forces. Returns what it would leave.
+      double try_step(std::vector<double> &step, const double length, const double most)
+      {
+        tried.resize(step.size());
+        for (std::size_t i = 0; i < step.size(); ++i)
+          tried[i] = step[i] + length * correction[i];
+        try
+          {
+            equilibrium.compute_forces(tried, forces_there);
+          }
+        catch (const NumericalFailure &failure)
+          {
+            why = failure.what();
+            return INFINITY;
+          }
+        const double left = norm_of(forces_there) / norm_of(forces);
+        if (left < most)
+          {
+            step.swap(tried);
+            forces.swap(forces_there);
+          }
+        return std::isnan(left) ? INFINITY : left;
       }
 
       /// As the forces fall, so that Newton's method stays quadratic (Eisenstat & Walker 1996, SIAM J. Sci. Comput. 17,
       /// 16), but no tighter than what is wanted of them.
-      double inner_tolerance() const
+      static double inner_tolerance(const double norm)
       {
-        const double norm = residuals.back();
         return std::max(std::min(loosest, 0.1 * norm), 0.1 * tolerance / norm);
       }
 

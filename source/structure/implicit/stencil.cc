@@ -63,10 +63,10 @@ namespace birdstrike
     return colour;
   }
 
-  double &SparseRows::at(const std::size_t row, const std::uint32_t column_number)
+  std::size_t SparseRows::place(const std::size_t row, const std::uint32_t column_number) const
   {
-    const auto found = std::lower_bound(column.begin() + begin[row], column.begin() + begin[row + 1], column_number);
-    return value[found - column.begin()];
+    const auto first = column.begin() + begin[row];
+    return std::lower_bound(first, column.begin() + begin[row + 1], column_number) - first;
   }
 
   double SparseRows::find(const std::size_t row, const std::uint32_t column_number) const

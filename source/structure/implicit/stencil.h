@@ -39,7 +39,12 @@ namespace birdstrike
     {
       return begin.size() - 1;
     }
-    double     &at(std::size_t row, std::uint32_t column_number);
+    /// Where in its row a column is that is stored.
+    std::size_t place(std::size_t row, std::uint32_t column_number) const;
+    double     &at(const std::size_t row, const std::uint32_t column_number)
+    {
+      return value[begin[row] + place(row, column_number)];
+    }
     double      find(std::size_t row, std::uint32_t column_number) const; ///< zero where nothing is stored
     std::size_t n_not_zero(std::size_t row) const;
   };
