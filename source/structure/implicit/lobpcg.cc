@@ -73,7 +73,7 @@ namespace birdstrike
         MatrixXd     start(mass.size(), size);
         for (double &value : start.reshaped())
           value = static_cast<double>(random()) / 4294967296. - 0.5;
-        x = {precondition(mass.cwiseSqrt().asDiagonal() * start), {}};
+        x = {std::move(start), {}}; // not preconditioned: of a free body that leaves rigid motions alone
         normalize(x);
         x.k = multiply(x.v);
         take_ritz(x);

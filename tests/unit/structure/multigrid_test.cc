@@ -31,25 +31,37 @@ namespace birdstrike
       p.mesh.n_layers       = formulation.name == std::string("solid-shell") ? 1 : 2;
       p.spin.axis           = {0., 1., 0.};
       p.spin.speed          = 300.;
-      p.loads.pressure      = "2e4*(1 + 5*y)";
+      p.spin.n_load_steps   = 1; // what forms of increments make of a state depends on them in the fifth digit
+      p.loads.pressure      = "1e3*(1 + 5*y)";
       p.probes              = "corner: 0.3112 0.0889 0; inside: 0.15 0.04 0";
       return p;
     }
 
-    std::unique_ptr<Blade> solve(BladeParameters p, const LinearSolverChoice linear_solver,
-                                 const unsigned n_threads = 1)
+    /// A blade in equilibrium, with its threads.
+    struct Solved
     {
-      ThreadPool pool(n_threads);
+      std::unique_ptr<ThreadPool> pool;
+      std::unique_ptr<Blade>      blade;
+
+      Blade *operator->() const
+      {
+        return blade.get();
+      }
+    };
+
+    Solved solve(BladeParameters p, const LinearSolverChoice linear_solver, const unsigned int n_threads = 1)
+    {
       p.spin.linear_solver = linear_solver;
-      auto blade           = make_blade(p, pool);
-      blade->find_equilibrium();
-      return blade;
+      Solved solved{std::make_unique<ThreadPool>(n_threads), nullptr};
+      solved.blade = make_blade(p, *solved.pool);
+      solved->find_equilibrium();
+      return solved;
     }
 
-    std::vector<double> displacements(const Blade &blade)
+    std::vector<double> displacements(const Solved &blade)
     {
       std::vector<double> result;
-      for (const ProbeValues &probe : blade.probes())
+      for (const ProbeValues &probe : blade->probes())
         result.insert(result.end(), probe.displacement.begin(), probe.displacement.end());
       return result;
     }
@@ -59,9 +71,10 @@ namespace birdstrike
       const auto direct = solve(p, LinearSolverChoice::direct), multigrid = solve(p, LinearSolverChoice::multigrid);
       EXPECT_EQ(direct->static_report().n_linear_iterations, 0u) << name;
       EXPECT_GT(multigrid->static_report().n_linear_iterations, 0u) << name;
-      const auto   exact = displacements(*direct), found = displacements(*multigrid);
+      const auto   exact = displacements(direct), found = displacements(multigrid);
       const double size = std::abs(*std::max_element(
         exact.begin(), exact.end(), [](const double a, const double b) { return std::abs(a) < std::abs(b); }));
+      EXPECT_EQ(multigrid->static_report().n_load_steps, direct->static_report().n_load_steps) << name;
       EXPECT_GT(size, 1e-4) << name;
       for (std::size_t i = 0; i < exact.size(); ++i)
         EXPECT_NEAR(found[i], exact[i], 1e-7 * size) << name << ' ' << i;
@@ -77,18 +90,18 @@ namespace birdstrike
   TEST(Multigrid, FindsTheEquilibriumOfFactors)
   {
     for (const Formulation &formulation : formulations)
-      expect_same_equilibrium(loaded(formulation, 24, 8), formulation.name);
+      expect_same_equilibrium(loaded(formulation, 16, 5), formulation.name);
   }
 
   TEST(Multigrid, FindsTheEquilibriumOfFactorsBeyondYield)
   {
     for (const Formulation &formulation : {formulations[0], formulations[3]})
       {
-        BladeParameters p    = loaded(formulation, 24, 8);
+        BladeParameters p    = loaded(formulation, 16, 5);
+        p.spin.n_load_steps  = 4;
         p.material.hardening = "linear";
-        p.material.yield     = "200e6";
+        p.material.yield     = "24e6";
         p.material.modulus   = "5e9";
-        p.loads.pressure     = "1.2e5";
         EXPECT_GT(solve(p, LinearSolverChoice::multigrid)->peak_plastic_strain().value, 1e-4) << formulation.name;
         expect_same_equilibrium(p, formulation.name);
       }
@@ -102,20 +115,20 @@ namespace birdstrike
     p.spin.speed       = 600.;
     p.probes           = "tip: 0.3112 0 0";
     const double exact = 4430. * 600. * 600. * std::pow(0.3112, 3) / (3. * 113.8e9);
-    EXPECT_NEAR(displacements(*solve(p, LinearSolverChoice::multigrid))[0] / exact, 1., 2e-3);
+    EXPECT_NEAR(displacements(solve(p, LinearSolverChoice::multigrid))[0] / exact, 1., 2e-3);
   }
 
   TEST(Multigrid, FindsTheModesOfFactors)
   {
     for (const Formulation &formulation : formulations)
       {
-        const BladeParameters p     = loaded(formulation, 32, 10);
+        const BladeParameters p     = loaded(formulation, 20, 6);
         const auto            exact = modes_of(p, LinearSolverChoice::direct, 8),
                    found            = modes_of(p, LinearSolverChoice::multigrid, 8);
         ASSERT_EQ(found.modes.size(), exact.modes.size());
         for (std::size_t k = 0; k < exact.modes.size(); ++k)
           {
-            EXPECT_NEAR(found.modes[k].frequency / exact.modes[k].frequency, 1., 1e-8) << formulation.name << k;
+            EXPECT_NEAR(found.modes[k].frequency / exact.modes[k].frequency, 1., 1e-7) << formulation.name << k;
             EXPECT_GT(modal_assurance(found.modes[k].shape, exact.modes[k].shape), 1. - 1e-6) << formulation.name << k;
           }
       }
@@ -126,7 +139,7 @@ namespace birdstrike
   {
     for (const char *kind : {"shell", "solid"})
       {
-        BladeParameters p = test::free_plate(32, 10);
+        BladeParameters p = test::free_plate(20, 6);
         p.kind            = blade_kinds().at(kind);
         const auto exact  = modes_of(p, LinearSolverChoice::direct, 10),
                    found  = modes_of(p, LinearSolverChoice::multigrid, 10);
@@ -161,7 +174,7 @@ namespace birdstrike
         std::vector<double> iterations;
         for (const unsigned int n : {1u, 2u, 4u})
           {
-            BladeParameters p   = loaded(formulation, 28 * n, 8 * n);
+            BladeParameters p   = loaded(formulation, 20 * n, 6 * n);
             p.spin.speed        = 0.;
             p.spin.n_load_steps = 1;
             p.loads.pressure    = "1";
@@ -177,10 +190,10 @@ namespace birdstrike
 
   TEST(Multigrid, GivesTheSameBitsAgainAndWithThreads)
   {
-    const BladeParameters p     = loaded(formulations[0], 24, 8);
-    const auto            first = displacements(*solve(p, LinearSolverChoice::multigrid));
-    EXPECT_TRUE(test::is_bitwise_equal(first, displacements(*solve(p, LinearSolverChoice::multigrid))));
-    EXPECT_TRUE(test::is_bitwise_equal(first, displacements(*solve(p, LinearSolverChoice::multigrid, 3))));
+    const BladeParameters p     = loaded(formulations[0], 16, 5);
+    const auto            first = displacements(solve(p, LinearSolverChoice::multigrid));
+    EXPECT_TRUE(test::is_bitwise_equal(first, displacements(solve(p, LinearSolverChoice::multigrid))));
+    EXPECT_TRUE(test::is_bitwise_equal(first, displacements(solve(p, LinearSolverChoice::multigrid, 3))));
     const auto once  = modes_of(p, LinearSolverChoice::multigrid, 4),
                again = modes_of(p, LinearSolverChoice::multigrid, 4);
     for (std::size_t k = 0; k < 4; ++k)
