@@ -181,8 +181,6 @@ namespace birdstrike
             const auto blade    = solve(p, LinearSolverChoice::multigrid);
             const auto report   = blade->static_report();
             iterations.push_back(static_cast<double>(report.n_linear_iterations));
-            std::printf("%s %u: %zu iterations, %u Newton, %zu unknowns\n", formulation.name, n,
-                        report.n_linear_iterations, report.n_iterations, report.n_unknowns);
           }
         EXPECT_LT(iterations[2], 1.5 * iterations[0]) << formulation.name;
       }
