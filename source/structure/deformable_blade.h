@@ -152,7 +152,7 @@ namespace birdstrike
     bool                             can_fail;
     Warnings                         probe_warnings;
     std::size_t                      n_failed = 0; ///< elements, as the surface knows them
-    BladeParameters::Spin            implicit; ///< how equilibrium and modes are solved for
+    BladeParameters::Spin            implicit;     ///< how equilibrium and modes are solved for
     StaticReport                     prestress;
   };
 
