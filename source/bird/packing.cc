@@ -1,3 +1,4 @@
+#include "bird/attitude.h"
 #include <birdstrike/bird/packing.h>
 #include <birdstrike/core/errors.h>
 
@@ -89,24 +90,6 @@ namespace birdstrike
       return points;
     }
 
-    /// Turned about the axis by roll, then the axis from the velocity by pitch and yaw; the columns are the images of
-    /// x, y, z of the bird's frame.
-    Matrix3<double> compute_attitude(const BirdParameters &parameters)
-    {
-      const Point3 v(parameters.velocity[0], parameters.velocity[1], parameters.velocity[2]);
-      const Point3 direction = v.norm() > 0. ? Point3(v.normalized()) : Point3(0., 0., 1.);
-      Point3       span      = Point3::UnitX() - direction[0] * direction;
-      if (span.norm() < 1e-3)
-        span = Point3::UnitY() - direction[1] * direction;
-      span.normalize();
-      Matrix3<double> frame;
-      frame << span, direction.cross(span), direction;
-      const double degree = std::numbers::pi / 180.;
-      return Eigen::AngleAxisd(parameters.yaw * degree, span) *
-             Eigen::AngleAxisd(parameters.pitch * degree, frame.col(1)) *
-             Eigen::AngleAxisd(parameters.roll * degree, direction) * frame;
-    }
-
     Point3 compute_start(const BirdParameters &parameters, const double bounding_radius)
     {
       const Point3 v(parameters.velocity.data()), target(parameters.target().data());
@@ -114,6 +97,29 @@ namespace birdstrike
         return target;
       const double distance = parameters.stand_off > 0. ? parameters.stand_off : 2. * bounding_radius;
       return target - distance * v.normalized();
+    }
+
+    /// Before anything is packed; of the whole bird nothing.
+    void check_slice(const BirdParameters &parameters, const Shape &shape)
+    {
+      if (!shape.is_slice())
+        return;
+      const auto refuse = [&](const std::string &found, const std::string &action) {
+        throw InputError(fmt::format("Section '{}', entry 'Slice/Between': {}\n{}", parameters.section, found, action));
+      };
+      if (shape.length() == 0.)
+        refuse(fmt::format("nothing of the bird lies between {:.4g} and {:.4g} m.", parameters.slice_between[0],
+                           parameters.slice_between[1]),
+               fmt::format("Along this normal it reaches from {0:.4g} to {1:.4g} m.", -shape.reach_along_normal(),
+                           shape.reach_along_normal()));
+      if (shape.length() < 2. * parameters.spacing)
+        refuse(fmt::format("the slice is {:.4g} m thick, less than two particle spacings.", shape.length()),
+               fmt::format("Give a thicker one, or a {}/Particle spacing of at most {:.4g} m.", parameters.section,
+                           0.5 * shape.length()));
+      if (shape.volume() < 8. * std::pow(parameters.spacing, 3))
+        refuse("the slice holds fewer than about eight particles.",
+               fmt::format("Give a larger one, or a {}/Particle spacing below {:.4g} m.", parameters.section,
+                           0.5 * std::cbrt(shape.volume())));
     }
 
     void check_period(const double period, const double range, const std::string &section)
@@ -138,6 +144,7 @@ namespace birdstrike
 
   Packing compute_packing(const BirdParameters &parameters, const Shape &shape)
   {
+    check_slice(parameters, shape);
     Packing packing;
     packing.points = shape.is_slab() ? pack_slab(parameters, shape) : pack(parameters, shape);
     if (packing.points.empty())
@@ -149,15 +156,17 @@ namespace birdstrike
     const double      scale = std::cbrt(shape.volume() / n) / parameters.spacing;
     packing.particle_mass   = m / n;
     packing.spacing         = parameters.spacing * scale;
-    double length           = 0.;
+    double low = INFINITY, high = -INFINITY;
     for (Point3 &p : packing.points)
       {
         p *= scale;
-        length                  = std::max(length, 2. * std::abs(p[2]));
+        low                     = std::min(low, p[2]);
+        high                    = std::max(high, p[2]);
+        p                       = shape.in_bird(p);
         packing.bounding_radius = std::max(packing.bounding_radius, p.norm());
       }
     const double layer = parameters.packing == BirdLattice::fcc ? 0.5 * std::cbrt(4.) : 1.;
-    packing.length     = length + layer * packing.spacing;
+    packing.length     = high - low + layer * packing.spacing;
     packing.bounding_radius += packing.spacing;
     // A cross-section is as large as its share of the volume: D scales with the cut's count at fixed shape.
     packing.diameter = shape.diameter() * std::sqrt(shape.length() / packing.length);
@@ -195,10 +204,11 @@ namespace birdstrike
 
   std::string Packing::summary(const Shape &shape) const
   {
-    return fmt::format("bird: {} particles{} of {:.6g} g, spacing {:.5g} mm, mass {:.9g} kg; length {:.5g} mm (nominal "
+    return fmt::format("{}: {} particles{} of {:.6g} g, spacing {:.5g} mm, mass {:.9g} kg; {} {:.5g} mm (nominal "
                        "{:.5g}), diameter {:.5g} mm (nominal {:.5g})",
-                       points.size(), plane.exists() ? " and their mirror images" : "", 1e3 * particle_mass,
-                       1e3 * spacing, mass(), 1e3 * length, 1e3 * shape.length(), 1e3 * diameter,
+                       shape.is_slice() ? "slice of the bird" : "bird", points.size(),
+                       plane.exists() ? " and their mirror images" : "", 1e3 * particle_mass, 1e3 * spacing, mass(),
+                       shape.is_slice() ? "thickness" : "length", 1e3 * length, 1e3 * shape.length(), 1e3 * diameter,
                        1e3 * shape.diameter());
   }
 } // namespace birdstrike

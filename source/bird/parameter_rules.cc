@@ -50,6 +50,7 @@ namespace birdstrike
     if (is_halved)
       check_halves();
     check_strength();
+    check_slice();
     if (!is_riemann() && reconstruction != Reconstruction::none)
       refuse("Reconstruction", "the standard formulation has none.", "Set 'none', or Formulation = riemann.");
   }
@@ -75,6 +76,26 @@ namespace birdstrike
              "Set Gradient correction = true, or leave it out.");
   }
 
+  void BirdParameters::check_slice() const
+  {
+    if (!is_slice())
+      {
+        if (!slice_normal.empty())
+          refuse("Slice/Normal", "it is given, and no Between: the bird is whole.", "Give both, or leave it out.");
+        return;
+      }
+    if (slice_between.size() != 2 || !(slice_between[0] < slice_between[1]))
+      refuse("Slice/Between", "it is no interval.", "Give two distances, in m, the smaller one first.");
+    if (!slice_normal.empty() &&
+        (slice_normal.size() != 3 || std::hypot(slice_normal[0], slice_normal[1], slice_normal[2]) == 0.))
+      refuse("Slice/Normal", "it is no direction.", "Give three numbers that are not all zero.");
+    if (shape == BirdShape::slab)
+      refuse("Slice/Between", "a slab is not sliced.", "Give its lengths (Slab lengths).");
+    if (std::count(is_periodic.begin(), is_periodic.end(), true) > 0)
+      refuse("Slice/Between", "a slice does not go with Periodic directions.",
+             "Leave it out: what repeats itself has no ends; or set Periodic directions = none.");
+  }
+
   void BirdParameters::check_halves() const
   {
     const auto refuse_half = [this](const std::string &entry, const std::string &found, const std::string &action) {
@@ -90,6 +111,8 @@ namespace birdstrike
       refuse_half("Roll", "a lattice turned about the bird's axis", "Set it to 0");
     if (std::hypot(velocity[1], velocity[2]) < 1e-3 * std::abs(velocity[0]))
       refuse_half("Velocity", "the frame of a bird that flies along x", "Let it fly across the span");
+    if (!slice_normal.empty() && slice_normal[1] != 0.)
+      refuse_half("Slice/Normal", "a normal with a part along y", "Let y be 0");
     if (packing != BirdLattice::cubic)
       refuse_half("Packing", "the " + bird_lattices().name(packing) + " lattice", "Choose 'cubic'");
     if (!is_riemann())

@@ -51,6 +51,20 @@ namespace birdstrike
                         positive);
     }
 
+    void declare_slice(ParameterHandler &prm, BirdParameters &bird)
+    {
+      prm.enter_subsection("Slice");
+      prm.add_parameter("Between", bird.slice_between,
+                        "The part of the bird that is there: between two planes square to Normal, at these distances "
+                        "from the centre of the whole bird; Mass is the whole bird's. Empty: the whole bird. [m]",
+                        Patterns::List(Patterns::Double(), 0, 2));
+      prm.add_parameter("Normal", bird.slice_normal,
+                        "Normal of the planes of the slice, in fixed axes, of any length; empty: the bird's own axis, "
+                        "which points ahead. [-]",
+                        Patterns::List(Patterns::Double(), 0, 3));
+      prm.leave_subsection();
+    }
+
     void declare_motion(ParameterHandler &prm, BirdParameters &bird)
     {
       prm.add_parameter("Velocity", bird.velocity,
@@ -78,13 +92,16 @@ namespace birdstrike
                         Patterns::Double(-90., 90.));
       prm.add_parameter(
         "Roll", bird.roll,
-        "Turn of the bird about its own axis. Of round shapes it turns the lattice alone (a slab is not turned): "
+        "Turn of the bird about its own axis, of a slice about its normal. Of round shapes it turns the lattice alone "
+        "(a slab is not turned): "
         "where an edge cuts the bird, 22.5 keeps rows of particles from lying along the edge, "
         "which would catch or miss a whole row at once. [degree]",
         Patterns::Double(-180., 180.));
-      prm.add_parameter("Aim point", bird.aim_point,
-                        "Point that the bird's centre would fly through if nothing stood in its way. [m]",
-                        three_numbers);
+      prm.add_parameter(
+        "Aim point", bird.aim_point,
+        "Point that the bird's centre would fly through if nothing stood in its way; of a slice the centre of the "
+        "whole bird. [m]",
+        three_numbers);
       prm.add_parameter(
         "Aim span fraction", bird.aim_span_fraction,
         "Share of the span, 0 at the root and 1 at the tip, at which the bird aims on the blade's surface, "
@@ -191,6 +208,7 @@ namespace birdstrike
   {
     prm.enter_subsection(section);
     declare_body(prm, *this);
+    declare_slice(prm, *this);
     declare_motion(prm, *this);
     declare_method(prm, *this);
     prm.leave_subsection();

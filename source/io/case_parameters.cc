@@ -179,8 +179,8 @@ namespace birdstrike
     blade.is_halved = bird.is_halved = has_symmetry_plane;
     for (FurtherBird &each : further_birds)
       each.bird.is_halved = has_symmetry_plane;
+    resolve_aim(*this); // how a bird lies says what planes cut off it
     require_memory(*this, static_cast<double>(available_memory()));
-    resolve_aim(*this);
     if (bird.enabled)
       blade.bird_velocity = bird.velocity;
     if (has_symmetry_plane)

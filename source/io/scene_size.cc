@@ -38,13 +38,13 @@ namespace birdstrike
     std::string describe_bird(const BirdParameters &bird, const double n_particles)
     {
       const Shape shape(bird);
-      return fmt::format("The bird, {1:.4g} m long and {2:.4g} m thick by {3}, takes {4:.3g} particles at {0}/Particle "
+      return fmt::format("{6}, {1:.4g} m long and {2:.4g} m thick by {3}, takes {4:.3g} particles at {0}/Particle "
                          "spacing = {5:g} m.",
-                         bird.section, shape.length(), shape.diameter(),
+                         bird.section, shape.whole_length(), shape.whole_diameter(),
                          shape.is_slab() ? bird.section + "/Slab lengths"
                                          : fmt::format("{0}/Mass = {1:g} kg and {0}/Density = {2:g} kg/m^3",
                                                        bird.section, bird.mass, bird.density),
-                         n_particles, bird.spacing);
+                         n_particles, bird.spacing, shape.is_slice() ? "A slice of the bird" : "The bird");
     }
 
     std::string describe_mesh(const BladeParameters &blade, const SceneSize &size)

@@ -182,8 +182,9 @@ namespace birdstrike
       if (projectile.contact)
         check_aim(projectile, warnings);
       check_arrival(projectile, end_time, warnings);
-      const BirdParameters &bird   = projectile.parameters;
-      const double          across = projectile.bird->packing().diameter / bird.spacing;
+      const BirdParameters &bird    = projectile.parameters;
+      const Packing        &packing = projectile.bird->packing();
+      const double across = std::min(packing.diameter, bird.is_slice() ? packing.length : INFINITY) / bird.spacing;
       if (bird.shape != BirdShape::slab && across < 8.)
         warnings.push_back({"bird/coarse", fmt::format("{:.1f} particles across the bird: impulse and deflection are "
                                                        "within a percent from about ten on, where an edge cuts the "

@@ -138,8 +138,13 @@ namespace birdstrike
       table.add("particles", format_count(bird.n_particles()));
       table.add("mass", fmt::format("{:.9g} kg", bird.packing().mass()));
       const Shape shape(parameters);
-      table.add("length, diameter",
-                format_quantity(shape.length(), "m") + ", " + format_quantity(shape.diameter(), "m"));
+      table.add(shape.is_slice() ? "length, diameter of the whole bird" : "length, diameter",
+                format_quantity(shape.whole_length(), "m") + ", " + format_quantity(shape.whole_diameter(), "m"));
+      if (shape.is_slice())
+        table.add("slice of it",
+                  fmt::format("{:.5g} of {:.5g} kg, {} thick, its faces as large as circles of {} at most",
+                              shape.volume() * parameters.density, parameters.mass,
+                              format_quantity(shape.length(), "m"), format_quantity(shape.diameter(), "m")));
       table.add("packing", bird.summary());
       table.add("liquid", liquid);
       if (parameters.has_strength())
@@ -169,7 +174,9 @@ namespace birdstrike
         table.add("Hugoniot pressure of that", aim.hugoniot_pressure, "Pa");
       table.add("stagnation pressure", aim.stagnation_pressure, "Pa");
       if (!std::isnan(aim.duration))
-        table.add("duration, length over speed", aim.duration, "s");
+        table.add(projectile.parameters.is_slice() ? "duration, extent along the velocity over speed"
+                                                   : "duration, length over speed",
+                  aim.duration, "s");
     }
 
     void add_mass_in_the_way(TextTable &table, const double share, const BirdParameters &bird)

@@ -12,17 +12,18 @@ namespace birdstrike
   /// The particles of an undeformed bird, placed: a lattice that is symmetric about the bird's axis, cut by the shape
   /// and scaled so that every particle holds exactly mass/n at exactly the given density: V_p = spacing^3 = m/(n rho).
   /// Mass and density are therefore exact, and the achieved dimensions differ slightly from the nominal ones.
+  /// A slice is packed likewise, its lattice symmetric about its middle and along its planes, at its place in the bird.
   struct Packing
   {
     std::vector<Point3>   points;               ///< m
     double                particle_mass   = 0.; ///< kg
     double                spacing         = 0.; ///< m, cube root of the particle volume
-    double                length          = 0.; ///< m, achieved
+    double                length          = 0.; ///< m, achieved; of a slice across its planes
     double                diameter        = 0.; ///< m, achieved: of the circle as large as the largest cross-section
-    double                bounding_radius = 0.; ///< m, about the centre
+    double                bounding_radius = 0.; ///< m, about the centre of the whole bird
     std::array<double, 3> period{};             ///< m, 0 where not periodic
     Point3                axis;                 ///< unit vector of the bird's axis
-    Point3                centre;               ///< m, at the start
+    Point3                centre;               ///< m, at the start, of the whole bird
 
     SymmetryPlane plane; ///< beyond which there are as many points
 
@@ -39,6 +40,7 @@ namespace birdstrike
   double count_particles(const BirdParameters &parameters);
 
   /// Packs the shape, turns it to its attitude and puts it at its start, from which its centre flies through the aim
-  /// point. Throws InputError if the shape holds no particle or a period is shorter than two interaction ranges.
+  /// point. Throws InputError if the shape holds no particle, for a slice that misses the bird or is thinner than two
+  /// particles, or if a period is shorter than two interaction ranges.
   Packing compute_packing(const BirdParameters &parameters, const Shape &shape);
 } // namespace birdstrike

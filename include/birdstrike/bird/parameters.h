@@ -85,9 +85,11 @@ namespace birdstrike
     double                pitch = 0.;                   ///< degrees
     double                roll  = 0.;                   ///< degrees; of a round bird this turns the lattice alone
     std::array<double, 3> aim_point{{0.21784, 0., 0.}}; ///< m; 70 % of a 311.2 mm span
-    double                chordwise_offset    = 0.;     ///< m
-    double                stand_off           = 0.;     ///< m; 0 is automatic
-    double                arrival             = 0.;     ///< s, of the first touch
+    std::vector<double>   slice_normal;                 ///< three numbers, fixed axes; empty: the bird's axis
+    std::vector<double>   slice_between;            ///< two numbers, m along it from the centre; empty: the whole bird
+    double                chordwise_offset    = 0.; ///< m
+    double                stand_off           = 0.; ///< m; 0 is automatic
+    double                arrival             = 0.; ///< s, of the first touch
     ParticleFormulation   formulation         = ParticleFormulation::riemann;
     SmoothingKernel       kernel              = SmoothingKernel::automatic;
     double                smoothing_ratio     = 1.3;
@@ -128,10 +130,15 @@ namespace birdstrike
     void check() const;
 
     void check_strength() const;
+    void check_slice() const;
 
     /// What a bird needs to be halved by the plane y = 0; throws InputError.
     void check_halves() const;
 
+    bool is_slice() const
+    {
+      return !slice_between.empty();
+    }
     bool is_riemann() const;
     bool has_strength() const
     {

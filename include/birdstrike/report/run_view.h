@@ -51,7 +51,7 @@ namespace birdstrike
     double                angle               = none;        ///< degrees, between velocity and surface
     double                hugoniot_pressure   = none;        ///< Pa, of the normal speed
     double                stagnation_pressure = none;        ///< Pa
-    double                duration            = none;        ///< s, length over speed; none of a slab
+    double                duration = none; ///< s, length (of a slice: along the velocity) over speed; none of a slab
   };
 
   /// One bird of a run.

@@ -1,5 +1,6 @@
 #include "simulation/projectile/aim.h"
 #include "simulation/projectile/projectile.h"
+#include <birdstrike/bird/bird.h>
 #include <birdstrike/bird/shape.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/structure/blade.h>
@@ -34,6 +35,19 @@ namespace birdstrike
         }
       return normal;
     }
+
+    /// Of the particles as bodies, m.
+    double extent_along(const PointsView &points, const Point3 &direction)
+    {
+      double low = INFINITY, high = -INFINITY;
+      for (std::size_t p = 0; p < points.n; ++p)
+        {
+          const double x = direction.dot(Point3(points.position[0][p], points.position[1][p], points.position[2][p]));
+          low            = std::min(low, x);
+          high           = std::max(high, x);
+        }
+      return high - low + points.spacing;
+    }
   } // namespace
 
   StrikeAim compute_aim(const Projectile &projectile, const Blade &blade)
@@ -58,7 +72,9 @@ namespace birdstrike
       aim.hugoniot_pressure = EquationOfState(projectile.liquid, bird.density).hugoniot(aim.normal_speed).pressure;
     aim.stagnation_pressure = 0.5 * bird.density * aim.speed * aim.speed;
     if (bird.shape != BirdShape::slab)
-      aim.duration = Shape(bird).length() / aim.speed;
+      aim.duration =
+        (bird.is_slice() ? extent_along(projectile.bird->points(), velocity.normalized()) : Shape(bird).length()) /
+        aim.speed;
     return aim;
   }
 } // namespace birdstrike

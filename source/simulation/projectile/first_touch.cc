@@ -69,17 +69,13 @@ namespace birdstrike
     /// come: back by the way that the blade has still to go.
     void aim_in_fixed_axes(Bird &bird, const BirdParameters &parameters, const Point3 &aim, const Point3 &frame)
     {
-      move(bird, parameters, aim - Point3(parameters.target().data()));
+      const Point3 way = aim - Point3(parameters.target().data());
+      move(bird, parameters, way);
       if (Point3(parameters.velocity.data()).norm() == 0.)
         throw InputError(parameters.section +
                          "/Velocity: a bird at rest has no path that could be aimed.\nGive it the speed of the "
                          "aircraft, in m/s.");
-      const PointsView points = bird.points();
-      Point3           centre = Point3::Zero();
-      for (std::size_t p = 0; p < points.n; ++p)
-        centre += Point3(points.position[0][p], points.position[1][p], points.position[2][p]);
-      centre /= static_cast<double>(points.n);
-      const Point3 velocity(parameters.velocity.data()), to_aim = aim - centre;
+      const Point3 velocity(parameters.velocity.data()), to_aim = aim - (bird.packing().centre + way);
       const double time = to_aim.dot(velocity) / velocity.squaredNorm();
       bird.advance_in_flight(time, velocity - frame); // by time times `frame`
     }

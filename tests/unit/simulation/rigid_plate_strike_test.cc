@@ -105,3 +105,29 @@ TEST(RigidPlateStrike, FreePlateTakesTheMomentumOfAJet)
   EXPECT_NEAR(speed / 30.998, 1., 0.05);
   EXPECT_LT(run.summary.number("momentum/max_relative_error"), 1e-10);
 }
+
+// What the slices of one bird leave on the plate, cut across its axis or at 45 degrees to it, sums to what the whole
+// bird leaves: 1.6 and 0.9 % more with particles of 4 mm, for every part bounces a little by itself (5 mm, three parts:
+// 5
+// %). Masses make up the bird's.
+TEST(RigidPlate, SlicesOfABirdSumToTheWhole)
+{
+  const auto strike = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"Bird/Particle spacing=0.004", "Time/End time=1.2e-3"});
+    return run_shipped("rigid-plate.prm", more);
+  };
+  const double whole = strike({}).summary.number("contact/impulse/2");
+  for (const char *normal : {"0, 0, 1", "1, 0, 1"})
+    {
+      double impulse = 0., sum = 0.;
+      for (const char *between : {"-1, 0", "0, 1"})
+        {
+          const Strike part =
+            strike({"Bird/Slice/Between=" + std::string(between), "Bird/Slice/Normal=" + std::string(normal)});
+          impulse += part.summary.number("contact/impulse/2");
+          sum += part.summary.number("bird/mass");
+        }
+      EXPECT_NEAR(sum, mass, 1e-12 * mass) << normal;
+      EXPECT_NEAR(impulse / whole, 1., 0.025) << normal;
+    }
+}
