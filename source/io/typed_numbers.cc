@@ -124,8 +124,9 @@ namespace birdstrike
         for (std::size_t begin = 0; begin <= text.size();)
           {
             const std::size_t end      = std::min(text.find(';', begin), text.size());
-            const std::string piece    = text.substr(begin, end - begin);
-            const std::size_t mark     = piece.find_last_of(":=");
+            std::string       piece    = text.substr(begin, end - begin);
+            std::size_t       mark     = piece.find_last_of(":=");
+            const std::string tail     = take_name(piece, mark);
             const std::string key      = mark == std::string::npos ? "" : piece.substr(0, mark + 1) + " ";
             const std::string given    = trim(key.empty() ? piece : piece.substr(mark + 1));
             const Quantity    quantity = split(given, true);
@@ -134,14 +135,29 @@ namespace birdstrike
               read = number(given);
             else if (!quantity.unit.empty() && (key.empty() || is_mine(quantity.unit)))
               read = convert(given, quantity);
-            result +=
-              (begin > 0 ? ";" : "") + (read == given ? piece : (begin > 0 && key.empty() ? " " : "") + key + read);
+            result += (begin > 0 ? ";" : "") +
+                      (read == given ? piece : (begin > 0 && key.empty() ? " " : "") + key + read) + tail;
             begin = end + 1;
           }
         return result;
       }
 
     private:
+      /// Takes the name off "0: 0.125 mm: carbon": what stands behind a second mark and begins as no number does.
+      static std::string take_name(std::string &piece, std::size_t &mark)
+      {
+        if (mark == std::string::npos || mark == 0)
+          return "";
+        const std::size_t before = piece.find_last_of(":=", mark - 1);
+        const std::string name   = trim(piece.substr(mark + 1));
+        if (before == std::string::npos || name.empty() || !std::isalpha(static_cast<unsigned char>(name[0])))
+          return "";
+        std::string tail = piece.substr(mark);
+        piece.resize(mark);
+        mark = before;
+        return tail;
+      }
+
       const KnownEntry   &entry;
       const std::string  &where;
       std::optional<Unit> own;

@@ -61,9 +61,13 @@ namespace birdstrike
           if (of_section.is_laminate())
             {
               const std::string where = path + "Laminate/";
-              const Ply        &ply   = of_section.laminate.ply;
-              check({"density", where + "Density", ply.density, "kg/m^3", 200., 25e3, of_density}, warnings);
-              check({"young", where + "Young's modulus 1", ply.young_1, "Pa", 5e5, 2e12, of_stress}, warnings);
+              for (const auto &[name, entries, ply] : of_section.laminate.stack().materials)
+                {
+                  const std::string of_ply = name.empty() ? where : "Blade/Laminate/" + entries;
+                  // cores are of foam, balsa and honeycomb
+                  check({"density", of_ply + "Density", ply.density, "kg/m^3", 20., 25e3, of_density}, warnings);
+                  check({"young", of_ply + "Young's modulus 1", ply.young_1, "Pa", 5e5, 2e12, of_stress}, warnings);
+                }
               continue;
             }
           const std::string where    = path + "Material/";

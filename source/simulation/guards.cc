@@ -137,9 +137,9 @@ namespace birdstrike
     if (scene.blade && scene.blade->is_deformable())
       for (const auto &[number, of_section] : parameters.blade.by_section())
         {
-          const double young =
-            of_section.is_laminate() ? of_section.laminate.ply.young_1 : of_section.material.metal().elasticity.young;
-          metal_sound_speed = std::max(metal_sound_speed, std::sqrt(young / of_section.density()));
+          const double young = of_section.is_laminate() ? of_section.laminate.largest_young()
+                                                        : of_section.material.metal().elasticity.young;
+          metal_sound_speed  = std::max(metal_sound_speed, std::sqrt(young / of_section.density()));
         }
   }
 

@@ -16,100 +16,6 @@ namespace birdstrike
   namespace
   {
     using dealii::Utilities::trim;
-
-    constexpr std::size_t most_plies = 1000;
-
-    [[noreturn]] void refuse(const std::string &where, const std::string &piece)
-    {
-      throw InputError(where + "Plies: cannot read '" + piece +
-                       "'.\nAllowed: angles in degrees with thicknesses, '0: 0.125 mm; 45: 0.125 mm', angles of equal "
-                       "plies, '0; 45; -45; 90', or a stacking code, '[0/45/-45/90]2s', with 0_3 for three plies and "
-                       "+-45 for two.");
-    }
-
-    double read_angle(const std::string &text, const std::string &where)
-    {
-      if (!dealii::Patterns::Double(-360., 360.).match(text))
-        refuse(where, text);
-      return dealii::Utilities::string_to_double(text);
-    }
-
-    /// "3" of "0_3"; at least 1.
-    std::size_t read_count(const std::string &text, const std::string &where)
-    {
-      if (!dealii::Patterns::Integer(1, most_plies).match(text))
-        refuse(where, text);
-      return dealii::Utilities::string_to_int(text);
-    }
-
-    /// "0_2/+-45" -> 0, 0, 45, -45.
-    std::vector<double> read_stack(const std::string &text, const std::string &where)
-    {
-      std::vector<double> angles;
-      for (const std::string &piece : dealii::Utilities::split_string_list(text, '/'))
-        {
-          const std::size_t underline = std::min(piece.find('_'), piece.size());
-          const std::string one       = trim(piece.substr(0, underline));
-          const bool        is_pair   = one.starts_with("+-");
-          const double      angle     = read_angle(is_pair ? one.substr(2) : one, where);
-          const std::size_t n = underline < piece.size() ? read_count(trim(piece.substr(underline + 1)), where) : 1;
-          for (std::size_t k = 0; k < n && angles.size() <= most_plies; ++k)
-            {
-              angles.push_back(angle);
-              if (is_pair)
-                angles.push_back(-angle);
-            }
-        }
-      return angles;
-    }
-
-    /// "[...]2s"
-    std::vector<PlyLayer> read_code(const std::string &text, const std::string &where)
-    {
-      const std::size_t close = text.find(']');
-      if (close == std::string::npos)
-        refuse(where, text);
-      std::string repeat       = trim(text.substr(close + 1));
-      const bool  is_symmetric = repeat.ends_with('s');
-      if (is_symmetric)
-        repeat.pop_back();
-      const std::size_t         n   = repeat.empty() ? 1 : read_count(trim(repeat), where);
-      const std::vector<double> one = read_stack(text.substr(1, close - 1), where);
-      std::vector<double>       angles;
-      for (std::size_t k = 0; k < n && angles.size() <= most_plies; ++k)
-        angles.insert(angles.end(), one.begin(), one.end());
-      if (is_symmetric)
-        {
-          const std::vector<double> half = angles;
-          angles.insert(angles.end(), half.rbegin(), half.rend());
-        }
-      std::vector<PlyLayer> layers;
-      for (const double angle : angles)
-        layers.push_back({angle, 1.});
-      return layers;
-    }
-
-    std::vector<PlyLayer> read_list(const std::string &text, const std::string &where)
-    {
-      std::vector<PlyLayer> layers;
-      std::size_t           n_with_thickness = 0;
-      for (const std::string &piece : dealii::Utilities::split_string_list(text, ';'))
-        {
-          const std::size_t colon = piece.find(':');
-          layers.push_back({read_angle(trim(piece.substr(0, colon)), where), 1.});
-          if (colon == std::string::npos)
-            continue;
-          const std::string thickness = trim(piece.substr(colon + 1));
-          if (!dealii::Patterns::Double(1e-30, 1e30).match(thickness))
-            refuse(where, piece);
-          layers.back().share = dealii::Utilities::string_to_double(thickness);
-          ++n_with_thickness;
-        }
-      if (n_with_thickness > 0 && n_with_thickness < layers.size())
-        throw InputError(where + "Plies: some plies have a thickness and some have none.\nGive all of them one, or "
-                                 "none: then they are equal.");
-      return layers;
-    }
   } // namespace
 
   LaminateParameters LaminateParameters::of_blade()
@@ -140,6 +46,7 @@ namespace birdstrike
     fill(result.n_degradation_steps, blade.n_degradation_steps);
     fill(result.failed_share, blade.failed_share);
     fill(result.smallest_step, blade.smallest_step);
+    fill(result.materials, blade.materials);
     return result;
   }
 
@@ -151,7 +58,10 @@ namespace birdstrike
       "Makes shells a laminate: angles of its plies in degrees from the bottom (the side that the normal leaves) to "
       "the top, with thicknesses, '0: 0.125 mm; 45: 0.25 mm', or equal ones by a stacking code, '[0/45/-45/90]2s', "
       "'[0_2/+-45]s'. Thicknesses count by their shares of the sum: how thick the blade is says Thickness, and tapered "
-      "blades have tapered plies. Empty: a metal. [m]",
+      "blades have tapered plies. A third part names the material of a ply (Material k/Name): '0: 0.125 mm: carbon; 0: "
+      "5 "
+      "mm: foam', or with equal plies '0: carbon'; without it a ply has the constants of this section. Empty: a metal. "
+      "[m]",
       Patterns::Anything());
     prm.add_parameter("Reference direction", reference_direction,
                       "Global direction 'x y z' that the angles are counted from, projected on each element at the "
@@ -177,21 +87,6 @@ namespace birdstrike
                       Patterns::Double(0., 0.9));
   }
 
-  std::vector<PlyLayer> LaminateParameters::layers(const std::string &where) const
-  {
-    const std::string     text   = trim(plies);
-    std::vector<PlyLayer> result = text.starts_with('[') ? read_code(text, where) : read_list(text, where);
-    if (result.empty() || result.size() > most_plies)
-      throw InputError(where + "Plies: " + std::to_string(result.size()) + " plies were read.\nAllowed: 1 to " +
-                       std::to_string(most_plies) + ".");
-    double sum = 0.;
-    for (const PlyLayer &layer : result)
-      sum += layer.share;
-    for (PlyLayer &layer : result)
-      layer.share /= sum;
-    return result;
-  }
-
   std::array<double, 3> LaminateParameters::reference(const std::string &where) const
   {
     const auto numbers = parse_numbers(reference_direction, 3, where + "Reference direction");
@@ -201,14 +96,76 @@ namespace birdstrike
     return {{numbers[0], numbers[1], numbers[2]}};
   }
 
+  void LaminateParameters::declare_materials(dealii::ParameterHandler &prm)
+  {
+    for (std::size_t k = 0; k < materials.size(); ++k)
+      {
+        prm.enter_subsection("Material " + std::to_string(k + 1));
+        prm.add_parameter(
+          "Name", materials[k].name,
+          "What plies of Blade/Laminate and of sections call this material, elastic until it fails; its "
+          "constants are all its own. Isotropic: moduli 1 and 2 equal, shear moduli E/(2 (1 + nu)). "
+          "Empty: there is none. [-]",
+          dealii::Patterns::Anything());
+        declare_ply(prm, materials[k].ply);
+        prm.leave_subsection();
+      }
+  }
+
   void LaminateParameters::check(const std::string &where) const
   {
-    layers(where);
+    check_materials();
+    for (const PlyMaterial &material : stack(where).materials)
+      check_ply(material.ply, material.name.empty() ? where : "Blade/Laminate/" + material.entries);
     reference(where);
-    check_ply(ply, where);
-    if (smallest_step > 0. && !ply.strength.can_fail())
+    if (smallest_step > 0. && !can_fail())
       throw InputError(where + "Smallest step is given, but no strength: no element of such plies is taken away.\nGive "
                                "the strengths, or set Smallest step = 0.");
+  }
+
+  void LaminateParameters::check_materials() const
+  {
+    for (std::size_t k = 0; k < materials.size(); ++k)
+      {
+        const std::string where = "Blade/Laminate/Material " + std::to_string(k + 1) + "/",
+                          name  = trim(materials[k].name);
+        if (name.empty() && materials[k].ply != Ply())
+          throw InputError(where +
+                           "Name is not given, but constants are.\nName the material, as plies call it, or leave "
+                           "them out.");
+        if (name.find_first_of(":;[]/") != std::string::npos || dealii::Patterns::Double().match(name))
+          throw InputError(where + "Name: '" + name +
+                           "' cannot be told from the numbers of Plies.\nChoose a word without ':', ';', '/' and "
+                           "brackets.");
+        for (std::size_t other = 0; other < k && !name.empty(); ++other)
+          if (trim(materials[other].name) == name)
+            throw InputError(where + "Name: '" + name + "' is the name of Material " + std::to_string(other + 1) +
+                             " too.\nGive each its own.");
+      }
+  }
+
+  bool LaminateParameters::can_fail() const
+  {
+    const PlyStack all = stack();
+    return std::any_of(all.materials.begin(), all.materials.end(),
+                       [](const PlyMaterial &material) { return material.ply.strength.can_fail(); });
+  }
+
+  double LaminateParameters::density() const
+  {
+    const PlyStack all = stack();
+    double         sum = all.materials[0].ply.density;
+    for (const PlyLayer &layer : all.layers) // of one material its own, to the last bit
+      sum += layer.share * (all.materials[layer.material].ply.density - all.materials[0].ply.density);
+    return sum;
+  }
+
+  double LaminateParameters::largest_young() const
+  {
+    double largest = 0.;
+    for (const PlyMaterial &material : stack().materials)
+      largest = std::max(largest, material.ply.young_1);
+    return largest;
   }
 
   bool LaminateParameters::is_symmetric_about_y() const
@@ -223,8 +180,20 @@ namespace birdstrike
 
   std::string describe(const LaminateParameters &laminate)
   {
-    const std::string text = trim(laminate.plies);
-    return fmt::format("{} plies{}, {}", laminate.layers().size(), text.starts_with('[') ? ", " + text : "",
-                       describe(laminate.ply));
+    const std::string code  = trim(laminate.plies);
+    const PlyStack    stack = laminate.stack();
+    std::string       text  = fmt::format("{} plies{}", stack.layers.size(), code.starts_with('[') ? ", " + code : "");
+    for (std::size_t k = 0; k < stack.materials.size(); ++k)
+      {
+        const PlyMaterial &material = stack.materials[k];
+        double             share    = 0.;
+        for (const PlyLayer &layer : stack.layers)
+          share += layer.material == k ? layer.share : 0.;
+        if (stack.materials.size() > 1 || !material.name.empty())
+          text += fmt::format("; {:.4g} % of the thickness {}", 100. * share,
+                              material.name.empty() ? "without a name" : material.name);
+        text += (stack.materials.size() > 1 || !material.name.empty() ? ": " : ", ") + describe(material.ply);
+      }
+    return text;
   }
 } // namespace birdstrike

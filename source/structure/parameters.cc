@@ -63,13 +63,16 @@ namespace birdstrike
       prm.leave_subsection();
     }
 
-    void declare_material(dealii::ParameterHandler &prm, MetalParameters &metal, LaminateParameters &laminate)
+    void declare_material(dealii::ParameterHandler &prm, MetalParameters &metal, LaminateParameters &laminate,
+                          const bool is_of_blade)
     {
       prm.enter_subsection("Material");
       metal.declare(prm);
       prm.leave_subsection();
       prm.enter_subsection("Laminate");
       laminate.declare(prm);
+      if (is_of_blade)
+        laminate.declare_materials(prm);
       prm.leave_subsection();
     }
 
@@ -89,7 +92,7 @@ namespace birdstrike
         "Thickness of shells, a number or a formula in x, y, z, before Thickness/By material; empty: the "
         "blade's. [m]",
         Anything());
-      declare_material(prm, p.material, p.laminate);
+      declare_material(prm, p.material, p.laminate, false);
       prm.leave_subsection();
     }
 
@@ -249,12 +252,12 @@ namespace birdstrike
 
   bool BladeParameters::material_can_fail() const
   {
-    return is_laminate() ? laminate.ply.strength.can_fail() : material.metal().failure.can_fail();
+    return is_laminate() ? laminate.can_fail() : material.metal().failure.can_fail();
   }
 
   double BladeParameters::density() const
   {
-    return is_laminate() ? laminate.ply.density : material.metal().density;
+    return is_laminate() ? laminate.density() : material.metal().density;
   }
 
   std::string BladeParameters::section_path(const std::size_t section)
@@ -280,7 +283,7 @@ namespace birdstrike
     thickness.declare(prm);
     declare_element(prm, element);
     declare_mass_scaling(prm, mass_scaling);
-    declare_material(prm, material, laminate);
+    declare_material(prm, material, laminate, true);
     for (std::size_t k = 0; k < n_sections; ++k)
       declare_section(prm, "Section " + std::to_string(k + 1), sections[k]);
     declare_supports(prm, supports);

@@ -18,8 +18,12 @@ namespace birdstrike
 
     std::shared_ptr<const Laminate> make_laminate(const LaminateParameters &p)
     {
-      const auto direction = p.reference();
-      auto       laminate  = std::make_shared<Laminate>(p.ply, p.layers(), Point3(direction.data()), p.n_per_ply);
+      const auto       direction = p.reference();
+      const PlyStack   stack     = p.stack();
+      std::vector<Ply> plies;
+      for (const PlyMaterial &material : stack.materials)
+        plies.push_back(material.ply);
+      auto laminate = std::make_shared<Laminate>(plies, stack.layers, Point3(direction.data()), p.n_per_ply);
       laminate->n_degradation_steps = p.n_degradation_steps;
       laminate->failed_share        = p.failed_share;
       laminate->smallest_step       = p.smallest_step;

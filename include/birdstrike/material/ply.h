@@ -70,11 +70,34 @@ namespace birdstrike
       q66                = ply.shear_12 * matrix;
     }
 
-    void compute_stress(const Number (&strain)[3], Number (&stress)[3]) const
+    template <class Strain>
+    void compute_stress(const Strain (&strain)[3], Strain (&stress)[3]) const
     {
       stress[0] = q11 * strain[0] + q12 * strain[1];
       stress[1] = q12 * strain[0] + q22 * strain[1];
       stress[2] = q66 * strain[2];
+    }
+  };
+
+  /// What compute_failure_indices() takes of strengths; all zero of a ply that never fails: its indices are zero.
+  struct PlyCriteria
+  {
+    double tension = 0., compression = 0., opening = 0., shear = 0.; ///< 1/Pa, of X_t, X_c, Y_t and S_c
+    double closing = 0., linear = 0.;                                ///< 1/Pa, of s_22 < 0: squared, and by itself
+    double shear_weight = 0.;                                        ///< -
+
+    explicit PlyCriteria(const PlyStrength &s)
+    {
+      if (!s.can_fail())
+        return;
+      tension            = 1. / s.longitudinal_tension;
+      compression        = 1. / s.longitudinal_compression;
+      opening            = 1. / s.transverse_tension;
+      shear              = 1. / s.shear;
+      closing            = 0.5 / s.shear;
+      const double ratio = 0.5 * s.transverse_compression / s.shear;
+      linear             = (ratio * ratio - 1.) / s.transverse_compression;
+      shear_weight       = s.shear_weight;
     }
   };
 
@@ -85,20 +108,15 @@ namespace birdstrike
   ///   matrix tension      s_22 >= 0:  (s_22/Y_t)^2 + (s_12/S_c)^2
   ///   matrix compression  s_22 < 0:   (s_22/(2 S_c))^2 + ((Y_c/(2 S_c))^2 - 1) s_22/Y_c + (s_12/S_c)^2
   template <class Number>
-  inline void compute_failure_indices(const PlyStrength &strength, const Number (&s)[3],
+  inline void compute_failure_indices(const PlyCriteria &of, const Number (&s)[3],
                                       Number (&index)[PlyDamage<Number>::n_modes])
   {
-    const Number zero = 0., tension = (1. / strength.longitudinal_tension) * s[0],
-                 compression = (1. / strength.longitudinal_compression) * s[0],
-                 opening = (1. / strength.transverse_tension) * s[1], shear = (1. / strength.shear) * s[2],
-                 closing  = (0.5 / strength.shear) * s[1];
-    const double ratio    = 0.5 * strength.transverse_compression / strength.shear;
-    const auto   is_along = s[0] > zero, is_open = s[1] >= zero;
-    index[0] = select(is_along, Number(tension * tension + strength.shear_weight * shear * shear), zero);
+    const Number zero = 0., tension = of.tension * s[0], compression = of.compression * s[0],
+                 opening = of.opening * s[1], shear = of.shear * s[2], closing = of.closing * s[1];
+    const auto is_along = s[0] > zero, is_open = s[1] >= zero;
+    index[0] = select(is_along, Number(tension * tension + of.shear_weight * shear * shear), zero);
     index[1] = select(is_along, zero, Number(compression * compression));
     index[2] = select(is_open, Number(opening * opening + shear * shear), zero);
-    index[3] = select(
-      is_open, zero,
-      Number(closing * closing + ((ratio * ratio - 1.) / strength.transverse_compression) * s[1] + shear * shear));
+    index[3] = select(is_open, zero, Number(closing * closing + of.linear * s[1] + shear * shear));
   }
 } // namespace birdstrike

@@ -58,14 +58,15 @@ namespace laminate_case
     Matrix3<double> A = Matrix3<double>::Zero(), B = A, D = A;
   };
 
-  inline ABD lamination_theory(const Ply &p, const std::vector<PlyLayer> &plies, const double thickness)
+  inline ABD lamination_theory(const std::vector<Ply> &of, const std::vector<PlyLayer> &plies, const double thickness)
   {
-    ABD          result;
-    const double nu_21 = p.poisson_12 * p.young_2 / p.young_1, d = 1. - p.poisson_12 * nu_21;
-    const double Q11 = p.young_1 / d, Q22 = p.young_2 / d, Q12 = p.poisson_12 * p.young_2 / d, Q66 = p.shear_12;
-    double       z = -0.5 * thickness;
+    ABD    result;
+    double z = -0.5 * thickness;
     for (const PlyLayer &ply : plies)
       {
+        const Ply      &p     = of[ply.material];
+        const double    nu_21 = p.poisson_12 * p.young_2 / p.young_1, d = 1. - p.poisson_12 * nu_21;
+        const double    Q11 = p.young_1 / d, Q22 = p.young_2 / d, Q12 = p.poisson_12 * p.young_2 / d, Q66 = p.shear_12;
         const double    c = std::cos(ply.angle * M_PI / 180.), s = std::sin(ply.angle * M_PI / 180.);
         const double    c2 = c * c, s2 = s * s;
         const double    q11 = Q11 * c2 * c2 + 2. * (Q12 + 2. * Q66) * s2 * c2 + Q22 * s2 * s2;
@@ -83,5 +84,43 @@ namespace laminate_case
         z = top;
       }
     return result;
+  }
+
+  inline ABD lamination_theory(const Ply &p, const std::vector<PlyLayer> &plies, const double thickness)
+  {
+    return lamination_theory(std::vector<Ply>{p}, plies, thickness);
+  }
+
+  inline Ply isotropic(const double young, const double poisson, const double density)
+  {
+    Ply ply;
+    ply.density = density;
+    ply.young_1 = ply.young_2 = young;
+    ply.poisson_12            = poisson;
+    ply.shear_12 = ply.shear_13 = ply.shear_23 = 0.5 * young / (1. + poisson);
+    return ply;
+  }
+
+  inline ShellSection section_of(const std::vector<Ply> &of, const std::vector<PlyLayer> &plies,
+                                 const ShellFormulation formulation)
+  {
+    ShellSection section;
+    section.formulation = formulation;
+    section.laminate    = std::make_shared<Laminate>(of, plies, Point3::UnitX());
+    return section;
+  }
+
+  /// 1/s^2, of all nodes free.
+  inline double exact_eigenvalue(Model &model)
+  {
+    Eigen::MatrixXd K    = model.compute_stiffness();
+    K                    = 0.5 * (K + K.transpose()).eval();
+    const auto      mass = model.elements.compute_nodal_masses(), inertia = model.elements.compute_rotary_inertias();
+    Eigen::VectorXd scale(model.n_dofs());
+    for (std::size_t d = 0; d < model.n_dofs(); ++d)
+      scale[d] = 1. / std::sqrt(d % 6 < 3 ? mass[d / 6] : inertia[d / 6]);
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * K * scale.asDiagonal())
+      .eigenvalues()
+      .maxCoeff();
   }
 } // namespace laminate_case

@@ -26,7 +26,7 @@ namespace birdstrike
     }
     double density() const ///< kg/m^3
     {
-      return laminate ? laminate->ply.density : material.density;
+      return laminate ? laminate->density : material.density;
     }
     double failed_share() const ///< as of Failure, with smallest_step()
     {

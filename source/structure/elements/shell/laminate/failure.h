@@ -8,14 +8,14 @@ namespace birdstrike
   template <class Number>
   bool begins_to_fail(const Laminate &law, const LaminateState<Number> &state)
   {
-    const PlyStiffness<Number> intact(law.ply, Number(1.), Number(1.));
-    Number                     largest = 0.;
+    Number largest = 0.;
     for (const Laminate::Layer &layer : law.layers)
       {
         Number e[3], s[3], index[PlyDamage<Number>::n_modes];
         compute_ply_strain(layer, layer.middle(), state.strain, e);
-        intact.compute_stress(e, s);
-        compute_failure_indices(law.ply.strength, s, index);
+        const Laminate::Material &material = law.of(layer);
+        material.intact.compute_stress(e, s);
+        compute_failure_indices(material.criteria, s, index);
         largest = max(largest, max(max(index[0], index[1]), max(index[2], index[3])));
       }
     return any(largest >= Number(1.));
@@ -41,13 +41,14 @@ namespace birdstrike
       state.stress[i] = zero;
     for (std::size_t k = 0; k < law.layers.size(); ++k)
       {
-        const Laminate::Layer &layer = law.layers[k];
-        PlyDamage<Number>     &d     = damage[k];
-        const double           h = layer.middle(), share = layer.share(), second = share * share / 3.;
-        Number                 e[3], s[3], index[PlyDamage<Number>::n_modes];
+        const Laminate::Layer    &layer    = law.layers[k];
+        const Laminate::Material &material = law.of(layer);
+        PlyDamage<Number>        &d        = damage[k];
+        const double              h = layer.middle(), share = layer.share(), second = share * share / 3.;
+        Number                    e[3], s[3], index[PlyDamage<Number>::n_modes];
         compute_ply_strain(layer, h, state.strain, e);
-        PlyStiffness<Number>(law.ply, one - d.fibre(), one - d.matrix()).compute_stress(e, s);
-        compute_failure_indices(law.ply.strength, s, index);
+        PlyStiffness<Number>(material.ply, one - d.fibre(), one - d.matrix()).compute_stress(e, s);
+        compute_failure_indices(material.criteria, s, index);
         for (int m = 0; m < PlyDamage<Number>::n_modes; ++m)
           {
             const Number old = d.mode[m];
@@ -55,7 +56,7 @@ namespace birdstrike
             step.growth += d.mode[m] - old;
           }
         const Number               fibre = one - d.fibre(), matrix = one - d.matrix();
-        const PlyStiffness<Number> left(law.ply, fibre, matrix);
+        const PlyStiffness<Number> left(material.ply, fibre, matrix);
         step.carries += share * min(fibre, matrix);
         left.compute_stress(e, s);
         // what grows with h: its mean over the layer is none

@@ -180,7 +180,7 @@ namespace birdstrike
         damage.mode[m] = lane(laminate->damage[at][number].mode[m], e % n_lanes);
     double strain[3], own[3], turned[3], result[3];
     compute_ply_strain(layer, height, state.strain, strain);
-    PlyStiffness<double>(law.ply, 1. - damage.fibre(), 1. - damage.matrix()).compute_stress(strain, own);
+    PlyStiffness<double>(law.of(layer).ply, 1. - damage.fibre(), 1. - damage.matrix()).compute_stress(strain, own);
     LaminateAxes<double> axes(geometry(e), in_lane(laminate->elements[e / n_lanes], e % n_lanes)), of_layer = axes;
     of_layer.c = layer.cos;
     of_layer.s = layer.sin;
@@ -211,7 +211,9 @@ namespace birdstrike
         const auto &damage = laminate->damage[n_in_plane * (e / n_lanes) + i];
         for (std::size_t p = 0; p < damage.size(); ++p)
           {
-            const double share = laminate->law->layers[p].share() / double(n_in_plane);
+            const Laminate        &law   = *laminate->law;
+            const Laminate::Layer &layer = law.layers[p];
+            const double share = layer.share() * (law.of(layer).ply.density / law.density) / double(n_in_plane);
             if (lane(damage[p].fibre(), e % n_lanes) > 0.)
               shares[0] += share;
             else if (lane(damage[p].matrix(), e % n_lanes) > 0.)

@@ -42,9 +42,9 @@ namespace birdstrike
     }
   } // namespace
 
-  Laminate::Laminate(const Ply &ply, const std::vector<PlyLayer> &plies, const Point3 &reference,
+  Laminate::Laminate(const std::vector<Ply> &of_plies, const std::vector<PlyLayer> &plies, const Point3 &reference,
                      const unsigned int n_per_ply)
-    : ply(ply), reference(reference)
+    : materials(of_plies.begin(), of_plies.end()), reference(reference), density(of_plies[0].density)
   {
     Matrix6 C    = Matrix6::Zero();
     double  from = 0.;
@@ -56,14 +56,15 @@ namespace birdstrike
         const double c         = is_turned ? std::cos(angle) : std::round(std::cos(angle)),
                      s         = is_turned ? std::sin(angle) : std::round(std::sin(angle));
         for (unsigned int k = 0; k < n_per_ply; ++k)
-          layers.push_back(
-            {2. * (from + of.share * k / n_per_ply) - 1., 2. * (from + of.share * (k + 1) / n_per_ply) - 1., c, s});
+          layers.push_back({2. * (from + of.share * k / n_per_ply) - 1.,
+                            2. * (from + of.share * (k + 1) / n_per_ply) - 1., c, s, of.material});
         from += of.share;
+        density += of.share * (of_plies[of.material].density - of_plies[0].density);
       }
     layers.back().top = 1.;
     for (const Layer &layer : layers)
       {
-        const Matrix3<double> q = turned_stiffness(ply, layer.cos, layer.sin);
+        const Matrix3<double> q = turned_stiffness(of(layer).ply, layer.cos, layer.sin);
         const double          a = layer.bottom, b = layer.top;
         C.topLeftCorner<3, 3>() += 0.5 * (b - a) * q;
         C.topRightCorner<3, 3>() += 0.25 * (b * b - a * a) * q;
@@ -94,8 +95,8 @@ namespace birdstrike
                      weight[3] = {5. / 9., 8. / 9., 5. / 9.};
     for (const Layer &layer : layers)
       {
-        const Matrix3<double> q        = turned_stiffness(ply, layer.cos, layer.sin);
-        const Eigen::Matrix2d softest  = turned_shear(ply, layer.cos, layer.sin).inverse();
+        const Matrix3<double> q        = turned_stiffness(of(layer).ply, layer.cos, layer.sin);
+        const Eigen::Matrix2d softest  = turned_shear(of(layer).ply, layer.cos, layer.sin).inverse();
         const auto            shear_at = [&](const double h) {
           Eigen::Matrix2d f = F;
           for (int d = 0; d < 2; ++d)

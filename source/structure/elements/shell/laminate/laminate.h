@@ -26,8 +26,9 @@ namespace birdstrike
   {
     struct Layer
     {
-      double bottom, top; ///< h
-      double cos, sin;    ///< of the fibres' angle
+      double      bottom, top; ///< h
+      double      cos, sin;    ///< of the fibres' angle
+      std::size_t material = 0;
 
       double middle() const
       {
@@ -39,12 +40,30 @@ namespace birdstrike
       }
     };
 
-    /// `plies` from the bottom; `n_per_ply` layers, each with one point, for each of them.
-    Laminate(const Ply &ply, const std::vector<PlyLayer> &plies, const Point3 &reference, unsigned int n_per_ply = 1);
+    /// What layers are of.
+    struct Material
+    {
+      Ply                  ply;
+      PlyStiffness<double> intact;
+      PlyCriteria          criteria;
 
-    Ply                ply;
-    std::vector<Layer> layers;
-    Point3             reference; ///< global, that angles are counted from, projected on the elements
+      explicit Material(const Ply &ply) : ply(ply), intact(ply, 1., 1.), criteria(ply.strength)
+      {
+      }
+    };
+
+    /// `plies` from the bottom, of these materials; `n_per_ply` layers, each with one point, for each of them.
+    Laminate(const std::vector<Ply> &of, const std::vector<PlyLayer> &plies, const Point3 &reference,
+             unsigned int n_per_ply = 1);
+    Laminate(const Ply &ply, const std::vector<PlyLayer> &plies, const Point3 &reference, unsigned int n_per_ply = 1)
+      : Laminate(std::vector<Ply>{ply}, plies, reference, n_per_ply)
+    {
+    }
+
+    std::vector<Material> materials;
+    std::vector<Layer>    layers;
+    Point3                reference;    ///< global, that angles are counted from, projected on the elements
+    double                density = 0.; ///< kg/m^3, mean over the thickness
 
     unsigned int n_degradation_steps = 100;
     double       failed_share = 1., smallest_step = 0.; ///< as of Failure
@@ -73,7 +92,14 @@ namespace birdstrike
 
     bool can_fail() const
     {
-      return ply.strength.can_fail();
+      for (const Material &each : materials)
+        if (each.ply.strength.can_fail())
+          return true;
+      return false;
+    }
+    const Material &of(const Layer &layer) const
+    {
+      return materials[layer.material];
     }
     const Layer &at(double height) const; ///< the layer at h
 
