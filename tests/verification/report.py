@@ -88,7 +88,7 @@ def draw(rows, output):
               "unset key", "set multiplot layout 1,2 title 'Grey: tolerance. Blue: found within it. Red: missed.'", "set grid x lc '#dddddd'",
               "set ytics font ',8'"]
     for panel, chosen in enumerate((near, below)):
-        names = ", ".join("'%s' %d" % (re.sub(r"[_^{}@&']", " ", f"{r['case']} {r['what']}")[:62], -k) for k, r in enumerate(chosen))
+        names = ", ".join("'%s' %d" % (re.sub(r"[_^{}@&']", " ", f"{r['case']} {r['what']}")[:62].replace("%", "%%"), -k) for k, r in enumerate(chosen))
         script += [f"set ytics ({names})", f"set yrange [{-len(chosen)}:1]", "$band << EOD"]
         for k, r in enumerate(chosen):
             low, high = (clip(r["low"] / r["reference"]), clip(r["high"] / r["reference"])) if panel == 0 else (1e-16, 1.)

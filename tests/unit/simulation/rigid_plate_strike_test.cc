@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "strike_harness.h"
 
 #include <gtest/gtest.h>
@@ -128,6 +129,7 @@ TEST(RigidPlate, SlicesOfABirdSumToTheWhole)
           sum += part.summary.number("bird/mass");
         }
       EXPECT_NEAR(sum, mass, 1e-12 * mass) << normal;
+      record(normal, impulse / whole);
       EXPECT_NEAR(impulse / whole, 1., 0.025) << normal;
     }
 }

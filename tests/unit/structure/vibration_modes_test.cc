@@ -1,3 +1,4 @@
+#include "../record.h"
 #include "blade_case.h"
 
 #include <birdstrike/core/errors.h>
@@ -47,6 +48,8 @@ namespace birdstrike
         // the fifth is in the plane: nearly all of its mass moves along the chord
         EXPECT_GT(found.modes[4].effective_mass[1], 0.5) << kind;
         found.modes.erase(found.modes.begin() + 4);
+        record(std::string(kind) + " first torsion", found.modes[2].frequency);
+        record(std::string(kind) + " fourth bending", found.modes[5].frequency);
         for (std::size_t k = 0; k < mindlin.size(); ++k)
           EXPECT_NEAR(found.modes[k].frequency / mindlin[k], 1., k == 2 || k == 4 ? 2e-3 : 1e-3) << kind << k;
       }
@@ -75,6 +78,8 @@ namespace birdstrike
           for (const auto &mode : modes_of(p, 5).modes)
             if (mode.effective_mass[2] > 0.01 && k < 3) // the others are in the plane of rotation
               {
+                record(std::string(kind) + " eta " + std::to_string(int(row.eta)) + " flap " + std::to_string(k + 1),
+                       2. * M_PI * mode.frequency / unit);
                 EXPECT_NEAR(2. * M_PI * mode.frequency / unit / row.flap[k], 1., k < 2 ? 1e-3 : 2.5e-3)
                   << kind << " eta " << row.eta << " mode " << k;
                 ++k;
