@@ -97,10 +97,11 @@ namespace birdstrike
   /// energy in fixed axes next to nothing.
   double Balance::scale_of(const SystemState &state) const
   {
-    const double work = std::abs(external_work_of(state)), driven = state.blade.driven;
-    if (driven == 0.)
+    const double driven = state.blade.driven, spun_up = driven - reference_driven;
+    const double work = std::abs(external_work_of(state) - spun_up);
+    if (driven == 0. && reference_driven == 0.)
       return std::abs(reference_energy) + work;
-    const double strike = std::max(std::abs(reference_energy - driven), state.seen_from_hub);
+    const double strike = std::max(std::abs(reference_energy - reference_driven), state.seen_from_hub);
     return std::max({scale, strike + work + std::abs(state.blade.kinetic - driven), least_of_rotation * driven});
   }
 
@@ -111,6 +112,7 @@ namespace birdstrike
     if (!has_reference)
       {
         reference_energy  = current_energy;
+        reference_driven  = state.blade.driven;
         linear.reference  = momentum_of(state, false);
         angular.reference = momentum_of(state, true);
         has_reference     = true;
@@ -225,7 +227,7 @@ namespace birdstrike
     birdstrike::archive(archive, "bird momentum", last.bird_momentum);
     birdstrike::archive(archive, "blade momentum", last.blade_momentum);
     archive("contact dissipation", most_dissipated, fall, last.contact_dissipation_fall);
-    archive("energy", reference_energy, current_energy, scale);
+    archive("energy", reference_energy, reference_driven, current_energy, scale);
     archive("reference momentum", linear.reference, angular.reference);
     archive("errors", error.now, error.largest, linear.error.now, linear.error.largest, angular.error.now,
             angular.error.largest);

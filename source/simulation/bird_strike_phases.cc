@@ -42,7 +42,7 @@ namespace birdstrike
       {
         const bool          are_kept = parameters.output.removed_fly_on && parameters.output.bird_fields;
         const FieldSnapshot before   = are_kept ? view().bird_snapshot() : FieldSnapshot();
-        const std::size_t   n        = projectile.bird->retire(scene.compute_reach_of_blade(horizon));
+        const std::size_t   n        = projectile.bird->retire(scene.compute_reach_of_blade(now, horizon));
         if (are_kept && n > 0)
           observed.removed_particles.keep(before, view().bird_snapshot(), now);
         projectile.n_retired += n;

@@ -79,10 +79,12 @@ namespace birdstrike
       const Rotor *const rotor = blade.rotor();
       if (rotor == nullptr)
         return;
-      const Point3 w = rotor->angular_velocity();
+      const HubMotion motion = rotor->motion(0.);
+      const double    sign = motion.speed < 0. ? -1. : 1., speed = sign * motion.speed;
       table.add("turns with its hub at",
-                fmt::format("{:.4g} rad/s, {:.4g} rpm, about {}", w.norm(), w.norm() * 30. / std::numbers::pi,
-                            vector_text({{w[0] / w.norm(), w[1] / w.norm(), w[2] / w.norm()}}, "")));
+                fmt::format("{:.4g} rad/s, {:.4g} rpm{}, about {}", speed, speed * 30. / std::numbers::pi,
+                            rotor->is_steady() ? "" : " at t = 0 and changing",
+                            vector_text({{sign * motion.axis[0], sign * motion.axis[1], sign * motion.axis[2]}}, "")));
       const StaticReport found = blade.static_report();
       if (found.n_unknowns == 0)
         table.add("centrifugal tension", "none at the start: Blade/Spin/Prestress is false");

@@ -141,24 +141,26 @@ namespace birdstrike
     return state;
   }
 
-  Box Scene::compute_reach_of_blade(const double horizon) const
+  Box Scene::compute_reach_of_blade(const double now, const double horizon) const
   {
     const FacetsView   facets = blade->facets();
     Box                box;
     const Rotor *const rotor = blade->rotor();
+    const HubMotion    hub   = (rotor != nullptr ? *rotor : Rotor()).motion(now);
+    std::vector<Turn>  turns; // that the hub will make; none without one
+    for (unsigned int k = 1; rotor != nullptr && k <= n_on_arc; ++k)
+      turns.push_back(rotor->turn(now, now + horizon * k / n_on_arc));
     for (std::size_t f = 0; f < facets.n_facets; ++f)
       for (const std::uint32_t n : facets.nodes[f]) // nodes without a facet meet nothing
         {
-          const Point3 now(facets.position + 3 * n);
-          const Point3 velocity(facets.velocity + facets.velocity_stride * n);
-          box.add(now.data());
-          for (unsigned int k = 1; k <= (rotor != nullptr ? n_on_arc : 1); ++k)
+          const Point3 x(facets.position + 3 * n), velocity(facets.velocity + facets.velocity_stride * n);
+          box.add(x.data());
+          if (rotor == nullptr)
+            box.add(Point3(x + horizon * velocity).data());
+          for (std::size_t k = 0; k < turns.size(); ++k)
             {
-              const double time = horizon * k / (rotor != nullptr ? n_on_arc : 1);
-              const Point3 then = rotor != nullptr
-                                    ? Point3(rotor->carried(now, time) +
-                                             rotor->turned(Point3(time * (velocity - rotor->velocity(now))), time))
-                                    : Point3(now + time * velocity);
+              const double time = horizon * (k + 1.) / n_on_arc;
+              const Point3 then = turns[k].carried(x) + turns[k](Point3(time * (velocity - hub.velocity(x))));
               box.add(then.data());
             }
         }

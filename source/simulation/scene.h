@@ -73,8 +73,8 @@ namespace birdstrike
     /// Energies and momenta of the whole scene, of birds that have gone too.
     SystemState state() const;
 
-    /// Where the blade's surface may be within `horizon` (s) at its present nodal velocities.
-    Box compute_reach_of_blade(double horizon) const;
+    /// Where the blade's surface may be from `now` on within `horizon` (s) at its present nodal velocities.
+    Box compute_reach_of_blade(double now, double horizon) const;
 
     /// All parts, and what the next plan depends on. A bird that the archived scene has dropped is dropped here.
     void archive(Archive &archive);

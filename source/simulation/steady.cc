@@ -125,7 +125,7 @@ namespace birdstrike
     const fs::path   output = folder_of(request, "static");
     ReportFolder::require_usable(output, kind);
     SteadyBlade        steady(request);
-    const double       speed  = steady.parameters.blade.spin.speed;
+    const double       speed  = Rotor(steady.parameters.blade.spin).speed(0.);
     const StaticReport report = steady.blade->find_equilibrium();
     if (report.n_unknowns == 0)
       throw InputError("Nothing loads the blade: it is at rest as it is.\nSet Blade/Spin/Speed or Blade/Loads.");
@@ -158,7 +158,8 @@ namespace birdstrike
             "Case/Symmetry plane: half a blade has half of its modes, those that mirror into themselves.\n"
             "Set it to none.");
         steady.blade->find_equilibrium();
-        all.push_back({steady.parameters.blade.spin.speed, steady.blade->compute_modes(request.n_modes)});
+        all.push_back(
+          {Rotor(steady.parameters.blade.spin).speed(0.), steady.blade->compute_modes(request.n_modes)});
         if (!folder)
           folder.emplace(output, kind);
         FieldSeries(folder->path(), speeds.size() == 1 ? "modes" : fmt::format("modes_{}", all.size()))

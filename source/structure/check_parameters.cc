@@ -2,6 +2,7 @@
 #include <birdstrike/core/expression.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/structure/parameters.h>
+#include <birdstrike/structure/rotor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,12 +33,11 @@ namespace birdstrike
 
   void BladeParameters::check_spin() const
   {
-    if (spin.speed == 0.)
+    if (!Rotor(spin).turns())
       return;
     const auto refuse = [](const bool is_there, const std::string &entry, const std::string &why) {
       require(!is_there, entry + " does not go with Spin/Speed: " + why);
     };
-    require(std::isfinite(spin.speed), "Spin/Speed: not a finite number.");
     require(std::hypot(spin.axis[0], spin.axis[1], spin.axis[2]) > 0.,
             "Spin/Axis: the axis has no length.\nAllowed: any three numbers that are not all zero.");
     require(is_deformable(), "Spin/Speed: a rigid surface does not turn.\nSet it to 0, or Kind to shell or solid.");

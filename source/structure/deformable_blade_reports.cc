@@ -138,7 +138,7 @@ namespace birdstrike
   template <class Kind>
   RootSectionReport DeformableBlade<Kind>::root_section() const
   {
-    const Turned  turned{hub, motion.present_time()};
+    const Turn    turned = hub.turn(motion.present_time());
     const double *force = motion.element_forces(), *position = motion.positions();
     if (hub.turns())
       {

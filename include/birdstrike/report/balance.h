@@ -79,7 +79,7 @@ namespace birdstrike
     bool        has_reference = false;
     SystemState last;
 
-    double        reference_energy = 0., current_energy = 0., scale = 0.;
+    double        reference_energy = 0., reference_driven = 0., current_energy = 0., scale = 0.;
     double        most_dissipated = 0., fall = 0.; ///< J, by contact
     RelativeError error;
     Momentum      linear, angular;

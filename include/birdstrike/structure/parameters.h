@@ -86,7 +86,7 @@ namespace birdstrike
 
     struct Spin
     {
-      double                speed = 0.; ///< rad/s, 0: the hub stands still
+      std::string           speed = "0"; ///< rad/s, a number or a formula of t; 0: the hub stands still
       std::array<double, 3> axis{{0., 0., 1.}};
       std::array<double, 3> centre{{0., 0., 0.}}; ///< m, a point on the axis
       bool                  has_prestress = true;

@@ -3,86 +3,119 @@
 #include <birdstrike/core/number.h>
 #include <birdstrike/structure/parameters.h>
 
-#include <cmath>
+#include <memory>
+#include <vector>
 
 namespace birdstrike
 {
-  /// The rigid rotation of what sits on the hub, in closed form: at time t about an axis a through c by the angle
-  /// w t. Points of the hub are at c + R(t) (X - c), with R of Rodrigues.
+  class Expression;
+
+  /// What sits on a hub, turned by an angle about an axis a through c: points that were at X are at c + R (X - c), with
+  /// R of Rodrigues.
+  class Turn
+  {
+  public:
+    Turn() = default; ///< by nothing
+    Turn(const Point3 &axis, const Point3 &centre, double angle);
+
+    /// R v. Without a difference of close numbers: v + sin(angle) a x v + 2 sin^2(angle/2) a x (a x v).
+    Point3 operator()(const Point3 &v) const
+    {
+      return v + change(axis.cross(v), sine);
+    }
+    Point3 back(const Point3 &v) const ///< R^T v
+    {
+      return v + change(axis.cross(v), -sine);
+    }
+    Point3 carried(const Point3 &x) const
+    {
+      return x + displacement(x);
+    }
+    /// Of a point of the hub that was at X, m.
+    Point3 displacement(const Point3 &reference) const
+    {
+      return change(axis.cross(Point3(reference - centre)), sine);
+    }
+    Point3 rotation() const ///< rad, about the axis
+    {
+      return angle * axis;
+    }
+
+  private:
+    Point3 change(const Point3 &once, const double of_sine) const
+    {
+      return of_sine * once + versine * axis.cross(once);
+    }
+
+    Point3 axis = Point3::UnitZ(), centre = Point3::Zero(); ///< -, m
+    double angle = 0., sine = 0., versine = 0.;              ///< rad, -, -
+  };
+
+  /// Velocities and accelerations of what sits on a hub, at an instant.
+  struct HubMotion
+  {
+    Point3 axis, centre;        ///< -, m
+    double speed, acceleration; ///< rad/s, rad/s^2
+
+    Point3 angular_velocity() const
+    {
+      return speed * axis;
+    }
+    /// Of the place x (m), m/s.
+    Point3 velocity(const Point3 &x) const
+    {
+      return angular_velocity().cross(Point3(x - centre));
+    }
+    /// Of the place x (m), m/s^2: towards the axis, and of the changing speed (Euler).
+    Point3 acceleration_at(const Point3 &x) const
+    {
+      const Point3 r = x - centre;
+      return acceleration * axis.cross(r) - speed * speed * (r - axis.dot(r) * axis);
+    }
+  };
+
+  /// The rigid rotation of what sits on the hub: about an axis, with a constant speed, or with one that is a formula of
+  /// the time. Its angle is the integral of the formula, by adaptive quadrature of Gauss in pieces of time that do not
+  /// depend on what was asked before. Not thread-safe with a formula.
   class Rotor
   {
   public:
     Rotor() = default; ///< that stands still
-    explicit Rotor(const BladeParameters::Spin &parameters)
-      : speed(parameters.speed), axis(Point3(parameters.axis.data()).normalized()), centre(parameters.centre.data())
-    {
-    }
+    /// @throws InputError for a speed that is neither a number nor a formula of t, or not finite.
+    explicit Rotor(const BladeParameters::Spin &parameters);
 
     bool turns() const
     {
-      return speed != 0.;
+      return law != nullptr || constant != 0.;
     }
-    Point3 angular_velocity() const ///< rad/s
+    bool is_steady() const
     {
-      return speed * axis;
+      return law == nullptr;
     }
-    double angle(const double time) const ///< rad
+    double    speed(double time) const; ///< rad/s
+    HubMotion motion(const double time) const
     {
-      return speed * time;
+      return {axis, centre, speed(time), acceleration(time)};
     }
-    /// R(t) v. Without a difference of close numbers: v + sin(angle) a x v + 2 sin^2(angle/2) a x (a x v).
-    Point3 turned(const Point3 &v, const double time) const
+    /// From the start, or from another time, on.
+    Turn turn(const double time) const
     {
-      const Point3 once = axis.cross(v);
-      return v + change(once, time);
+      return {axis, centre, angle(time)};
     }
-    Point3 turned_back(const Point3 &v, const double time) const
+    Turn turn(const double from, const double to) const
     {
-      return turned(v, -time);
-    }
-    /// Where a point of the hub at x is after some time.
-    Point3 carried(const Point3 &x, const double time) const
-    {
-      return x + displacement(x, time);
-    }
-    /// u(t) of a point of the hub that is at X at t = 0, m.
-    Point3 displacement(const Point3 &reference, const double time) const
-    {
-      return change(axis.cross(Point3(reference - centre)), time);
-    }
-    /// Of a point that turns with the hub, at its present place (m/s).
-    Point3 velocity(const Point3 &position) const
-    {
-      return angular_velocity().cross(Point3(position - centre));
-    }
-    /// w^2 times the distance from the axis, outwards (m/s^2): what balances the elements in the turning frame.
-    Point3 centrifugal_acceleration(const Point3 &position) const
-    {
-      const Point3 r = position - centre;
-      return speed * speed * (r - axis.dot(r) * axis);
+      return {axis, centre, angle(to) - angle(from)};
     }
 
   private:
-    Point3 change(const Point3 &once, const double time) const
-    {
-      const double half = std::sin(0.5 * angle(time));
-      return std::sin(angle(time)) * once + 2. * half * half * axis.cross(once);
-    }
+    double acceleration(double time) const; ///< rad/s^2
+    double angle(double time) const;        ///< rad
+    double integrate(double from, double to) const;
 
-    double speed  = 0.; ///< rad/s
-    Point3 axis   = Point3::UnitZ();
-    Point3 centre = Point3::Zero(); ///< m
-  };
-
-  /// Directions of the hub as they lie at a time.
-  struct Turned
-  {
-    Rotor  rotor;
-    double time = 0.; ///< s
-
-    Point3 operator()(const Point3 &v) const
-    {
-      return rotor.turns() ? rotor.turned(v, time) : v;
-    }
+    double                            constant = 0.; ///< rad/s
+    std::shared_ptr<const Expression> law;           ///< rad/s
+    mutable std::vector<double>       angles{0.};    ///< rad, at whole multiples of the piece of time
+    Point3                            axis   = Point3::UnitZ();
+    Point3                            centre = Point3::Zero(); ///< m
   };
 } // namespace birdstrike

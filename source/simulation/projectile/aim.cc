@@ -59,7 +59,7 @@ namespace birdstrike
     aim.velocity              = projectile.first_touch.closing_velocity;
     aim.speed                 = velocity.norm();
     const Rotor *const rotor  = blade.rotor(); // which has turned the surface by then
-    const Point3       normal = Turned{rotor ? *rotor : Rotor(), bird.arrival}(find_normal(bird, blade.facets()));
+    const Point3       normal = (rotor != nullptr ? rotor->turn(bird.arrival) : Turn())(find_normal(bird, blade.facets()));
     const double       sine   = std::min(1., std::abs(velocity.dot(normal)) / aim.speed);
     aim.normal_speed          = aim.speed * sine;
     aim.angle                 = std::asin(sine) * 180. / M_PI;

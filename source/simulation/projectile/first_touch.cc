@@ -29,10 +29,11 @@ namespace birdstrike
       TurnedSurface(const FacetsView &facets, const Rotor &rotor, const double time)
         : position(3 * facets.n_nodes), velocity(3 * facets.n_nodes), view(facets)
       {
+        const Turn      turn = rotor.turn(time);
+        const HubMotion hub  = rotor.motion(time);
         for (std::size_t n = 0; n < facets.n_nodes; ++n)
           {
-            const Point3 x = rotor.carried(Point3(facets.position + 3 * n), time);
-            const Point3 v = rotor.turned(Point3(facets.velocity + facets.velocity_stride * n), time);
+            const Point3 x = turn.carried(Point3(facets.position + 3 * n)), v = hub.velocity(x);
             for (unsigned int d = 0; d < 3; ++d)
               {
                 position[3 * n + d] = x[d];
@@ -166,7 +167,7 @@ namespace birdstrike
     if (rotor != nullptr && parameters.arrival > 0.)
       {
         turned.emplace(at_start, *rotor, parameters.arrival);
-        aim = rotor->carried(aim, parameters.arrival);
+        aim = rotor->turn(parameters.arrival).carried(aim);
       }
     const FacetsView &facets = turned ? turned->view : at_start;
     const Point3      frame  = find_velocity_at_aim(aim, facets);

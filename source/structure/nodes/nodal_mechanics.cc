@@ -76,16 +76,17 @@ namespace birdstrike
         for (const std::uint32_t dof : support.dofs)
           drive(kick, dof, is_first ? u[dof] : from, to);
       }
+    const Turn turn_before = rotor.turn(before), turn_after = rotor.turn(after);
     for (std::size_t k = 0; k < hub_dofs.size(); k += n_unknowns) // whole nodes
       {
         const std::uint32_t dof = hub_dofs[k];
         const Point3        reference(vectors->reference.begin() + 3 * (dof / n_unknowns));
-        const Point3        to = rotor.displacement(reference, after), from = rotor.displacement(reference, before);
-        const Point3        way = rotor.angular_velocity();
+        const Point3        to = turn_after.displacement(reference), from = turn_before.displacement(reference);
+        const Point3        rotated_to = turn_after.rotation(), rotated_from = turn_before.rotation();
         for (unsigned int c = 0; c < 3; ++c)
           drive(kick, dof + c, is_first ? u[dof + c] : from[c], to[c]);
         for (unsigned int c = 3; c < n_unknowns; ++c)
-          drive(kick, dof + c, is_first ? u[dof + c] : way[c - 3] * before, way[c - 3] * after);
+          drive(kick, dof + c, is_first ? u[dof + c] : rotated_from[c - 3], rotated_to[c - 3]);
       }
   }
 

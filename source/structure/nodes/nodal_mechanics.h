@@ -168,6 +168,7 @@ namespace birdstrike
     std::vector<Supports::Driven> driven;
     Rotor                         rotor;
     std::vector<std::uint32_t>    hub_dofs;         ///< those that follow it, sorted
+    double                        moment_of_inertia = 0.; ///< kg m^2, about the hub's axis at the start
     std::size_t                   n_nodes, n_owned; ///< ghosts come last
 
     std::unique_ptr<Vectors>                           vectors;

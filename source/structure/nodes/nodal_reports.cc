@@ -135,6 +135,7 @@ namespace birdstrike
     const auto   sums   = kinetic(scale * internal_half, scale * contact_half);
     EnergyReport report = booked;
     report.kinetic      = sums[0];
+    report.driven       = 0.5 * moment_of_inertia * std::pow(rotor.speed(time), 2);
     report.staggering -= sums[1];
     return report;
   }

@@ -54,7 +54,7 @@ namespace birdstrike
   }
 
   RootSectionReport RootSection::compute_report(const double *force, const double *position,
-                                                const ShellElements &elements, const Turned &turned) const
+                                                const ShellElements &elements, const Turn &turned) const
   {
     RootSectionReport report = compute_section_forces(root, force, position, 6);
     for (auto *list : {&report.chord_position, &report.stress_struck, &report.stress_rear})

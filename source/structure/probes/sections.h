@@ -33,7 +33,7 @@ namespace birdstrike
     /// stresses.
     /// On a blade that turns, forces and positions are those in the turning frame; stresses are turned back.
     RootSectionReport compute_report(const double *force, const double *position, const ShellElements &elements,
-                                     const Turned &turned = {}) const;
+                                     const Turn &turned = {}) const;
     std::size_t       count_failed(const ShellElements &elements) const; ///< of the elements at the edge
 
   private:

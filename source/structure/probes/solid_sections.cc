@@ -79,7 +79,7 @@ namespace birdstrike
   }
 
   double SolidRootSection::stress(const Facet &facet, const double *position, const SolidElements &elements,
-                                  const Turned &turned) const
+                                  const Turn &turned) const
   {
     if (elements.is_failed(facet.cell))
       return 0.;
@@ -99,7 +99,7 @@ namespace birdstrike
   }
 
   RootSectionReport SolidRootSection::compute_report(const double *force, const double *position,
-                                                     const SolidElements &elements, const Turned &turned) const
+                                                     const SolidElements &elements, const Turn &turned) const
   {
     RootSectionReport report = compute_section_forces(root, force, position, 3);
     for (auto *list : {&report.chord_position, &report.stress_struck, &report.stress_rear})

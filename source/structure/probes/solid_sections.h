@@ -23,7 +23,7 @@ namespace birdstrike
     /// the corners. Each facet of the struck side is paired with the nearest of the rear.
     /// On a blade that turns, forces and positions are those in the turning frame; stresses are turned back.
     RootSectionReport compute_report(const double *force, const double *position, const SolidElements &elements,
-                                     const Turned &turned = {}) const;
+                                     const Turn &turned = {}) const;
 
     std::size_t count_failed(const SolidElements &elements) const; ///< of the elements whose stress it reports
 
@@ -37,7 +37,7 @@ namespace birdstrike
     };
     std::vector<Facet> make_facets(const VolumeMesh &mesh, const std::vector<std::size_t> &faces) const;
     double             stress(const Facet &facet, const double *position, const SolidElements &elements,
-                              const Turned &turned) const;
+                              const Turn &turned) const;
 
     BladeEnd                          root;
     std::array<std::vector<Facet>, 2> facets; ///< struck and rear, as many, by chord position

@@ -73,7 +73,7 @@ namespace birdstrike
         {
           BladeParameters p    = beam(kind);
           const double    unit = std::sqrt(200e9 / (12. * 7800.)) * 0.005;
-          p.spin.speed         = row.eta * unit;
+          p.spin.speed         = std::to_string(row.eta * unit);
           std::size_t k        = 0;
           for (const auto &mode : modes_of(p, 5).modes)
             if (mode.effective_mass[2] > 0.01 && k < 3) // the others are in the plane of rotation
