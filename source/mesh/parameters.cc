@@ -2,9 +2,11 @@
 
 #include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text_lists.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -75,8 +77,8 @@ namespace birdstrike
     {
       prm.enter_subsection("Row");
       prm.add_parameter("Blades", p.n_blades,
-                        "Number of blades like the built-in one, turned about Spin/Axis through Spin/Centre; each is "
-                        "computed. [-]",
+                        "Number of blades like the built-in one, turned about Spin/Axis through Spin/Centre; each that "
+                        "is not rigid is computed. [-]",
                         Integer(1, 1000));
       prm.add_parameter("Pitch", p.pitch,
                         "Angle from one blade to the next, positive about the axis: of a fan of 22 blades 360/22. "
@@ -86,6 +88,10 @@ namespace birdstrike
                         "Which of the row, 1 the first, lies as the other entries of Mesh say: aim, root and tip are "
                         "this blade's. [-]",
                         Integer(1, 1000));
+      prm.add_parameter("Rigid", p.rigid,
+                        "Places of blades that are rigid and follow the hub, '1 3'; they meet the bird and the other "
+                        "blades and cost no element. [-]",
+                        Anything());
       prm.leave_subsection();
     }
 
@@ -176,6 +182,20 @@ namespace birdstrike
     return all;
   }
 
+  std::vector<bool> MeshParameters::Row::is_rigid() const
+  {
+    const std::vector<unsigned int> named = parse_ids(rigid, "Blade/Mesh/Row/Rigid"), all = places();
+    std::vector<bool>               result;
+    for (const unsigned int k : all)
+      result.push_back(std::ranges::find(named, k) != named.end());
+    for (const unsigned int k : named)
+      require(std::ranges::find(all, k) != all.end(), "Mesh/Row/Rigid: the row has no place " + std::to_string(k) +
+                                                        ".\nGive places from 1 to Mesh/Row/Blades.");
+    require(!result.front(), "Mesh/Row/Rigid: the blade in Mesh/Row/Place is what root and tip are reported of, and "
+                             "cannot be rigid.\nLeave it out, or set Place to an elastic one.");
+    return result;
+  }
+
   std::vector<double> MeshParameters::Row::angles() const
   {
     std::vector<double> all;
@@ -187,6 +207,7 @@ namespace birdstrike
   void GeometryParameters::check_row() const
   {
     const MeshParameters::Row &row = mesh.row;
+    row.is_rigid();
     require(row.place <= row.n_blades, "Mesh/Row/Place: there are " + std::to_string(row.n_blades) +
                                          " blades in the row.\nGive a place from 1 to that.");
     if (row.n_blades == 1)

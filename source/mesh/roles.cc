@@ -68,31 +68,54 @@ namespace birdstrike
     return (off - off.dot(along) * along).normalized();
   }
 
+  /// Sides and nodes with these ids of one blade of a row, 0 the one that is described.
   template <int dim>
-  BladeEnd::BladeEnd(const BladeMesh<dim> &mesh, const SpanEnd end, const std::vector<unsigned int> &ids)
-    : nodes(mesh.nodes_on(ids))
+  void BladeEnd::collect(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &ids, const std::uint32_t blade)
   {
-    if (!mesh.blades.empty()) // of a row: those of the blade that is described
+    nodes = mesh.nodes_on(ids);
+    if (!mesh.blades.empty())
       {
         std::vector<bool> is_on_it(mesh.nodes.size(), false);
         for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
           for (const std::uint32_t n : mesh.cells[cell])
-            is_on_it[n] = is_on_it[n] || mesh.blade_of(cell) == 0;
+            is_on_it[n] = is_on_it[n] || mesh.blade_of(cell) == blade;
         std::erase_if(nodes, [&](const std::uint32_t n) { return !is_on_it[n]; });
       }
-    double size = 0., weight = 0.;
+    sides.clear();
     for (std::size_t s = 0; s < mesh.boundary.size(); ++s)
       if (const auto &side = mesh.boundary[s];
-          mesh.blade_of(side.cell) == 0 && std::find(ids.begin(), ids.end(), side.id) != ids.end())
-        {
-          const SideGeometry g = geometry_of(mesh, side, end);
-          sides.push_back(s);
-          size += g.size;
-          middle += g.size * g.middle;
-          span += (dim == 2 ? g.weight : 1.) * g.off;
-          normal += g.weight * g.normal;
-          weight += g.weight * g.normal.norm();
-        }
+          mesh.blade_of(side.cell) == blade && std::find(ids.begin(), ids.end(), side.id) != ids.end())
+        sides.push_back(s);
+  }
+
+  template <int dim>
+  BladeEnd BladeEnd::of_blade(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &ids,
+                              const std::uint32_t blade, const Matrix3<double> &R, const Point3 &centre) const
+  {
+    BladeEnd other = *this;
+    if (!is_present())
+      return other;
+    other.collect(mesh, ids, blade);
+    other.middle = centre + R * (middle - centre);
+    for (Point3 *axis : {&other.span, &other.chord, &other.normal})
+      *axis = R * *axis;
+    return other;
+  }
+
+  template <int dim>
+  BladeEnd::BladeEnd(const BladeMesh<dim> &mesh, const SpanEnd end, const std::vector<unsigned int> &ids)
+  {
+    collect(mesh, ids, 0);
+    double size = 0., weight = 0.;
+    for (const std::size_t s : sides)
+      {
+        const SideGeometry g = geometry_of(mesh, mesh.boundary[s], end);
+        size += g.size;
+        middle += g.size * g.middle;
+        span += (dim == 2 ? g.weight : 1.) * g.off;
+        normal += g.weight * g.normal;
+        weight += g.weight * g.normal.norm();
+      }
     middle /= size;
     if (!mesh.symmetry_nodes.empty())
       middle[1] = 0.; // of the whole
@@ -131,6 +154,10 @@ namespace birdstrike
 
   template BladeEnd::BladeEnd(const BladeMesh<2> &, SpanEnd, const std::vector<unsigned int> &);
   template BladeEnd::BladeEnd(const BladeMesh<3> &, SpanEnd, const std::vector<unsigned int> &);
+  template BladeEnd BladeEnd::of_blade(const BladeMesh<2> &, const std::vector<unsigned int> &, std::uint32_t,
+                                       const Matrix3<double> &, const Point3 &) const;
+  template BladeEnd BladeEnd::of_blade(const BladeMesh<3> &, const std::vector<unsigned int> &, std::uint32_t,
+                                       const Matrix3<double> &, const Point3 &) const;
   template BladeRoles::BladeRoles(const BladeMesh<2> &, const std::vector<unsigned int> &,
                                   const std::vector<unsigned int> &, const Point3 &);
   template BladeRoles::BladeRoles(const BladeMesh<3> &, const std::vector<unsigned int> &,

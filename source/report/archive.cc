@@ -31,6 +31,13 @@ namespace birdstrike
     removed_particles.archive(archive);
     archive_root(archive, root_at_peak_stress);
     archive.list("mid-chord deflection at tip peak", mid_chord_at_peak);
+    for (BladePeaks &of : row)
+      {
+        const auto of_blade = archive.group("blade " + std::to_string(of.place));
+        of.tip.archive(archive, "tip peak");
+        of.root_moment.archive(archive, "root moment");
+        of.root_stress.archive(archive, "root stress");
+      }
   }
 
   void History::archive(Archive &archive)

@@ -11,6 +11,9 @@ namespace birdstrike
   {
     if (const std::optional<SpanLine> line = blade.span_line())
       mid_chord.emplace(blade.facets(), *line, blade.blades_of_facets());
+    for (const BladeLoads &of : blade.loads_of_row())
+      if (!of.is_rigid)
+        row.push_back({of.place, {}, {}, {}});
   }
 
   void Observed::update_peaks(const Blade &blade, const bool has_contact, const double time)
@@ -27,6 +30,17 @@ namespace birdstrike
     root_stress.update(time, stress);
     root_moment.update(time, std::abs(root.bending_moment));
     root_force.update(time, std::hypot(root.normal_force, root.transverse_force));
+    if (row.empty())
+      return;
+    auto peaks = row.begin();
+    for (const BladeLoads &of : blade.loads_of_row())
+      if (!of.is_rigid)
+        {
+          peaks->tip.update(time, of.tip.mid_chord);
+          peaks->root_moment.update(time, std::abs(of.root.bending_moment));
+          peaks->root_stress.update(time, of.root.peak_stress());
+          ++peaks;
+        }
   }
 
   void Observed::update_shares(const Balance &balance, const double time)

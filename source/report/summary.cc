@@ -89,6 +89,24 @@ namespace birdstrike
         }
       return all;
     }
+
+    /// Each blade of a row, in SI units.
+    Json values_of_row(const Blade &blade, const std::vector<BladePeaks> &peaks)
+    {
+      Json all = Json::array();
+      for (const BladeBalance &of : blade.balance_of_row())
+        {
+          Json member = {{"place", of.place}, {"rigid", of.is_rigid}, {"impulse", of.impulse}};
+          for (const BladePeaks &peak : peaks)
+            if (peak.place == of.place)
+              member.update({{"tip_peak", peak.tip.value()},
+                             {"root_peak_moment", peak.root_moment.value()},
+                             {"root_peak_stress", peak.root_stress.value()},
+                             {"plastic_work", of.energies.plastic}});
+          all.push_back(member);
+        }
+      return all;
+    }
   } // namespace
 
   void Summary::add_aim(const StrikeAim &aim)
@@ -127,6 +145,8 @@ namespace birdstrike
     const Balance::Origins from     = run.balance.origins();
     json["energy"]["error_origins"] = {
       {"bird", from.bird}, {"blade", from.blade}, {"contact", from.contact}, {"steps", from.steps}};
+    if (!run.observed.row.empty())
+      json["blade"]["row"] = values_of_row(*run.blade, run.observed.row);
     if (run.blade)
       for (const SectionCensus &section : run.blade->census().sections)
         json["blade"]["sections"].push_back({{"section", section.number},

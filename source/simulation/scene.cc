@@ -8,6 +8,7 @@
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/patch_forces.h>
+#include <birdstrike/report/row_history.h>
 #include <birdstrike/structure/make_blade.h>
 
 #include <fmt/format.h>
@@ -102,6 +103,8 @@ namespace birdstrike
         "Output/Histories asks for histories of a blade, and the case has none.\nLeave its entries empty, "
         "or set Blade/Kind.");
     std::vector<unsigned int> places; // of a row
+    if (blade && !blade->loads_of_row().empty())
+      histories.tables.push_back(std::make_unique<RowHistory>(*blade));
     if (has_contact() && !blade->blades_of_facets().empty())
       places = parameters.blade.mesh.row.places();
     if (requests.patches.empty() && places.empty())

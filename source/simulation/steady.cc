@@ -158,8 +158,7 @@ namespace birdstrike
             "Case/Symmetry plane: half a blade has half of its modes, those that mirror into themselves.\n"
             "Set it to none.");
         steady.blade->find_equilibrium();
-        all.push_back(
-          {Rotor(steady.parameters.blade.spin).speed(0.), steady.blade->compute_modes(request.n_modes)});
+        all.push_back({Rotor(steady.parameters.blade.spin).speed(0.), steady.blade->compute_modes(request.n_modes)});
         if (!folder)
           folder.emplace(output, kind);
         FieldSeries(folder->path(), speeds.size() == 1 ? "modes" : fmt::format("modes_{}", all.size()))

@@ -23,8 +23,8 @@ namespace birdstrike
     , row(parameters.mesh.row.places())
     , mesh(parameters)
     , hub(parameters.spin)
-    , supports(parameters.supports, mesh, hub.turns())
-    , sections(parameters, mesh.material_ids, mesh.material_names)
+    , supports(parameters.supports, mesh, hub.turns(), parameters.mesh.row.is_rigid())
+    , sections(parameters, mesh.material_ids, mesh.material_names, mesh.blades)
     , lumped(Kind::compute_mass(mesh, sections, supports))
     , elements(Kind::make_elements(mesh, lumped, sections, pool))
     , pressed(Kind::find_pressed(mesh, parameters.loads))
@@ -46,8 +46,9 @@ namespace birdstrike
     probe_warnings = warn_of_far_probes(parameters.probes, mesh);
     roles =
       BladeRoles(mesh, supports.root_ids, supports.tip_ids, compute_strike(parameters, motion.momenta(), lumped.total));
-    root = typename Kind::Root(mesh, roles.root);
-    tip  = TipRow(mesh, roles.tip);
+    root    = typename Kind::Root(mesh, roles.root);
+    tip     = TipRow(mesh, roles.tip);
+    members = RowOfBlades<Kind>(parameters.mesh.row, mesh, sections, roles, supports.root_ids, supports.tip_ids);
   }
 
   template <class Kind>

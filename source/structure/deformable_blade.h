@@ -1,6 +1,7 @@
 #pragma once
 
 #include "structure/nodes/nodal_mechanics.h"
+#include "structure/row_of_blades.h"
 #include "structure/shell_kind.h"
 #include "structure/solid_kind.h"
 #include <birdstrike/structure/blade.h>
@@ -106,12 +107,14 @@ namespace birdstrike
     {
       return motion.probes();
     }
-    BladeHistories          make_histories(const HistoryRequests &requests) const override;
-    RootSectionReport       root_section() const override;
-    TipDeflection           tip_deflection() const override;
-    PeakPlasticStrain       peak_plastic_strain() const override;
-    FailureReport           failure() const override;
-    std::optional<SpanLine> span_line() const override;
+    BladeHistories            make_histories(const HistoryRequests &requests) const override;
+    RootSectionReport         root_section() const override;
+    TipDeflection             tip_deflection() const override;
+    std::vector<BladeLoads>   loads_of_row() const override;
+    std::vector<BladeBalance> balance_of_row() const override;
+    PeakPlasticStrain         peak_plastic_strain() const override;
+    FailureReport             failure() const override;
+    std::optional<SpanLine>   span_line() const override;
 
     const Rotor *rotor() const override
     {
@@ -147,6 +150,7 @@ namespace birdstrike
     BladeRoles                       roles;
     typename Kind::Root              root;
     TipRow                           tip;
+    RowOfBlades<Kind>                members;
     typename Kind::Surface           surface;
     MassScalingReport                scaling;
     bool                             can_fail;

@@ -35,11 +35,17 @@ namespace birdstrike
     census.n_elements_with_points = plane.whole(elements.n_promoted());
     census.mass_scaling           = scaling;
     census.mass_scaling.n_scaled  = plane.whole(scaling.n_scaled);
-    for (std::size_t k = 0; k < elements.n_sections() && elements.n_sections() > 1; ++k)
+    for (std::size_t k = 0; k < sections.n_of_blade && sections.n_of_blade > 1; ++k)
       {
-        const auto sums = elements.section_sums(k);
-        census.sections.push_back(
-          {sections.number[k], plane.whole(sums.n_elements), plane.whole(sums.mass), plane.whole(sums.plastic_work)});
+        SectionCensus sum{sections.number[k], 0, 0., 0.};
+        for (std::size_t of_blade = k; of_blade < elements.n_sections(); of_blade += sections.n_of_blade)
+          {
+            const auto sums = elements.section_sums(of_blade);
+            sum.n_elements += plane.whole(sums.n_elements);
+            sum.mass += plane.whole(sums.mass);
+            sum.plastic_work += plane.whole(sums.plastic_work);
+          }
+        census.sections.push_back(sum);
       }
     return census;
   }
@@ -82,7 +88,7 @@ namespace birdstrike
           blade.values.push_back(row[plain.blade_of(e)]);
         snapshot.fields.push_back(std::move(blade));
       }
-    if (sections.all.size() > 1)
+    if (sections.n_of_blade > 1)
       {
         Field section{"section", "-", true, 1, {}, true}; // 0: the blade's own
         for (const std::size_t e : left)
@@ -157,6 +163,24 @@ namespace birdstrike
   {
     return tip.compute_deflection(hub.turns() ? motion.in_turning_frame().displacement.data() : motion.displacements(),
                                   Kind::n_unknowns);
+  }
+
+  template <class Kind>
+  std::vector<BladeLoads> DeformableBlade<Kind>::loads_of_row() const
+  {
+    if (row.size() == 1)
+      return {};
+    if (!hub.turns())
+      return members.loads(motion.element_forces(), motion.positions(), motion.displacements(), elements, {});
+    const auto &seen = motion.in_turning_frame();
+    return members.loads(seen.force.data(), seen.position.data(), seen.displacement.data(), elements,
+                         hub.turn(motion.present_time()));
+  }
+
+  template <class Kind>
+  std::vector<BladeBalance> DeformableBlade<Kind>::balance_of_row() const
+  {
+    return members.balance(motion, elements);
   }
 
   template <class Kind>

@@ -161,12 +161,13 @@ namespace birdstrike
     void declare_spin(dealii::ParameterHandler &prm, BladeParameters::Spin &p)
     {
       prm.enter_subsection("Spin");
-      prm.add_parameter("Speed", p.speed,
-                        "Speed at which the hub turns, right-handed about the axis: a number ('5730 rpm' is allowed), or a "
-                        "formula of the time t in rad/s, as of a shaft that runs down, '600 - 2e4*t'. What is clamped "
-                        "follows the rotation, and the blade starts in the equilibrium of its tension at t = 0. 0: the "
-                        "hub stands still. [rad/s]",
-                        Anything());
+      prm.add_parameter(
+        "Speed", p.speed,
+        "Speed at which the hub turns, right-handed about the axis: a number ('5730 rpm' is allowed), or a "
+        "formula of the time t in rad/s, as of a shaft that runs down, '600 - 2e3*t'. What is clamped "
+        "follows the rotation, and the blade starts in the equilibrium of its tension at t = 0. 0: the "
+        "hub stands still. [rad/s]",
+        Anything());
       declare_vector(prm, "Axis", p.axis, "Direction of the axis, of any length. [-]");
       declare_vector(prm, "Centre", p.centre, "A point on the axis. [m]");
       prm.add_parameter("Prestress", p.has_prestress,

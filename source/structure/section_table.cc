@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <ranges>
 
 namespace birdstrike
 {
   SectionTable::SectionTable(const BladeParameters &parameters, const std::vector<unsigned int> &material_ids,
-                             const NamedIds &names)
+                             const NamedIds &names, const std::vector<std::uint32_t> &blades)
     : names(names)
   {
     for (auto &[k, of_section] : parameters.by_section())
@@ -40,6 +41,19 @@ namespace birdstrike
         for (auto &[id, place] : of_id)
           --place;
       }
+    n_of_blade = all.size();
+    if (blades.empty())
+      return;
+    is_rigid.assign(n_of_blade, false);
+    for (const bool is_rigid_there : std::views::drop(parameters.mesh.row.is_rigid(), 1))
+      for (std::size_t k = 0; k < n_of_blade; ++k)
+        {
+          number.push_back(number[k]);
+          all.push_back(all[k]);
+          is_rigid.push_back(is_rigid_there);
+        }
+    for (std::size_t e = 0; e < of_element.size(); ++e)
+      of_element[e] += n_of_blade * blades[e];
   }
 
   DensityLaw SectionTable::density_law() const

@@ -16,10 +16,10 @@ namespace birdstrike
   /// has ids.
   struct SectionTable
   {
-    /// `material_ids` of the cells, and names for them. Throws InputError for an id that is named twice or that no cell
-    /// has.
+    /// `material_ids` of the cells, and names for them; of a row `blades` of the cells: each blade then has sections of
+    /// its own, one blade's after the other's. Throws InputError for an id that is named twice or that no cell has.
     SectionTable(const BladeParameters &parameters, const std::vector<unsigned int> &material_ids,
-                 const NamedIds &names);
+                 const NamedIds &names, const std::vector<std::uint32_t> &blades = {});
 
     DensityLaw   density_law() const;
     ThicknessLaw thickness_law() const; ///< of shells
@@ -27,7 +27,9 @@ namespace birdstrike
     std::vector<std::size_t>              number;     ///< of sections with elements: 0 is the blade's own
     std::vector<BladeParameters>          all;        ///< of these, with the entries of each in their places
     std::vector<std::uint32_t>            of_element; ///< which of these
-    std::map<unsigned int, std::uint32_t> of_id;      ///< likewise, of ids that sections name
+    std::vector<bool>                     is_rigid;   ///< likewise; empty: none
+    std::size_t                           n_of_blade; ///< sections of each blade
+    std::map<unsigned int, std::uint32_t> of_id;      ///< which, of ids that sections name
     NamedIds                              names;      ///< of material ids
   };
 
@@ -38,6 +40,6 @@ namespace birdstrike
     std::vector<Section> all;
     for (const BladeParameters &of_section : table.all)
       all.push_back(make(of_section));
-    return {std::move(all), table.of_element};
+    return {std::move(all), table.of_element, table.is_rigid};
   }
 } // namespace birdstrike

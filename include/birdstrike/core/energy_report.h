@@ -40,7 +40,7 @@ namespace birdstrike
     double external_work = 0.; ///< by loads and prescribed motion
     double contact_work  = 0.; ///< by contact forces
     double internal      = 0.; ///< work of the part's own forces; no part of the sum
-    double driven = 0.; ///< of the kinetic energy, what a hub that turns had given at the start: no scale of errors
+    double driven = 0.; ///< of the kinetic energy, that of the hub's rotation at its present speed: no scale of errors
     double retired_made = 0.; ///< what `retired` has of stored and dissipated energy more than of `internal`; neither
 
     /// `sum` and all that is held (see energy_kinds), one kind after the other.

@@ -52,12 +52,14 @@ namespace birdstrike
       unsigned int          n_blades = 1;
       double                pitch    = 360. / 22.; ///< degrees, from one to the next
       unsigned int          place    = 1;          ///< of the blade that lies as the other entries say
+      std::string           rigid;                 ///< places of blades that are rigid, as their hub is
       std::array<double, 3> axis{{0., 0., 1.}};    ///< of Blade/Spin, set by the blade, as the next
       std::array<double, 3> centre{{0., 0., 0.}};  ///< m
 
       /// Of the blades in the order of the mesh: first the one that lies as the other entries say, then the others.
       std::vector<unsigned int> places() const;
-      std::vector<double>       angles() const; ///< rad, from the first one
+      std::vector<double>       angles() const;   ///< rad, from the first one
+      std::vector<bool>         is_rigid() const; ///< throws InputError for what names no place
     };
 
     MeshGenerator generator     = MeshGenerator::flat_plate;

@@ -33,6 +33,11 @@ namespace birdstrike
     template <int dim>
     BladeEnd(const BladeMesh<dim> &mesh, SpanEnd end, const std::vector<unsigned int> &ids);
 
+    /// The same end of another blade of the row, whose points are those of the first turned by R about a centre (m).
+    template <int dim>
+    BladeEnd of_blade(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &ids, std::uint32_t blade,
+                      const Matrix3<double> &R, const Point3 &centre) const;
+
     bool is_present() const
     {
       return !sides.empty();
@@ -48,6 +53,10 @@ namespace birdstrike
     Point3                     middle = Point3::Zero(); ///< m
     Point3                     span = Point3::Zero(), chord = Point3::Zero(), normal = Point3::Zero(); ///< unit
     bool                       is_turned = false; ///< the normal is not that of the mesh
+
+  private:
+    template <int dim>
+    void collect(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &ids, std::uint32_t blade);
   };
 
   /// Off a boundary edge of a shell, in the plane of its cell: unit.

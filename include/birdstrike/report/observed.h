@@ -15,6 +15,15 @@ namespace birdstrike
   class Balance;
   class Blade;
 
+  /// The peaks of an elastic blade of a row, over every macro step.
+  struct BladePeaks
+  {
+    unsigned int place = 1;
+    SignedPeak   tip;         ///< m, mid-chord
+    Peak         root_moment; ///< N m, absolute value, as the next
+    Peak         root_stress; ///< Pa
+  };
+
   /// What is watched of a run between its steps: present values, for rows of the history, and peaks, for the summary.
   /// Peaks of the contact force are over every evaluation of contact, those of tip and root over every macro step,
   /// those of energies over a fixed stride of steps: none depends on when output is due.
@@ -39,6 +48,8 @@ namespace birdstrike
     FilteredForce filtered_force; ///< at the end of a run
 
     RootSectionReport root_at_peak_stress; ///< the distribution along the chord when the stress peaks
+
+    std::vector<BladePeaks> row; ///< elastic blades of a row, by place
 
     std::optional<MidChord> mid_chord;         ///< of a blade that has such a line
     std::vector<double>     mid_chord_at_peak; ///< m, per station, when the tip peaks

@@ -95,6 +95,16 @@ namespace birdstrike
     virtual TipDeflection     tip_deflection() const      = 0;
     virtual PeakPlasticStrain peak_plastic_strain() const = 0; ///< of failed elements too
 
+    /// Of each blade of a row, by place; empty: one blade.
+    virtual std::vector<BladeLoads> loads_of_row() const
+    {
+      return {};
+    }
+    virtual std::vector<BladeBalance> balance_of_row() const
+    {
+      return {};
+    }
+
     virtual FailureReport failure() const
     {
       return {};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/core/energy_report.h>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -98,6 +100,25 @@ namespace birdstrike
     double mid_chord = 0.;
     double leading   = 0.; ///< corner at the smaller chord coordinate, whichever side is struck
     double trailing  = 0.;
+  };
+
+  /// What a blade of a row carries at its root, and where its tip is: in its own axes, those of the described blade
+  /// turned there, so that blades that move alike report alike. Of a rigid one zeros.
+  struct BladeLoads
+  {
+    unsigned int      place    = 1; ///< in the row
+    bool              is_rigid = false;
+    TipDeflection     tip;
+    RootSectionReport root;
+  };
+
+  /// The part of the balance that is one blade's of a row.
+  struct BladeBalance
+  {
+    unsigned int          place    = 1;
+    bool                  is_rigid = false;
+    EnergyReport          energies;  ///< kinetic and those of its elements but for their work
+    std::array<double, 3> impulse{}; ///< N s, of contact so far, self-contact apart
   };
 
   /// Where the mid-chord line of a cantilevered blade begins and ends, undeformed.

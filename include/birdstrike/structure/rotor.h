@@ -48,7 +48,7 @@ namespace birdstrike
     }
 
     Point3 axis = Point3::UnitZ(), centre = Point3::Zero(); ///< -, m
-    double angle = 0., sine = 0., versine = 0.;              ///< rad, -, -
+    double angle = 0., sine = 0., versine = 0.;             ///< rad, -, -
   };
 
   /// Velocities and accelerations of what sits on a hub, at an instant.

@@ -55,14 +55,14 @@ namespace birdstrike
     StrikeAim             aim;
     const BirdParameters &bird = projectile.parameters;
     const Point3          velocity(projectile.first_touch.closing_velocity.data());
-    aim.point                 = bird.target();
-    aim.velocity              = projectile.first_touch.closing_velocity;
-    aim.speed                 = velocity.norm();
-    const Rotor *const rotor  = blade.rotor(); // which has turned the surface by then
-    const Point3       normal = (rotor != nullptr ? rotor->turn(bird.arrival) : Turn())(find_normal(bird, blade.facets()));
-    const double       sine   = std::min(1., std::abs(velocity.dot(normal)) / aim.speed);
-    aim.normal_speed          = aim.speed * sine;
-    aim.angle                 = std::asin(sine) * 180. / M_PI;
+    aim.point                = bird.target();
+    aim.velocity             = projectile.first_touch.closing_velocity;
+    aim.speed                = velocity.norm();
+    const Rotor *const rotor = blade.rotor(); // which has turned the surface by then
+    const Point3 normal = (rotor != nullptr ? rotor->turn(bird.arrival) : Turn())(find_normal(bird, blade.facets()));
+    const double sine   = std::min(1., std::abs(velocity.dot(normal)) / aim.speed);
+    aim.normal_speed    = aim.speed * sine;
+    aim.angle           = std::asin(sine) * 180. / M_PI;
     if (const auto &surface = bird.aimed_surface; surface && bird.chordwise_offset == 0.)
       {
         aim.span  = surface->span_share;

@@ -121,6 +121,16 @@ namespace birdstrike
       return result;
     }
 
+    /// On the corners of a chunk's elements.
+    void clear_forces(const std::size_t chunk)
+    {
+      constexpr std::size_t per_chunk = ElementBlocks::batches_per_chunk;
+      for (std::size_t b = chunk * per_chunk; b < std::min(batches.size(), (chunk + 1) * per_chunk); ++b)
+        for (const auto &of_corner : batches[b].corner)
+          for (const std::uint32_t row : of_corner)
+            place.corner_force[row] = {};
+    }
+
     /// From now on bounds are those of these: bound(batch) in all lanes, at rest or in motion.
     template <class Bound>
     void update_bounds(const Bound &bound)

@@ -6,6 +6,14 @@
 
 namespace birdstrike
 {
+  namespace
+  {
+    // of an element's energy at failure: what it stored, and, negative, what forces have not paid for of its last flow,
+    // which in the step of failure was larger than what was stored
+    constexpr auto stored_at_failure = [](const Lanes &energy) { return max(energy, Lanes(0.)); };
+    constexpr auto unpaid_flow       = [](const Lanes &energy) { return min(energy, Lanes(0.)); };
+  } // namespace
+
   template <class Group>
   double Elements<Group>::largest_stable_step() const
   {
@@ -61,8 +69,7 @@ namespace birdstrike
   template <class Group>
   double Elements<Group>::plastic_work() const
   {
-    // forces have not paid for all of a flow that in the step of failure is larger than what was stored
-    return sum(&ElementChunk::plastic) + sum_erosion([](const Lanes &energy) { return min(energy, Lanes(0.)); });
+    return sum(&ElementChunk::plastic) + sum_erosion(unpaid_flow);
   }
 
   template <class Group>
@@ -87,19 +94,37 @@ namespace birdstrike
   {
     double energy = 0.;
     for (const Group &group : groups)
-      {
-        double of_group = 0.;
-        for (std::size_t b = 0; group.erosion && b < group.batches.size(); ++b)
-          of_group += stdx::reduce(group.batches[b].owned * part(group.erosion->batches[b].energy));
-        energy += of_group;
-      }
+      energy += sum_erosion(group, part);
     return energy;
+  }
+
+  template <class Group>
+  template <class Part>
+  double Elements<Group>::sum_erosion(const Group &group, const Part &part) const
+  {
+    double of_group = 0.;
+    for (std::size_t b = 0; group.erosion && b < group.batches.size(); ++b)
+      of_group += stdx::reduce(group.batches[b].owned * part(group.erosion->batches[b].energy));
+    return of_group;
+  }
+
+  template <class Group>
+  void Elements<Group>::add_energies_of(const std::size_t section, EnergyReport &report) const
+  {
+    const Group &group = groups.at(section);
+    const auto   stored =
+      StoredEnergy::compute(pool, group.points.size(), [&group](const std::size_t k) { return group.stored(k); });
+    report.elastic += stored[0] + stored[1];
+    report.plastic += group.sum(&ElementChunk::plastic) + sum_erosion(group, unpaid_flow);
+    report.hourglass += group.sum(&ElementChunk::hourglass);
+    report.viscous += group.sum(&ElementChunk::viscous);
+    report.eroded += sum_erosion(group, stored_at_failure);
   }
 
   template <class Group>
   double Elements<Group>::eroded_energy() const
   {
-    return sum_erosion([](const Lanes &energy) { return max(energy, Lanes(0.)); });
+    return sum_erosion(stored_at_failure);
   }
 
   template <class Group>
@@ -189,6 +214,8 @@ namespace birdstrike
     ElementPrices sum;
     for (const Group &group : groups)
       {
+        if (!is_rigid.empty() && is_rigid[&group - groups.data()])
+          continue;
         std::size_t n = 0, n_with_points = 0;
         for (std::size_t b = 0; b < group.batches.size(); ++b)
           {

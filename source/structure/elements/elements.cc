@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <optional>
-#include <tuple>
 #include <type_traits>
 
 namespace birdstrike
@@ -81,6 +79,7 @@ namespace birdstrike
     , node_force(n_nodes)
     , node_work(blocks.n_sums, Row{})
     , n_left(has_failure(sections) ? n_nodes : 0, 0)
+    , is_rigid(sections.is_rigid)
     , nodes(points, cells, blocks, pool)
   {
     groups.reserve(sections.all.size());
@@ -112,7 +111,10 @@ namespace birdstrike
         nodes.update(block, position, increment);
         const auto body = [&](const std::size_t begin, const std::size_t end) {
           for (std::size_t c = block.chunk_begin + begin; c < block.chunk_begin + end; ++c)
-            groups[chunks[c].group].update_chunk(chunks[c].number, dt);
+            if (Group &group = groups[chunks[c].group]; is_rigid.empty() || !is_rigid[chunks[c].group])
+              group.update_chunk(chunks[c].number, dt);
+            else
+              group.clear_forces(chunks[c].number); // whose rows are those of others in between
         };
         pool.parallel_for(block.chunk_end - block.chunk_begin, 1, std::cref(body));
         gather_forces(block, force);
@@ -194,62 +196,13 @@ namespace birdstrike
       nodes.close(position);
   }
 
-  template <class... T>
-  std::tuple<T...> copy(const std::tuple<T &...> &references)
-  {
-    return references;
-  }
-
-  template <class Group>
-  struct Elements<Group>::Saved
-  {
-    struct OfGroup
-    {
-      decltype(copy(std::declval<Group &>().changing()))             changing;
-      std::optional<typename decltype(Group::erosion)::element_type> erosion;
-    };
-    std::vector<OfGroup>                         groups;
-    AlignedVector<typename Group::Record>        records;
-    AlignedVector<typename Group::ForceOnCorner> force, work;
-  };
-
-  template <class Group>
-  auto Elements<Group>::save() -> std::shared_ptr<const Saved>
-  {
-    auto saved = std::make_shared<Saved>();
-    for (Group &group : groups)
-      {
-        saved->groups.push_back({copy(group.changing()), {}});
-        if (group.erosion)
-          saved->groups.back().erosion = *group.erosion;
-      }
-    saved->records = nodes.records;
-    saved->force   = node_force;
-    saved->work    = node_work;
-    return saved;
-  }
-
-  template <class Group>
-  void Elements<Group>::restore(const Saved &saved)
-  {
-    for (std::size_t k = 0; k < groups.size(); ++k)
-      {
-        groups[k].changing() = saved.groups[k].changing;
-        if (groups[k].erosion)
-          *groups[k].erosion = *saved.groups[k].erosion;
-      }
-    nodes.records = saved.records;
-    node_force    = saved.force;
-    node_work     = saved.work;
-  }
-
   template <class Group>
   void Elements<Group>::set_owned(const std::size_t n_nodes, const std::vector<bool> &elements)
   {
     n_owned_nodes = n_nodes;
     for (std::size_t e = 0; e < n_elements(); ++e)
       groups[place[e].group].batches[place[e].number / n_lanes].owned[place[e].number % n_lanes] =
-        elements[e] ? 1. : 0.;
+        elements[e] && (is_rigid.empty() || !is_rigid[place[e].group]) ? 1. : 0.;
   }
 
   template <class Group>

@@ -20,8 +20,8 @@ namespace birdstrike
     Sections(const Section &only) : all{only}
     {
     }
-    Sections(std::vector<Section> all, std::vector<std::uint32_t> of_element)
-      : all(std::move(all)), of_element(std::move(of_element))
+    Sections(std::vector<Section> all, std::vector<std::uint32_t> of_element, std::vector<bool> is_rigid = {})
+      : all(std::move(all)), of_element(std::move(of_element)), is_rigid(std::move(is_rigid))
     {
     }
 
@@ -32,10 +32,12 @@ namespace birdstrike
 
     std::vector<Section>       all;
     std::vector<std::uint32_t> of_element;
+    std::vector<bool>          is_rigid; ///< by section; empty: none
   };
 
   /// All elements of a blade, shells (ShellElements) or bricks (SolidElements): their strain increments, stresses,
-  /// internal forces and energies; one group for each section.
+  /// internal forces and energies; one group for each section. Those of a rigid section, all of whose nodes are held,
+  /// have their mass, but neither force, energy nor vote, and are not computed.
   ///
   /// A step is three loops, each writing only what it owns, so that nothing depends on the number of threads: nodes
   /// (records), batches of elements (a row of force for every corner), nodes (sums over the corners, which lie side by
@@ -101,7 +103,8 @@ namespace birdstrike
     /// What elements and points stored when they failed, less what forces have not paid for in that step; it has left
     /// the others. An element that has not paid for all of its last flow takes it off the plastic work.
     double eroded_energy() const;
-    void   add_energies(EnergyReport &report) const; ///< all of these
+    void   add_energies(EnergyReport &report) const;                         ///< all of these
+    void   add_energies_of(std::size_t section, EnergyReport &report) const; ///< but for the work, of one section
 
     /// Failed elements carry nothing and have no vote on the step; their nodes keep their masses. Once failed, always.
     bool        can_fail() const;
@@ -154,6 +157,8 @@ namespace birdstrike
     double sum(Lanes ElementChunk::*energy) const; ///< J
     template <class Part>
     double sum_erosion(const Part &part) const; ///< J, of part(energy of a batch)
+    template <class Part>
+    double sum_erosion(const Group &group, const Part &part) const;
 
     std::vector<Group> groups;
 
@@ -184,6 +189,7 @@ namespace birdstrike
     AlignedVector<Row>         node_force;   ///< [n_nodes], of the last step
     AlignedVector<Row>         node_work;    ///< [chunks of nodes], J by component, cumulative
     std::vector<std::uint32_t> n_left;       ///< [n_nodes], elements that have not failed; none where none can
+    std::vector<bool>          is_rigid;     ///< by group; empty: none
 
   protected:
     typename Group::Nodes nodes;

@@ -39,6 +39,23 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
+  std::pair<double, std::array<double, 3>>
+  NodalMechanics<n_unknowns>::kinetic_and_impulse(const std::span<const std::uint32_t> nodes) const
+  {
+    double                kinetic = 0.;
+    std::array<double, 3> impulse{};
+    for (const std::uint32_t n : nodes)
+      for (unsigned int c = 0; c < n_unknowns; ++c)
+        {
+          const std::size_t dof = n_unknowns * n + c;
+          kinetic += 0.5 * vectors->mass.begin()[dof] * std::pow(vectors->velocity.begin()[dof], 2);
+          if (c < 3)
+            impulse[c] += vectors->received.begin()[dof];
+        }
+    return {kinetic, impulse};
+  }
+
+  template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::add_fields(std::vector<Field> &fields) const
   {
     const auto add = [&](const char *name, const char *unit, const double *values) {
@@ -62,4 +79,8 @@ namespace birdstrike
   template std::array<std::array<double, 3>, 3> NodalMechanics<6>::motion_of(std::size_t) const;
   template void                                 NodalMechanics<3>::add_fields(std::vector<Field> &) const;
   template void                                 NodalMechanics<6>::add_fields(std::vector<Field> &) const;
+  template std::pair<double, std::array<double, 3>>
+    NodalMechanics<3>::kinetic_and_impulse(std::span<const std::uint32_t>) const;
+  template std::pair<double, std::array<double, 3>>
+    NodalMechanics<6>::kinetic_and_impulse(std::span<const std::uint32_t>) const;
 } // namespace birdstrike

@@ -106,10 +106,12 @@ namespace birdstrike
 
     void archive(Archive &archive);
 
-    EnergyReport             energies() const; ///< kinetic, staggering, damped, works: nothing of the elements
-    MomentumReport           momenta() const;
-    std::array<double, 3>    contact_force() const;
-    std::vector<ProbeValues> probes() const;
+    EnergyReport   energies() const; ///< kinetic, staggering, damped, works: nothing of the elements
+    MomentumReport momenta() const;
+    /// Of some nodes: kinetic energy (J), and the impulse of contact so far (N s).
+    std::pair<double, std::array<double, 3>> kinetic_and_impulse(std::span<const std::uint32_t> nodes) const;
+    std::array<double, 3>                    contact_force() const;
+    std::vector<ProbeValues>                 probes() const;
     /// Displacement (m), velocity (m/s) and acceleration (m/s^2) of a node; the last of all forces, damping included,
     /// of driven components that of their formula.
     std::array<std::array<double, 3>, 3> motion_of(std::size_t node) const;
@@ -167,9 +169,9 @@ namespace birdstrike
     std::vector<std::uint32_t>    held_dofs;
     std::vector<Supports::Driven> driven;
     Rotor                         rotor;
-    std::vector<std::uint32_t>    hub_dofs;         ///< those that follow it, sorted
+    std::vector<std::uint32_t>    hub_dofs;               ///< those that follow it, sorted
     double                        moment_of_inertia = 0.; ///< kg m^2, about the hub's axis at the start
-    std::size_t                   n_nodes, n_owned; ///< ghosts come last
+    std::size_t                   n_nodes, n_owned;       ///< ghosts come last
 
     std::unique_ptr<Vectors>                           vectors;
     std::vector<std::pair<std::string, std::uint32_t>> watched;     ///< probes: name, node

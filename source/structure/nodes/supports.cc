@@ -70,6 +70,16 @@ namespace birdstrike
     }
 
     template <class Mesh>
+    std::vector<std::uint32_t> nodes_of_blades(const Mesh &mesh, const std::vector<bool> &are_meant)
+    {
+      std::vector<std::uint32_t> nodes;
+      for (std::size_t cell = 0; cell < mesh.cells.size() && !mesh.blades.empty() && !are_meant.empty(); ++cell)
+        if (are_meant[mesh.blade_of(cell)])
+          nodes.insert(nodes.end(), mesh.cells[cell].begin(), mesh.cells[cell].end());
+      return nodes;
+    }
+
+    template <class Mesh>
     std::vector<std::uint32_t> nodes_in_box(const Mesh &mesh, const std::vector<double> &box)
     {
       // Coordinates of generated meshes carry round-off: a box that ends on a node includes it.
@@ -87,16 +97,18 @@ namespace birdstrike
     }
   } // namespace
 
-  Supports::Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh, const bool turns)
+  Supports::Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh, const bool turns,
+                     const std::vector<bool> &is_rigid)
   {
     find_roles(parameters, mesh);
-    find_held<6>(parameters, mesh, turns);
+    find_held<6>(parameters, mesh, turns, is_rigid);
   }
 
-  Supports::Supports(const BladeParameters::Supports &parameters, const VolumeMesh &mesh, const bool turns)
+  Supports::Supports(const BladeParameters::Supports &parameters, const VolumeMesh &mesh, const bool turns,
+                     const std::vector<bool> &is_rigid)
   {
     find_roles(parameters, mesh);
-    find_held<3>(parameters, mesh, turns);
+    find_held<3>(parameters, mesh, turns, is_rigid);
   }
 
   template <class Mesh>
@@ -118,11 +130,13 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns, class Mesh>
-  void Supports::find_held(const BladeParameters::Supports &parameters, const Mesh &mesh, const bool turns)
+  void Supports::find_held(const BladeParameters::Supports &parameters, const Mesh &mesh, const bool turns,
+                           const std::vector<bool> &is_rigid)
   {
     constexpr std::array<bool, 6> all{{true, true, true, true, true, true}};
     HeldSet<n_unknowns>           held;
     held.add(mesh.nodes_on(clamped_ids), all);
+    held.add(nodes_of_blades(mesh, is_rigid), all);
     // the mirror image at y = 0 has -u_y, -theta_x and -theta_z
     held.add(mesh.symmetry_nodes, {{false, true, false, true, false, true}});
     for (const auto &[key, components] : parse_pairs(parameters.held, "Blade/Supports/Held"))

@@ -17,9 +17,12 @@ namespace birdstrike
   /// solid, a formula that cannot be read, is not 0 at t = 0, or drives across a plane of symmetry.
   struct Supports
   {
-    /// `turns`: with the hub, and what is held follows it; then only whole nodes can be.
-    Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh, bool turns = false);
-    Supports(const BladeParameters::Supports &parameters, const VolumeMesh &mesh, bool turns = false);
+    /// `turns`: with the hub, and what is held follows it; then only whole nodes can be. Of a row, `is_rigid` says
+    /// which blades are held as a whole.
+    Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh, bool turns = false,
+             const std::vector<bool> &is_rigid = {});
+    Supports(const BladeParameters::Supports &parameters, const VolumeMesh &mesh, bool turns = false,
+             const std::vector<bool> &is_rigid = {});
 
     struct Driven
     {
@@ -43,6 +46,7 @@ namespace birdstrike
     template <class Mesh>
     void find_roles(const BladeParameters::Supports &parameters, const Mesh &mesh);
     template <unsigned int n_unknowns, class Mesh>
-    void find_held(const BladeParameters::Supports &parameters, const Mesh &mesh, bool turns);
+    void find_held(const BladeParameters::Supports &parameters, const Mesh &mesh, bool turns,
+                   const std::vector<bool> &is_rigid);
   };
 } // namespace birdstrike

@@ -36,8 +36,7 @@ namespace birdstrike
       double                       chord_position; ///< m from the middle of the section
     };
     std::vector<Facet> make_facets(const VolumeMesh &mesh, const std::vector<std::size_t> &faces) const;
-    double             stress(const Facet &facet, const double *position, const SolidElements &elements,
-                              const Turn &turned) const;
+    double stress(const Facet &facet, const double *position, const SolidElements &elements, const Turn &turned) const;
 
     BladeEnd                          root;
     std::array<std::vector<Facet>, 2> facets; ///< struck and rear, as many, by chord position

@@ -2,6 +2,7 @@
 #include "strike_harness.h"
 
 #include <birdstrike/bird/bird.h>
+#include <birdstrike/core/errors.h>
 #include <birdstrike/core/number.h>
 
 #include <gtest/gtest.h>
@@ -184,4 +185,112 @@ TEST(RowOfBlades, BladesThatMeetDoNotGoThroughOneAnother)
   EXPECT_LT(nearest, 1.3 * 4.27e-3) << "they have met";
   EXPECT_GT(behind.back(), 0.01);
   EXPECT_LT(strike.summary.number("energy/max_relative_error"), 2e-3);
+}
+
+// Three blades of which the outer ones are rigid: these are neither computed nor bent, take part in contact, and follow
+// the hub. They are the limit of blades that are stiff, here by thirty times the modulus of titanium.
+TEST(RowOfBlades, RigidOnesFollowTheHub)
+{
+  const Overrides coarse{"Blade/Mesh/Elements along span=10", "Blade/Mesh/Elements along chord=5",
+                         "Bird/Particle spacing=0.005",       "Time/End time=0.8e-3",
+                         "Output/Console interval=1e9",       "Blade/Material/Young's modulus=3.4e12",
+                         "Blade/Material/Hardening=elastic"};
+  const auto      strike = [&](const std::string &kind, const std::string &rigid) {
+    Overrides all = coarse;
+    all.push_back("Blade/Kind=" + kind);
+    all.push_back("Blade/Mesh/Row/Rigid=" + rigid);
+    auto parameters = std::make_unique<CaseParameters>();
+    parameters->read(fan, all);
+    auto       scene = std::make_unique<Scene>(*parameters);
+    BirdStrike run(*parameters, *scene);
+    run.run([](bool) {});
+    return std::tuple(std::move(parameters), std::move(scene), run.time());
+  };
+  for (const std::string kind : {"shell", "solid"})
+    {
+      const auto [of_rigid, rigid, time]    = strike(kind, "1 3");
+      const auto [of_elastic, elastic, end] = strike(kind, "");
+      const auto balance = rigid->blade->balance_of_row(), before = elastic->blade->balance_of_row();
+      ASSERT_EQ(balance.size(), 3u);
+      const FieldSnapshot snapshot = rigid->blade->snapshot();
+      const auto         &u        = field(snapshot, "displacement").values;
+      const double        turned   = 600. * time;
+      std::size_t         n_rigid  = 0;
+      for (std::size_t cell = 0; cell < field(snapshot, "blade").values.size(); ++cell)
+        if (field(snapshot, "blade").values[cell] != 2.)
+          for (std::size_t k = 0; k < (kind == "shell" ? 4u : 8u); ++k, ++n_rigid)
+            {
+              const std::uint32_t n = snapshot.cells[(kind == "shell" ? 4 : 8) * cell + k];
+              const Point3        x(snapshot.points.data() + 3 * n), moved(u.data() + 3 * n);
+              EXPECT_NEAR((x + moved - turn(turned, x)).norm(), 0., 1e-12);
+            }
+      EXPECT_GT(n_rigid, 100u);
+      for (const std::size_t k : {0u, 2u})
+        {
+          EXPECT_TRUE(balance[k].is_rigid);
+          EXPECT_EQ(balance[k].energies.elastic, 0.);
+          EXPECT_EQ(balance[k].energies.plastic, 0.);
+          EXPECT_NEAR(balance[k].energies.kinetic, before[k].energies.kinetic, 0.02 * before[k].energies.kinetic);
+        }
+      for (const std::size_t k : {0u, 1u, 2u})
+        EXPECT_NEAR((Point3(balance[k].impulse.data()) - Point3(before[k].impulse.data())).norm(), 0.,
+                    0.03 * Point3(before[1].impulse.data()).norm())
+          << kind << k;
+      const ElementPrices price = rigid->blade->prices(), all = elastic->blade->prices();
+      EXPECT_EQ(3 * price.n_elements, all.n_elements);
+      // sums over the blades are the whole
+      EnergyReport sum;
+      for (const BladeBalance &of : before)
+        {
+          sum.elastic += of.energies.elastic;
+          sum.plastic += of.energies.plastic;
+          sum.kinetic += of.energies.kinetic;
+        }
+      const EnergyReport whole = elastic->blade->energies();
+      EXPECT_NEAR(sum.elastic, whole.elastic, 1e-12 * whole.elastic);
+      EXPECT_NEAR(sum.plastic, whole.plastic, 1e-12 * whole.plastic + 1e-12);
+      EXPECT_NEAR(sum.kinetic, whole.kinetic, 1e-12 * whole.kinetic);
+      // and each blade reports as the described one does
+      const auto   loads = elastic->blade->loads_of_row();
+      const double tip   = elastic->blade->tip_deflection().mid_chord;
+      EXPECT_NEAR(loads[1].tip.mid_chord, tip, 1e-12);
+      EXPECT_NEAR(loads[1].root.bending_moment, elastic->blade->root_section().bending_moment,
+                  1e-9 * std::abs(loads[1].root.bending_moment));
+    }
+}
+
+// Before anything is struck, copies carry and report what the described blade does.
+TEST(RowOfBlades, CopiesReportInTheirOwnAxes)
+{
+  for (const std::string kind : {"shell", "solid"})
+    {
+      CaseParameters parameters;
+      parameters.read(fan, {"Bird/Enabled=false", "Blade/Kind=" + kind, "Blade/Mesh/Elements along span=8",
+                            "Blade/Mesh/Elements along chord=4", "Blade/Mesh/Row/Pitch=120",
+                            "Blade/Mesh/Profile/Stagger=30+20*s", "Blade/Mesh/Profile/Camber=0.05"});
+      const Scene scene(parameters);
+      const auto  loads = scene.blade->loads_of_row();
+      ASSERT_EQ(loads.size(), 3u);
+      const BladeLoads &described = loads[1];
+      EXPECT_GT(std::abs(described.tip.mid_chord), 1e-4);
+      for (const BladeLoads &of : loads)
+        {
+          EXPECT_NEAR(of.tip.mid_chord / described.tip.mid_chord, 1., 1e-5) << kind << of.place;
+          EXPECT_NEAR(of.tip.leading / described.tip.leading, 1., 1e-5) << kind << of.place;
+          EXPECT_NEAR(of.root.normal_force / described.root.normal_force, 1., 1e-6) << kind << of.place;
+          EXPECT_NEAR(of.root.bending_moment / described.root.bending_moment, 1., 1e-5) << kind << of.place;
+          ASSERT_EQ(of.root.stress_rear.size(), described.root.stress_rear.size());
+          for (std::size_t k = 0; k < of.root.stress_rear.size(); ++k)
+            EXPECT_NEAR(of.root.stress_rear[k] / described.root.stress_rear[k], 1., 1e-4) << kind << of.place;
+        }
+    }
+}
+
+TEST(RowOfBlades, RefusesRigidPlacesThatAreNone)
+{
+  for (const char *rigid : {"4", "2", "0", "one"})
+    {
+      CaseParameters parameters;
+      EXPECT_THROW(parameters.read(fan, {std::string("Blade/Mesh/Row/Rigid=") + rigid}), InputError) << rigid;
+    }
 }

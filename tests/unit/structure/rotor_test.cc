@@ -51,7 +51,7 @@ namespace birdstrike
   // A resumed run asks later times first.
   TEST(Rotor, DoesNotRememberWhatWasAsked)
   {
-    const std::string law = "600*exp(-t/3e-3) + if(t>1e-3, 10, 0)";
+    const std::string law   = "600*exp(-t/3e-3) + if(t>1e-3, 10, 0)";
     const Rotor       early = turning(law), late = turning(law);
     early.turn(0.33e-3);
     early.turn(1.77e-3);
@@ -63,11 +63,11 @@ namespace birdstrike
   TEST(Rotor, AcceleratesAsItsPlacesDo)
   {
     BladeParameters::Spin spin;
-    spin.speed        = "600 - 2e5*t";
-    spin.axis         = {{1., 2., 2.}};
-    spin.centre       = {{0.1, 0., 0.}};
+    spin.speed  = "600 - 2e5*t";
+    spin.axis   = {{1., 2., 2.}};
+    spin.centre = {{0.1, 0., 0.}};
     const Rotor  rotor(spin);
-    const double t = 0.7e-3, h = 1e-6;
+    const double t = 0.7e-3, h          = 1e-6;
     const Point3 x(0.4, 0.2, -0.3), now = rotor.turn(t).carried(x);
     const Point3 before = rotor.turn(t - h).carried(x), after = rotor.turn(t + h).carried(x);
     const Point3 velocity = (after - before) / (2. * h), acceleration = (after - 2. * now + before) / (h * h);

@@ -204,8 +204,8 @@ namespace birdstrike
     ThreadPool pool(1);
     for (const char *kind : {"shell", "solid"})
       {
-        BladeParameters p  = bar({kind, "automatic"}, 20);
-        p.spin.speed       = "600 - 2e5*t"; // about z: the bar stands on edge
+        BladeParameters p = bar({kind, "automatic"}, 20);
+        p.spin.speed      = "600 - 2e5*t"; // about z: the bar stands on edge
 
         const auto   blade = make_blade(p, pool);
         const double dt = 0.9 * blade->step_limit().value, time = 1e-3;
@@ -236,9 +236,9 @@ namespace birdstrike
         p.spin.speed       = "100*t";
         const auto   blade = make_blade(p, pool);
         const double lag   = 1.1 * density * 100. * std::pow(length, 5) / (young * 0.00427 * 0.00427);
-        const double bent = blade->tip_deflection().mid_chord;
+        const double bent  = blade->tip_deflection().mid_chord;
         EXPECT_NEAR(std::abs(bent) / lag, 1., 5e-3) << kind;
-        const double dt = 0.9 * blade->step_limit().value;
+        const double dt    = 0.9 * blade->step_limit().value;
         double       worst = 0.;
         for (unsigned int k = 0; k * dt < 2e-3; ++k)
           {
