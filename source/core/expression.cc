@@ -44,6 +44,35 @@ namespace birdstrike
     return value;
   }
 
+  struct TimeLaw::Parser
+  {
+    dealii::FunctionParser<1> function;
+    std::string               text, entry;
+  };
+
+  TimeLaw::TimeLaw(const std::string &text, const std::string &entry)
+    : parser(new Parser{dealii::FunctionParser<1>(1), text, entry})
+  {
+    const std::string complaint = "Blade/" + entry + ": '" + text +
+                                  "' is not a formula in t.\nAllowed: a number, or a formula in the time t alone, e.g. "
+                                  "'600 - 2e3*t' or 'if(t<1e-3, 600, 590)'.";
+    if (text.find("rand") != std::string::npos)
+      throw InputError(complaint);
+    compile(parser->function, "t", text, false, complaint);
+  }
+
+  TimeLaw::~TimeLaw()                   = default;
+  TimeLaw::TimeLaw(TimeLaw &&) noexcept = default;
+
+  double TimeLaw::operator()(const double time) const
+  {
+    const double value = parser->function.value(dealii::Point<1>(time));
+    if (!std::isfinite(value))
+      throw InputError("Blade/" + parser->entry + ": '" + parser->text +
+                       "' is not finite at t = " + dealii::Utilities::to_string(time) + " s.");
+    return value;
+  }
+
   struct SpanLaw::Parser
   {
     dealii::FunctionParser<1> function;

@@ -87,7 +87,8 @@ namespace birdstrike
                             vector_text({{sign * motion.axis[0], sign * motion.axis[1], sign * motion.axis[2]}}, "")));
       const StaticReport found = blade.static_report();
       if (found.n_unknowns == 0)
-        table.add("centrifugal tension", "none at the start: Blade/Spin/Prestress is false");
+        table.add("centrifugal tension", motion.speed == 0. ? "none at the start: the hub is at rest"
+                                                            : "none at the start: Blade/Spin/Prestress is false");
       else
         table.add("centrifugal tension",
                   fmt::format("from static equilibrium, {} unknowns, {} iterations; root {}, tip {} off its mesh",

@@ -68,6 +68,8 @@ namespace birdstrike
     watch_patches();
     for (const Projectile &each : birds)
       each.bird->compute_rates(); // where it has been moved to: its vote rests on them
+    if (blade && blade->rotor() != nullptr)
+      blade->rotor()->require_known_until(parameters.time.end_time);
     plan(parameters.time.end_time);
   }
 

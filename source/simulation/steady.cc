@@ -128,7 +128,8 @@ namespace birdstrike
     const double       speed  = Rotor(steady.parameters.blade.spin).speed(0.);
     const StaticReport report = steady.blade->find_equilibrium();
     if (report.n_unknowns == 0)
-      throw InputError("Nothing loads the blade: it is at rest as it is.\nSet Blade/Spin/Speed or Blade/Loads.");
+      throw InputError("Nothing loads the blade at t = 0: it is at rest as it is.\nSet Blade/Spin/Speed or "
+                       "Blade/Loads to what is not zero then.");
     const ReportFolder folder(output, kind);
     folder.write_text("static.json", to_json(report, *steady.blade, speed));
     FieldSeries(folder.path(), "blade").write(steady.blade->snapshot(), 0.);

@@ -127,7 +127,7 @@ namespace birdstrike
   {
     for (std::size_t k = 0; k < materials.size(); ++k)
       {
-        const std::string where = "Blade/Laminate/Material " + std::to_string(k + 1) + "/",
+        const std::string where = std::string("Blade/Laminate/") + "Material " + std::to_string(k + 1) + "/",
                           name  = trim(materials[k].name);
         if (name.empty() && materials[k].ply != Ply())
           throw InputError(where +

@@ -26,6 +26,23 @@ namespace birdstrike
     std::unique_ptr<Parser> parser;
   };
 
+  /// A formula of the user in the time t (s) alone, e.g. "600 - 2e3*t". The constant pi is known. Not thread-safe.
+  class TimeLaw
+  {
+  public:
+    /// Throws InputError, naming the entry, if the text is no such formula, or one of chance (rand).
+    TimeLaw(const std::string &text, const std::string &entry);
+    ~TimeLaw();
+    TimeLaw(TimeLaw &&) noexcept;
+
+    /// Throws InputError if the value is not finite.
+    double operator()(double time) const;
+
+  private:
+    struct Parser;
+    std::unique_ptr<Parser> parser;
+  };
+
   /// A formula of the user in the normalised span s, 0 at the root and 1 at the tip, e.g. "35+22*s-4*s^2" or
   /// "if(s<0.5, 1, 1.5-s)". The constant pi is known. Not thread-safe.
   class SpanLaw

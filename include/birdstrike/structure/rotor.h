@@ -8,7 +8,7 @@
 
 namespace birdstrike
 {
-  class Expression;
+  class TimeLaw;
 
   /// What sits on a hub, turned by an angle about an axis a through c: points that were at X are at c + R (X - c), with
   /// R of Rodrigues.
@@ -51,11 +51,11 @@ namespace birdstrike
     double angle = 0., sine = 0., versine = 0.;             ///< rad, -, -
   };
 
-  /// Velocities and accelerations of what sits on a hub, at an instant.
+  /// Velocities and centripetal accelerations of what sits on a hub, at an instant.
   struct HubMotion
   {
-    Point3 axis, centre;        ///< -, m
-    double speed, acceleration; ///< rad/s, rad/s^2
+    Point3 axis, centre; ///< -, m
+    double speed;        ///< rad/s
 
     Point3 angular_velocity() const
     {
@@ -66,11 +66,10 @@ namespace birdstrike
     {
       return angular_velocity().cross(Point3(x - centre));
     }
-    /// Of the place x (m), m/s^2: towards the axis, and of the changing speed (Euler).
-    Point3 acceleration_at(const Point3 &x) const
+    Point3 centripetal_acceleration(const Point3 &x) const ///< m/s^2
     {
       const Point3 r = x - centre;
-      return acceleration * axis.cross(r) - speed * speed * (r - axis.dot(r) * axis);
+      return -speed * speed * (r - axis.dot(r) * axis);
     }
   };
 
@@ -95,8 +94,11 @@ namespace birdstrike
     double    speed(double time) const; ///< rad/s
     HubMotion motion(const double time) const
     {
-      return {axis, centre, speed(time), acceleration(time)};
+      return {axis, centre, speed(time)};
     }
+    Point3 angular_acceleration(double time) const; ///< rad/s^2, by a difference over 0.1 us from this time on
+    /// Throws InputError where a formula has no value from the start to a little after this time (s).
+    void require_known_until(double time) const;
     /// From the start, or from another time, on.
     Turn turn(const double time) const
     {
@@ -108,14 +110,13 @@ namespace birdstrike
     }
 
   private:
-    double acceleration(double time) const; ///< rad/s^2
-    double angle(double time) const;        ///< rad
+    double angle(double time) const; ///< rad
     double integrate(double from, double to) const;
 
-    double                            constant = 0.; ///< rad/s
-    std::shared_ptr<const Expression> law;           ///< rad/s
-    mutable std::vector<double>       angles{0.};    ///< rad, at whole multiples of the piece of time
-    Point3                            axis   = Point3::UnitZ();
-    Point3                            centre = Point3::Zero(); ///< m
+    double                         constant = 0.; ///< rad/s
+    std::shared_ptr<const TimeLaw> law;           ///< rad/s
+    mutable std::vector<double>    angles{0.};    ///< rad, at whole multiples of the piece of time
+    Point3                         axis   = Point3::UnitZ();
+    Point3                         centre = Point3::Zero(); ///< m
   };
 } // namespace birdstrike

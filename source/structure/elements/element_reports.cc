@@ -275,7 +275,7 @@ namespace birdstrike
     const Group &group = groups.at(section);
     SectionSums  sums{0, 0., group.sum(&ElementChunk::plastic)};
     for (std::size_t e = 0; e < group.n_elements(); ++e)
-      if (group.is_owned(e))
+      if (group.is_owned(e) || (!is_rigid.empty() && is_rigid[section])) // which books nothing, but is there
         {
           ++sums.n_elements;
           sums.mass += group.mass[e];

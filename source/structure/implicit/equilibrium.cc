@@ -141,12 +141,9 @@ namespace birdstrike
     motion.add_loads(0., loads.data());
     const HubMotion hub = rotor.motion(0.);
     for (std::size_t n = 0; n < arrays.n && rotor.turns(); ++n)
-      {
-        const Point3 a = hub.acceleration_at(Point3(arrays.position + 3 * n));
-        for (unsigned int c = 0; c < n_unknowns; ++c)
-          loads[n_unknowns * n + c] -=
-            arrays.mass[n_unknowns * n + c] * (c < 3 ? a[c] : hub.acceleration * hub.axis[c - 3]);
-      }
+      for (unsigned int d = 0; d < 3; ++d)
+        loads[n_unknowns * n + d] -=
+          arrays.mass[n_unknowns * n] * hub.centripetal_acceleration(Point3(arrays.position + 3 * n))[d];
     for (std::size_t i = 0; i < forces.size(); ++i)
       forces[i] += factor * loads[i];
   }

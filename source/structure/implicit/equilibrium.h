@@ -10,12 +10,12 @@ namespace birdstrike
 {
   /// Forces on the free unknowns of a blade of finite elements at rest in the frame that turns with its hub,
   ///
-  ///   r(s) = f_elements(s) + lambda (f_loads(x) + m w^2 (x - c)_across - m w' a x (x - c)),
+  ///   r(s) = f_elements(s) + lambda (f_loads(x) + m w^2 (x - c)_across),
   ///
   /// for a step s since the last accepted state: the increment of the explicit loop, taken by the same elements and
   /// section laws in one piece and in a time so long that no rate matters. Every call starts from the accepted state.
-  /// Loads are those of t = 0. Rotary inertia of nodes is isotropic, so that their rotation at constant speed is
-  /// free of moments.
+  /// Loads and speed are those of t = 0, as if they had been so for ever. Rotary inertia of nodes is isotropic, so that
+  /// their rotation is free of moments.
   class Equilibrium
   {
   public:

@@ -32,8 +32,10 @@ namespace birdstrike
           motion[2][d] = (support.at(time + h) - 2. * support.at(time) + support.at(time - h)) / (h * h);
     if (std::binary_search(hub_dofs.begin(), hub_dofs.end(), n_unknowns * node))
       {
-        const Point3 a = rotor.motion(time).acceleration_at(Point3(vectors->position.begin() + 3 * node));
-        motion[2]      = {{a[0], a[1], a[2]}};
+        const HubMotion hub = rotor.motion(time);
+        const Point3    x(vectors->position.begin() + 3 * node);
+        const Point3    a = hub.centripetal_acceleration(x) + rotor.angular_acceleration(time).cross(x - hub.centre);
+        motion[2]         = {{a[0], a[1], a[2]}};
       }
     return motion;
   }

@@ -72,11 +72,11 @@ namespace birdstrike
     const double    *u = vectors->displacement.begin();
     for (const Supports::Driven &support : driven)
       {
-        const double to = support.at(after), from = support.at(before);
+        const double to = support.at(after), from = is_first ? 0. : support.at(before); // nothing is before t = 0
         for (const std::uint32_t dof : support.dofs)
           drive(kick, dof, is_first ? u[dof] : from, to);
       }
-    const Turn turn_before = rotor.turn(before), turn_after = rotor.turn(after);
+    const Turn turn_before = is_first ? Turn() : rotor.turn(before), turn_after = rotor.turn(after);
     for (std::size_t k = 0; k < hub_dofs.size(); k += n_unknowns) // whole nodes
       {
         const std::uint32_t dof = hub_dofs[k];

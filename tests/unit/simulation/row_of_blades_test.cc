@@ -250,7 +250,7 @@ TEST(RowOfBlades, RigidOnesFollowTheHub)
       EXPECT_NEAR(sum.elastic, whole.elastic, 1e-12 * whole.elastic);
       EXPECT_NEAR(sum.plastic, whole.plastic, 1e-12 * whole.plastic + 1e-12);
       EXPECT_NEAR(sum.kinetic, whole.kinetic, 1e-12 * whole.kinetic);
-      // and each blade reports as the described one does
+      // and the described blade is among them
       const auto   loads = elastic->blade->loads_of_row();
       const double tip   = elastic->blade->tip_deflection().mid_chord;
       EXPECT_NEAR(loads[1].tip.mid_chord, tip, 1e-12);
@@ -279,7 +279,11 @@ TEST(RowOfBlades, CopiesReportInTheirOwnAxes)
           EXPECT_NEAR(of.tip.leading / described.tip.leading, 1., 1e-5) << kind << of.place;
           EXPECT_NEAR(of.root.normal_force / described.root.normal_force, 1., 1e-6) << kind << of.place;
           EXPECT_NEAR(of.root.bending_moment / described.root.bending_moment, 1., 1e-5) << kind << of.place;
+          EXPECT_NEAR(of.tip.trailing / described.tip.trailing, 1., 1e-5) << kind << of.place;
+          EXPECT_NEAR(of.root.transverse_force / described.root.transverse_force, 1., 1e-4) << kind << of.place;
           ASSERT_EQ(of.root.stress_rear.size(), described.root.stress_rear.size());
+          for (std::size_t k = 0; k < of.root.stress_struck.size(); ++k)
+            EXPECT_NEAR(of.root.stress_struck[k] / described.root.stress_struck[k], 1., 1e-4) << kind << of.place;
           for (std::size_t k = 0; k < of.root.stress_rear.size(); ++k)
             EXPECT_NEAR(of.root.stress_rear[k] / described.root.stress_rear[k], 1., 1e-4) << kind << of.place;
         }

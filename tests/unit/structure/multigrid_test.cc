@@ -30,7 +30,7 @@ namespace birdstrike
       p.element.formulation = element_formulations().at(formulation.name);
       p.mesh.n_layers       = formulation.name == std::string("solid-shell") ? 1 : 2;
       p.spin.axis           = {0., 1., 0.};
-      p.spin.speed          = 300.;
+      p.spin.speed          = "300";
       p.spin.n_load_steps   = 1; // what forms of increments make of a state depends on them in the fifth digit
       p.loads.pressure      = "1e3*(1 + 5*y)";
       p.probes              = "corner: 0.3112 0.0889 0; inside: 0.15 0.04 0";
@@ -112,7 +112,7 @@ namespace birdstrike
   {
     BladeParameters p  = test::elastic_plate(80, 2);
     p.material.poisson = "0";
-    p.spin.speed       = 600.;
+    p.spin.speed       = "600";
     p.probes           = "tip: 0.3112 0 0";
     const double exact = 4430. * 600. * 600. * std::pow(0.3112, 3) / (3. * 113.8e9);
     EXPECT_NEAR(displacements(solve(p, LinearSolverChoice::multigrid))[0] / exact, 1., 2e-3);
@@ -175,7 +175,7 @@ namespace birdstrike
         for (const unsigned int n : {1u, 2u, 4u})
           {
             BladeParameters p   = loaded(formulation, 20 * n, 6 * n);
-            p.spin.speed        = 0.;
+            p.spin.speed        = "0";
             p.spin.n_load_steps = 1;
             p.loads.pressure    = "1";
             const auto blade    = solve(p, LinearSolverChoice::multigrid);

@@ -51,7 +51,7 @@ namespace birdstrike
         for (unsigned int d = 0; d < 3; ++d)
           {
             const std::size_t i = nodes.n_unknowns * n + d;
-            const double      a = -hub.acceleration_at(Point3(nodes.position + 3 * n))[d];
+            const double      a = -hub.centripetal_acceleration(Point3(nodes.position + 3 * n))[d];
             if (nodes.inverse_mass[i] > 0.)
               largest = std::max(largest, std::abs(nodes.force[i] * nodes.inverse_mass[i] + a));
           }
@@ -198,17 +198,17 @@ namespace birdstrike
       }
   }
 
-  // A shaft that runs down at 2e5 rad/s^2 by 200 of 600 rad/s: the drive takes what the rotation loses.
+  // A shaft that runs down smoothly, by 200 of 600 rad/s within 20 ms: the drive takes what the rotation loses, and the
+  // bar, which stands on edge, follows without a swing to speak of.
   TEST(SpinningBlade, RunsDownWithItsShaft)
   {
     ThreadPool pool(1);
     for (const char *kind : {"shell", "solid"})
       {
-        BladeParameters p = bar({kind, "automatic"}, 20);
-        p.spin.speed      = "600 - 2e5*t"; // about z: the bar stands on edge
-
+        BladeParameters p  = bar({kind, "automatic"}, 20);
+        p.spin.speed       = "500 + 100*cos(pi*t/2e-2)"; // about z
         const auto   blade = make_blade(p, pool);
-        const double dt = 0.9 * blade->step_limit().value, time = 1e-3;
+        const double dt = 0.9 * blade->step_limit().value, time = 2e-2;
         const auto   n      = static_cast<unsigned int>(std::ceil(time / dt));
         const double before = test::balance(*blade);
         const auto   start  = blade->energies();
@@ -218,34 +218,38 @@ namespace birdstrike
         EXPECT_NEAR(end.driven, 0.5 * inertia * 400. * 400., 1e-9 * start.driven) << kind;
         EXPECT_NEAR(start.driven, start.kinetic, 1e-12 * start.kinetic) << kind;
         EXPECT_NEAR(test::balance(*blade), before, 1e-6 * start.kinetic) << kind; // of second order in the step
-        // in steady deceleration but for what the falling tension lets swing
         EXPECT_NEAR(end.kinetic / start.kinetic, 4. / 9., 2e-3) << kind;
         EXPECT_NEAR(end.external_work / (start.kinetic * 5. / 9.), -1., 2e-2) << kind;
       }
   }
 
-  // From rest with constant angular acceleration a: the tip of a bar of length L and thickness h lags behind by
-  // 11 rho a L^5 / (10 E h^2) (load rho h a x across, Euler and Bernoulli), from the first step on.
-  TEST(SpinningBlade, StartsBentByTheAccelerationOfItsHub)
+  // From rest with constant angular acceleration a: the tip of a bar of length L and thickness h lags behind, over a
+  // period of its first mode, by 11 rho a L^5 / (10 E h^2) in the mean (load rho h a x across, Euler and Bernoulli),
+  // and by twice as much at most. A formula that has no value before 0 is asked for none.
+  TEST(SpinningBlade, LagsBehindAHubThatSpeedsUp)
   {
     ThreadPool pool(1);
     for (const char *kind : {"shell", "solid"})
       {
-        BladeParameters p  = bar({kind, "automatic"}, 40);
-        p.spin.axis        = {{0., 1., 0.}};
-        p.spin.speed       = "100*t";
-        const auto   blade = make_blade(p, pool);
-        const double lag   = 1.1 * density * 100. * std::pow(length, 5) / (young * 0.00427 * 0.00427);
-        const double bent  = blade->tip_deflection().mid_chord;
-        EXPECT_NEAR(std::abs(bent) / lag, 1., 5e-3) << kind;
-        const double dt    = 0.9 * blade->step_limit().value;
-        double       worst = 0.;
-        for (unsigned int k = 0; k * dt < 2e-3; ++k)
+        BladeParameters p   = bar({kind, "automatic"}, 20);
+        p.spin.axis         = {{0., 1., 0.}};
+        p.spin.speed        = "100*t + 0*sqrt(t)";
+        const auto   blade  = make_blade(p, pool);
+        const double lag    = 1.1 * density * 100. * std::pow(length, 5) / (young * 0.00427 * 0.00427);
+        const double period = 2. * M_PI / (3.5160 * std::sqrt(young / (12. * density)) * 0.00427 / std::pow(length, 2));
+        const double dt     = 0.9 * blade->step_limit().value;
+        double       sum = 0., largest = 0., least = 0.;
+        const auto   n = static_cast<unsigned int>(period / dt);
+        for (unsigned int k = 0; k < n; ++k)
           {
-            test::advance(*blade, dt, 1);
-            worst = std::max(worst, std::abs(blade->tip_deflection().mid_chord - bent));
+            test::advance(*blade, period / n, 1);
+            const double tip = blade->tip_deflection().mid_chord;
+            sum += tip / n;
+            largest = std::max(largest, tip);
+            least   = std::min(least, tip);
           }
-        EXPECT_LT(worst, 1e-4 * lag) << kind; // no jump; the tension at 0.2 rad/s is nothing
+        EXPECT_NEAR(std::abs(sum) / lag, 1., 0.02) << kind;
+        EXPECT_NEAR((largest - least) / lag, 2., 0.06) << kind;
       }
   }
 
