@@ -298,3 +298,24 @@ TEST(RowOfBlades, RefusesRigidPlacesThatAreNone)
       EXPECT_THROW(parameters.read(fan, {std::string("Blade/Mesh/Row/Rigid=") + rigid}), InputError) << rigid;
     }
 }
+
+// All around a hub the mean velocity of the blades is zero, and told nothing of which side of one is struck: the sign
+// of deflections hung on how many stood on the other side.
+TEST(RowOfBlades, TheStruckSideIsTheDescribedBlades)
+{
+  const auto tip = [&](const std::string &blades, const std::string &rigid) {
+    CaseParameters parameters;
+    parameters.read(fan, {"Blade/Mesh/Elements along span=6", "Blade/Mesh/Elements along chord=4",
+                          "Blade/Mesh/Profile/Camber=0.05", "Blade/Mesh/Profile/Stagger=30+20*s",
+                          "Bird/Particle spacing=0.008", "Blade/Mesh/Row/Blades=" + blades,
+                          "Blade/Mesh/Row/Rigid=" + rigid});
+    const Scene scene(parameters);
+    return scene.blade->tip_deflection().mid_chord;
+  };
+  std::string  others = "1 3";
+  const double few    = tip("3", others);
+  for (int k = 4; k <= 22; ++k)
+    others += " " + std::to_string(k);
+  EXPECT_GT(std::abs(few), 1e-4);
+  EXPECT_NEAR(tip("22", others) / few, 1., 1e-9);
+}
