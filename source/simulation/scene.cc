@@ -62,6 +62,8 @@ namespace birdstrike
         "The case has neither a blade nor a bird.\nSet Blade/Kind to shell, solid or rigid, or Bird/Enabled to true.");
     if (blade)
       histories = blade->make_histories(parameters.output.histories);
+    if (blade && !blade->loads_of_row().empty())
+      histories.tables.push_back(std::make_unique<RowHistory>(*blade));
     if (blade && blade->is_deformable() && parameters.contact.self_contact)
       self_contact = std::make_unique<SelfContact>();
     place_birds();
@@ -105,8 +107,6 @@ namespace birdstrike
         "Output/Histories asks for histories of a blade, and the case has none.\nLeave its entries empty, "
         "or set Blade/Kind.");
     std::vector<unsigned int> places; // of a row
-    if (blade && !blade->loads_of_row().empty())
-      histories.tables.push_back(std::make_unique<RowHistory>(*blade));
     if (has_contact() && !blade->blades_of_facets().empty())
       places = parameters.blade.mesh.row.places();
     if (requests.patches.empty() && places.empty())

@@ -212,11 +212,12 @@ namespace birdstrike
   ElementPrices Elements<Group>::prices() const
   {
     ElementPrices sum;
-    for (const Group &group : groups)
+    for (std::size_t k = 0; k < groups.size(); ++k)
       {
-        if (!is_rigid.empty() && is_rigid[&group - groups.data()])
+        if (is_rigid[k])
           continue;
-        std::size_t n = 0, n_with_points = 0;
+        const Group &group = groups[k];
+        std::size_t  n = 0, n_with_points = 0;
         for (std::size_t b = 0; b < group.batches.size(); ++b)
           {
             n += group.n_elements_of(b);
@@ -275,7 +276,7 @@ namespace birdstrike
     const Group &group = groups.at(section);
     SectionSums  sums{0, 0., group.sum(&ElementChunk::plastic)};
     for (std::size_t e = 0; e < group.n_elements(); ++e)
-      if (group.is_owned(e) || (!is_rigid.empty() && is_rigid[section])) // which books nothing, but is there
+      if (group.is_owned(e) || is_rigid[section]) // which books nothing, but is there
         {
           ++sums.n_elements;
           sums.mass += group.mass[e];

@@ -83,6 +83,7 @@ namespace birdstrike
     , nodes(points, cells, blocks, pool)
   {
     groups.reserve(sections.all.size());
+    is_rigid.resize(sections.all.size(), false);
     for (std::uint32_t group = 0; group < sections.all.size(); ++group)
       {
         typename Group::Place of_group{{}, {}, nodes.records.data(), corner_force.data(), n_nodes};
@@ -111,7 +112,7 @@ namespace birdstrike
         nodes.update(block, position, increment);
         const auto body = [&](const std::size_t begin, const std::size_t end) {
           for (std::size_t c = block.chunk_begin + begin; c < block.chunk_begin + end; ++c)
-            if (Group &group = groups[chunks[c].group]; is_rigid.empty() || !is_rigid[chunks[c].group])
+            if (Group &group = groups[chunks[c].group]; !is_rigid[chunks[c].group])
               group.update_chunk(chunks[c].number, dt);
             else
               group.clear_forces(chunks[c].number); // whose rows are those of others in between
@@ -202,7 +203,7 @@ namespace birdstrike
     n_owned_nodes = n_nodes;
     for (std::size_t e = 0; e < n_elements(); ++e)
       groups[place[e].group].batches[place[e].number / n_lanes].owned[place[e].number % n_lanes] =
-        elements[e] && (is_rigid.empty() || !is_rigid[place[e].group]) ? 1. : 0.;
+        elements[e] && !is_rigid[place[e].group] ? 1. : 0.;
   }
 
   template <class Group>

@@ -189,7 +189,7 @@ namespace birdstrike
     AlignedVector<Row>         node_force;   ///< [n_nodes], of the last step
     AlignedVector<Row>         node_work;    ///< [chunks of nodes], J by component, cumulative
     std::vector<std::uint32_t> n_left;       ///< [n_nodes], elements that have not failed; none where none can
-    std::vector<bool>          is_rigid;     ///< by group; empty: none
+    std::vector<bool>          is_rigid;     ///< by group
 
   protected:
     typename Group::Nodes nodes;
