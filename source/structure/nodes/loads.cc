@@ -2,6 +2,8 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 
 namespace birdstrike
@@ -47,7 +49,14 @@ namespace birdstrike
           throw InputError("Blade/Loads/Point loads: '" + what +
                            "' has moments, which the nodes of a solid cannot take.\n"
                            "Allowed for a solid: three forces, 'fx; fy; fz'.");
-        point_loads.push_back({*node, Expression(has_moments ? what : what + "; 0; 0; 0", 6, "Loads/Point loads")});
+        const auto formulas = dealii::Utilities::split_string_list(what, ';');
+        if (formulas.size() != 3 && !has_moments)
+          throw InputError("Blade/Loads/Point loads: '" + what + "' has " + std::to_string(formulas.size()) +
+                           " formulas.\nAllowed: three forces, 'fx; fy; fz', of shells three moments after them.");
+        PointLoad load{*node, {}};
+        for (const std::string &formula : formulas)
+          load.components.emplace_back(formula, "Loads/Point loads");
+        point_loads.push_back(std::move(load));
       }
   }
 
@@ -82,10 +91,9 @@ namespace birdstrike
             for (unsigned int d = 0; d < 3; ++d)
               force[n_unknowns * n + d] += share[d];
         }
-    const double origin[3] = {0., 0., 0.};
     for (const auto &load : point_loads)
-      for (unsigned int c = 0; c < n_unknowns; ++c)
-        force[n_unknowns * load.node + c] += load.components.value(origin, time, c);
+      for (std::size_t c = 0; c < load.components.size(); ++c)
+        force[n_unknowns * load.node + c] += load.components[c](time);
   }
 
   template Loads::Loads(const BladeParameters::Loads &, const BladeMesh<2> &, std::vector<Quadrilateral>);

@@ -37,8 +37,8 @@ namespace birdstrike
   private:
     struct PointLoad
     {
-      std::uint32_t node;
-      Expression    components; ///< fx fy fz mx my mz in t
+      std::uint32_t        node;
+      std::vector<TimeLaw> components; ///< fx fy fz, of shells mx my mz too or not
     };
 
     template <int dim>

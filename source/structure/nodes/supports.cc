@@ -166,7 +166,7 @@ namespace birdstrike
             "' moves both halves of a symmetric blade to one side.\nAllowed with a plane of symmetry: ux, "
             "uz and ry.");
         Driven driven_here{held.add(mesh.nodes_on(ids), components),
-                           std::make_shared<const Expression>(text.substr(equals + 1), 1, "Supports/Driven")};
+                           std::make_shared<const TimeLaw>(text.substr(equals + 1), "Supports/Driven")};
         if (driven_here.at(0.) != 0.)
           throw InputError("Blade/Supports/Driven: '" + text +
                            "' is not 0 at t = 0.\nA displacement begins where the mesh is; subtract its first value.");

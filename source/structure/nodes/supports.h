@@ -26,13 +26,12 @@ namespace birdstrike
 
     struct Driven
     {
-      std::vector<std::uint32_t>        dofs;         ///< sorted
-      std::shared_ptr<const Expression> displacement; ///< m or rad, of the time
+      std::vector<std::uint32_t>     dofs;         ///< sorted
+      std::shared_ptr<const TimeLaw> displacement; ///< m or rad
 
       double at(const double time) const
       {
-        const double origin[3] = {0., 0., 0.};
-        return displacement->value(origin, time);
+        return (*displacement)(time);
       }
     };
 
