@@ -68,6 +68,13 @@ namespace birdstrike
     root                  = typename Kind::Root(mesh, roles.root);
     tip                   = TipRow(mesh, roles.tip);
     members = RowOfBlades<Kind>(parameters.mesh.row, mesh, sections, roles, supports.root_ids, supports.tip_ids);
+    if (!hub.turns())
+      return;
+    std::vector<std::uint32_t> seen;
+    root.add_nodes(seen);
+    tip.add_nodes(seen);
+    members.add_nodes(seen);
+    motion.see_from_hub(std::move(seen));
   }
 
   template <class Kind>

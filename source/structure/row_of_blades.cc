@@ -58,6 +58,16 @@ namespace birdstrike
   }
 
   template <class Kind>
+  void RowOfBlades<Kind>::add_nodes(std::vector<std::uint32_t> &nodes) const
+  {
+    for (const Member &member : members)
+      {
+        member.root.add_nodes(nodes);
+        member.tip.add_nodes(nodes);
+      }
+  }
+
+  template <class Kind>
   std::vector<BladeBalance> RowOfBlades<Kind>::balance(const Motion &motion, const Elements &elements) const
   {
     std::vector<BladeBalance> all;

@@ -29,6 +29,7 @@ namespace birdstrike
     /// Forces, positions and displacements as RootSection and TipRow take them, on a hub that turns those in its frame.
     std::vector<BladeLoads>   loads(const double *force, const double *position, const double *displacement,
                                     const Elements &elements, const Turn &turned) const;
+    void                      add_nodes(std::vector<std::uint32_t> &nodes) const; ///< those that loads() asks
     std::vector<BladeBalance> balance(const Motion &motion, const Elements &elements) const;
 
   private:

@@ -93,7 +93,10 @@ namespace birdstrike
     }
     /// Everything turns with the hub from now on.
     void turn_with_hub();
-    /// As somebody on the hub sees them: positions (m), displacements and element_forces().
+    /// From now on these nodes are turned back by in_turning_frame(), and no others.
+    void see_from_hub(std::vector<std::uint32_t> nodes);
+    /// As somebody on the hub sees them: positions (m), displacements and element_forces(), of all nodes in their
+    /// places.
     struct InTurningFrame
     {
       std::vector<double> position, displacement, force;
@@ -174,10 +177,11 @@ namespace birdstrike
     std::size_t                   n_nodes, n_owned;       ///< ghosts come last
 
     std::unique_ptr<Vectors>                           vectors;
-    std::vector<std::pair<std::string, std::uint32_t>> watched;     ///< probes: name, node
-    std::unique_ptr<ScaledNodes>                       scaled;      ///< none: masses are those of the nodes
-    std::vector<NodalForce>                            added;       ///< to the forces, since they were computed
-    mutable std::vector<double>                        of_elements; ///< N, forces without them
+    std::vector<std::pair<std::string, std::uint32_t>> watched;       ///< probes: name, node
+    std::unique_ptr<ScaledNodes>                       scaled;        ///< none: masses are those of the nodes
+    std::vector<NodalForce>                            added;         ///< to the forces, since they were computed
+    mutable std::vector<double>                        of_elements;   ///< N, forces without them
+    std::vector<std::uint32_t>                         seen_from_hub; ///< nodes
     mutable InTurningFrame                             turned_back;
 
     double time           = 0.;                   ///< s

@@ -70,6 +70,11 @@ namespace birdstrike
     return report;
   }
 
+  void RootSection::add_nodes(std::vector<std::uint32_t> &nodes) const
+  {
+    nodes.insert(nodes.end(), root.nodes.begin(), root.nodes.end());
+  }
+
   std::size_t RootSection::count_failed(const ShellElements &elements) const
   {
     return std::count_if(elements_at_root.begin(), elements_at_root.end(),
@@ -126,6 +131,15 @@ namespace birdstrike
         if (property(n))
           return true;
     return false;
+  }
+
+  void TipRow::add_nodes(std::vector<std::uint32_t> &nodes) const
+  {
+    for (const Row &row : rows)
+      {
+        nodes.insert(nodes.end(), row.corners.begin(), row.corners.end());
+        nodes.insert(nodes.end(), row.middle.begin(), row.middle.end());
+      }
   }
 
   TipDeflection TipRow::compute_deflection(const double *displacement, const unsigned int n_unknowns) const

@@ -34,7 +34,8 @@ namespace birdstrike
     /// On a blade that turns, forces and positions are those in the turning frame; stresses are turned back.
     RootSectionReport compute_report(const double *force, const double *position, const ShellElements &elements,
                                      const Turn &turned = {}) const;
-    std::size_t       count_failed(const ShellElements &elements) const; ///< of the elements at the edge
+    std::size_t       count_failed(const ShellElements &elements) const;  ///< of the elements at the edge
+    void              add_nodes(std::vector<std::uint32_t> &nodes) const; ///< those that a report asks
 
   private:
     struct Element
@@ -58,6 +59,7 @@ namespace birdstrike
     bool          is_present() const;
     bool          has_any(FunctionRef<bool(std::uint32_t)> property) const; ///< of the nodes it watches
     TipDeflection compute_deflection(const double *displacement, unsigned int n_unknowns) const; ///< [n][n_unknowns]
+    void          add_nodes(std::vector<std::uint32_t> &nodes) const;                            ///< those that it asks
 
     Point3 mid_chord(const double *position) const; ///< m, from positions [n_nodes][3]
 

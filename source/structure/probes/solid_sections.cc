@@ -113,6 +113,14 @@ namespace birdstrike
     return report;
   }
 
+  void SolidRootSection::add_nodes(std::vector<std::uint32_t> &nodes) const
+  {
+    nodes.insert(nodes.end(), root.nodes.begin(), root.nodes.end());
+    for (const auto &side : facets)
+      for (const Facet &facet : side)
+        nodes.insert(nodes.end(), facet.nodes.begin(), facet.nodes.end());
+  }
+
   std::size_t SolidRootSection::count_failed(const SolidElements &elements) const
   {
     std::set<std::uint32_t> failed; // with one layer both faces are of the same element

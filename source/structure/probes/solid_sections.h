@@ -25,7 +25,8 @@ namespace birdstrike
     RootSectionReport compute_report(const double *force, const double *position, const SolidElements &elements,
                                      const Turn &turned = {}) const;
 
-    std::size_t count_failed(const SolidElements &elements) const; ///< of the elements whose stress it reports
+    std::size_t count_failed(const SolidElements &elements) const;  ///< of the elements whose stress it reports
+    void        add_nodes(std::vector<std::uint32_t> &nodes) const; ///< those that a report asks
 
   private:
     struct Facet
