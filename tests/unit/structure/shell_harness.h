@@ -194,4 +194,18 @@ namespace shell_harness
       return solve(load, held, Eigen::VectorXd::Zero(n_dofs()));
     }
   };
+
+  /// Largest omega^2 (1/s^2) of the assembled elements with lumped masses, all nodes free.
+  inline double exact_eigenvalue(Model &model)
+  {
+    Eigen::MatrixXd K    = model.compute_stiffness();
+    K                    = 0.5 * (K + K.transpose()).eval();
+    const auto      mass = model.elements.compute_nodal_masses(), inertia = model.elements.compute_rotary_inertias();
+    Eigen::VectorXd scale(model.n_dofs());
+    for (std::size_t d = 0; d < model.n_dofs(); ++d)
+      scale[d] = 1. / std::sqrt(d % 6 < 3 ? mass[d / 6] : inertia[d / 6]);
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * K * scale.asDiagonal())
+      .eigenvalues()
+      .maxCoeff();
+  }
 } // namespace shell_harness
