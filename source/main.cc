@@ -149,8 +149,8 @@ namespace
   {
     app.set_version_flag("--version", "birdstrike " + birdstrike::program_identity().version);
     app.require_subcommand(1);
-    app.footer("Exit codes: 0 done, 1 internal or system error (full disk), 2 bad input, 3 the computation was lost, "
-               "130 interrupted");
+    app.footer("Exit codes: 0 done, 1 internal or system error (full disk), 2 bad input, 3 the computation was lost or "
+               "a target error cannot be claimed, 130 interrupted");
 
     const auto case_command = [&](const char *name, const char *text, void (*verb)(const CaseRequest &)) {
       CLI::App    *command = app.add_subcommand(name, text);

@@ -12,7 +12,8 @@ for file in levels.csv converge.csv figures.gp refinement.csv "Step-scale=0.9-Bi
 done
 require "its picture is drawn" 'grep -q "</svg>" steps/refinement.svg'
 require "a row a quantity, a verdict each" '[ "$(grep -cE "(converges|asymptotic range|oscillates|diverges|does not change|missing)$" steps/converge.csv)" -ge 8 ]'
-ask "what is there is reused" 0 "3 levels, 3 of them" -- "${strike[@]}" --set "Bird/Particle spacing=0.006" --vary step --output steps
+require "a tip that still rises is no peak" 'grep -qE "^Tip: peak .*,yes,[a-z ]+$" steps/converge.csv && grep -qE "^Plasticity: plastic work,.*,no,[a-z ]+$" steps/converge.csv'
+ask "what is there is reused" 0 "3 levels, 3 of them" "Tip: peak .*still rising at the end, no peak" -- "${strike[@]}" --set "Bird/Particle spacing=0.006" --vary step --output steps
 ask "particles and mesh together" 0 "3 levels, 0 of them" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --output both
 require "the case is the finest level" '[ -s "both/Elements-along-span=31-Elements-along-chord=9-Particle-spacing=0.005/summary.json" ]'
 ask "a ladder grows" 0 "4 levels, 3 of them" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --levels 4 --output both

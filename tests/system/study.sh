@@ -8,7 +8,7 @@ a="$top/prm/quickstart.prm"
 grid=("$a" "${fast[@]}" --set "Bird/Velocity=default" --vary "Bird/Speed=100 m/s:200 m/s:2" --vary "Bird/Angle to surface=45, 90 deg")
 
 ask "help" 0 "--vary" "--pairs" "--launcher" "--task-list" "--jobs" -- --help
-ask "a grid" 0 "4 points, 0 of them" "4 of 4" "^ +100 +45 .* done$" "Study in grid" -- "${grid[@]}" --output grid
+ask "a grid" 0 "4 points, 0 of them" "still rising at the end of the run, no peak yet" "4 of 4" "^ +100 +45 .* done$" "Study in grid" -- "${grid[@]}" --output grid
 for file in study.csv study.h5 figures.gp responses.csv maps.csv profiles.csv Speed=200-Angle-to-surface=90/summary.json; do
   [ -s grid/$file ] || fail "a grid left no $file"
 done

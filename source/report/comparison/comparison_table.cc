@@ -65,6 +65,11 @@ namespace birdstrike
     return first == 0. ? absent : (values[run] - first) / std::abs(first);
   }
 
+  bool ComparisonRow::is_rising(const std::size_t run) const
+  {
+    return !rises.empty() && rises[run];
+  }
+
   ComparisonTable::ComparisonTable(const std::vector<ComparedRun> &runs)
   {
     if (runs.size() > 1)
@@ -101,12 +106,17 @@ namespace birdstrike
   {
     for (const char *key : keys)
       {
-        const Quantity &each = quantity(key);
-        add_computed(group, each.text, each.unit, runs, [&](const RunRecord &run) {
-          const double value   = has(run, each.subject) ? run.summary().number(each.key) : absent;
-          const bool   is_zero = value == 0. && (each.key.starts_with("tip/") || each.key.starts_with("root/"));
-          return is_zero ? absent : value; // no tip or root, or held ones
-        });
+        const Quantity   &each = quantity(key);
+        const std::string peak = each.key.substr(0, each.key.rfind("_time"));
+        ComparisonRow     row{group, each.text, each.unit, {}, {}};
+        for (const auto &[name, run] : runs)
+          {
+            const double value   = has(run, each.subject) ? run.summary().number(each.key) : absent;
+            const bool   is_zero = value == 0. && (each.key.starts_with("tip/") || each.key.starts_with("root/"));
+            row.values.push_back(is_zero ? absent : value); // no tip or root, or held ones
+            row.rises.push_back(!std::isnan(row.values.back()) && run.summary().is_false(peak + "_reached"));
+          }
+        add_row(std::move(row));
       }
   }
 

@@ -19,11 +19,14 @@ namespace birdstrike
   /// `texts`.
   struct ComparisonRow
   {
-    std::string              group;    ///< "Blade", "Cost"
-    std::string              quantity; ///< "tip peak (mid-chord)"
-    std::string              unit;     ///< "m", "-", "count", "B", "share"; empty for texts
-    std::vector<double>      values;   ///< per run
-    std::vector<std::string> texts;    ///< per run
+    std::string              group;      ///< "Blade", "Cost"
+    std::string              quantity;   ///< "tip peak (mid-chord)"
+    std::string              unit;       ///< "m", "-", "count", "B", "share"; empty for texts
+    std::vector<double>      values;     ///< per run
+    std::vector<std::string> texts;      ///< per run
+    std::vector<bool>        rises = {}; ///< per run: a peak (or its time) that is only the value at the end
+
+    bool is_rising(std::size_t run) const;
 
     /// (value - value of the first run) / |value of the first run|; NaN where one is absent or the first is zero.
     double difference(std::size_t run) const;

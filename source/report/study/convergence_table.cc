@@ -57,6 +57,11 @@ namespace birdstrike
       headline.push_back(make_row(*row, sizes));
   }
 
+  bool ConvergingRow::is_rising() const
+  {
+    return std::ranges::find(row->rises, true) != row->rises.end();
+  }
+
   const std::vector<ConvergingRow> &ConvergenceTable::rows() const
   {
     return all;
@@ -79,7 +84,7 @@ namespace birdstrike
         line.push_back(show(made.extrapolated, each.row->unit));
         line.push_back(show_share(made.change));
         line.push_back(std::isnan(made.gci) ? "none" : "+- " + format_share(made.gci));
-        line.push_back(describe(made.trend));
+        line.push_back(describe(made.trend) + (each.is_rising() ? "; still rising at the end, no peak" : ""));
         cells.push_back(std::move(line));
       }
     return size_name(refinement) + ":\n" + align(cells) +
@@ -92,8 +97,8 @@ namespace birdstrike
     std::string text = "quantity,unit";
     for (auto size = sizes.rbegin(); size != sizes.rend(); ++size)
       text += fmt::format(",at h = {} {}", *size, size_unit(refinement));
-    text +=
-      ",observed order [-],extrapolated,change [-],extrapolated error [-],GCI [-],error bar,GCI ratio [-],ladder\n";
+    text += ",observed order [-],extrapolated,change [-],extrapolated error [-],GCI [-],error bar,GCI ratio [-],still "
+            "rising,ladder\n";
     for (const ConvergingRow &each : all)
       {
         const GridConvergence &made = each.estimate;
@@ -103,7 +108,7 @@ namespace birdstrike
         for (const double number :
              {made.order, made.extrapolated, made.change, made.extrapolated_error, made.gci, made.bar, made.ratio})
           text += "," + csv_number(number);
-        text += "," + describe(made.trend) + "\n";
+        text += std::string(each.is_rising() ? ",yes" : ",no") + "," + describe(made.trend) + "\n";
       }
     return text;
   }

@@ -16,6 +16,9 @@ namespace birdstrike
     const ComparisonRow *row;
     std::vector<double>  values; ///< from the finest level on
     GridConvergence      estimate;
+
+    /// Whether on a level it still rises at the end: it is the value of that moment then, and no peak.
+    bool is_rising() const;
   };
 
   /// What the levels of a ladder say about every response of the scene.

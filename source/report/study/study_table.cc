@@ -39,6 +39,8 @@ namespace birdstrike
     {
       return std::isnan(value) ? "-" : format_value(value, unit);
     }
+
+    constexpr auto of_rising = "+: still rising at the end of the run, no peak yet.\n";
   } // namespace
 
   std::string align(const std::vector<std::vector<std::string>> &cells)
@@ -83,13 +85,19 @@ namespace birdstrike
             if (row.values.empty())
               whole.texts.resize(runs.size());
             else
-              whole.values.assign(runs.size(), absent);
+              {
+                whole.values.assign(runs.size(), absent);
+                whole.rises.assign(runs.size(), false);
+              }
             place = all.insert(behind, std::move(whole));
           }
         if (row.values.empty())
           place->texts[point] = row.texts[0];
         else
-          place->values[point] = row.values[0];
+          {
+            place->values[point] = row.values[0];
+            place->rises[point]  = row.is_rising(0);
+          }
         behind = place + 1;
       }
   }
@@ -118,17 +126,21 @@ namespace birdstrike
     for (const ComparisonRow *row : shown)
       cells[0].push_back(row->group + ": " + row->quantity);
     cells[0].emplace_back("state");
+    bool is_any_rising = false;
     for (std::size_t k = 0; k < std::min(runs.size(), most_lines); ++k)
       {
         std::vector<std::string> line;
         for (std::size_t e = 0; e < plan.entries.size(); ++e)
           line.push_back(plan.entries[e].values[runs[k].point.at[e]]);
         for (const ComparisonRow *row : shown)
-          line.push_back(show(row->values[k], row->unit));
+          {
+            line.push_back(show(row->values[k], row->unit) + (row->is_rising(k) ? "+" : ""));
+            is_any_rising = is_any_rising || row->is_rising(k);
+          }
         line.push_back(runs[k].state);
         cells.push_back(std::move(line));
       }
-    return align(cells) +
+    return align(cells) + (is_any_rising ? of_rising : "") +
            (runs.size() > most_lines ? fmt::format("... and {} more in study.csv\n", runs.size() - most_lines) : "");
   }
 
@@ -139,7 +151,7 @@ namespace birdstrike
       text += "," + csv_field(each.entry + " [" + each.unit + "]");
     for (const ComparisonRow &row : all)
       text += "," + csv_heading(row);
-    text += ",state,folder\n";
+    text += ",still rising,state,folder\n";
     for (std::size_t k = 0; k < runs.size(); ++k)
       {
         text += std::to_string(k + 1);
@@ -147,7 +159,12 @@ namespace birdstrike
           text += "," + csv_field(plan.entries[e].values[runs[k].point.at[e]]);
         for (const ComparisonRow &row : all)
           text += "," + csv_cell(row, k);
-        text += "," + csv_field(runs[k].state) + "," + csv_field(runs[k].folder.string()) + "\n";
+        std::string rising;
+        for (const ComparisonRow &row : all)
+          if (row.is_rising(k))
+            rising += (rising.empty() ? "" : "; ") + row.group + ": " + row.quantity;
+        text +=
+          "," + csv_field(rising) + "," + csv_field(runs[k].state) + "," + csv_field(runs[k].folder.string()) + "\n";
       }
     return text;
   }

@@ -2,6 +2,8 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <set>
 
@@ -165,8 +167,9 @@ namespace birdstrike
             "Blade/Supports/Driven: '" + text +
             "' moves both halves of a symmetric blade to one side.\nAllowed with a plane of symmetry: ux, "
             "uz and ry.");
-        Driven driven_here{held.add(mesh.nodes_on(ids), components),
-                           std::make_shared<const TimeLaw>(text.substr(equals + 1), "Supports/Driven")};
+        Driven driven_here{
+          held.add(mesh.nodes_on(ids), components),
+          std::make_shared<const TimeLaw>(dealii::Utilities::trim(text.substr(equals + 1)), "Supports/Driven")};
         if (driven_here.at(0.) != 0.)
           throw InputError("Blade/Supports/Driven: '" + text +
                            "' is not 0 at t = 0.\nA displacement begins where the mesh is; subtract its first value.");

@@ -147,3 +147,20 @@ TEST_F(Study, ShowsRowsThatOnlySomePointsHave)
   EXPECT_TRUE(std::isnan(peak->values[0]));
   EXPECT_DOUBLE_EQ(peak->values[2], 0.12);
 }
+
+TEST_F(Study, SaysWhichPeaksAreNoneYet)
+{
+  EXPECT_EQ(StudyTable(plan, runs).as_text().find("still rising"), std::string::npos);
+  RecordedRun rising;
+  rising.is_rising = true;
+  rising.write(runs[2].folder, (scratch.path() / "plate.prm").string());
+  const StudyTable table(plan, runs);
+  const auto      &rows = table.rows();
+  const auto       peak = std::ranges::find(rows, "peak (mid-chord)", &ComparisonRow::quantity);
+  EXPECT_TRUE(peak->is_rising(2));
+  EXPECT_FALSE(peak->is_rising(1) || peak->is_rising(3));
+  EXPECT_FALSE(std::ranges::find(rows, "plastic work", &ComparisonRow::quantity)->is_rising(2));
+  EXPECT_NE(table.as_text().find("150 mm+"), std::string::npos);
+  EXPECT_NE(table.as_text().find("+: still rising at the end"), std::string::npos);
+  EXPECT_NE(table.as_csv().find(",Tip: peak (mid-chord),done,"), std::string::npos);
+}
