@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""error_bars_test.py PROGRAM: the ladders of a short, coarse strike, whose cells are worked out again from the runs' own summaries."""
+import json
+import math
+import pathlib
+import sys
+import tempfile
+
+import error_bars
+
+COARSE = ("Bird/Particle spacing=0.008", "Blade/Mesh/Elements along span=20", "Blade/Mesh/Elements along chord=6", "Time/End time=0.15e-3")
+
+
+def impulses(folder):
+    """N s, of a ladder's runs by their folder's name."""
+    found = {}
+    for path in pathlib.Path(folder).glob("*/summary.json"):
+        found[path.parent.name] = math.hypot(*json.loads(path.read_text())["contact"]["impulse"])
+    return found
+
+
+def main():
+    faults = []
+
+    def expect(what, holds):
+        if not holds:
+            faults.append(what)
+    with tempfile.TemporaryDirectory() as folder:
+        ladders = {name: error_bars.climb(sys.argv[1], folder, "sheath", "shell", name, COARSE) for name in error_bars.LADDERS}
+        for name, shipped, finest in (("particles", "Particle-spacing=0.008", "Particle-spacing=0.00533333"),
+                                      ("mesh", "Elements-along-span=20-Elements-along-chord=6", "Elements-along-span=30-Elements-along-chord=9")):
+            runs = impulses(pathlib.Path(folder) / "sheath-shell" / name)
+            expect(f"{name}: {len(runs)} runs", len(runs) == int(error_bars.LADDERS[name][1]))
+            one = next((runs[run] for run in runs if run == shipped), math.nan)
+            two = next((runs[run] for run in runs if run.startswith(finest)), math.nan)
+            cell = ladders[name].cell("Contact: impulse (norm)")
+            expect(f"{name}: {cell}, runs {runs}", cell.startswith(f"{100 * (two / one - 1):+.1f} "))
+        step = ladders["step"]
+        expect("the step's ladder begins at the case", step.shipped("Contact: impulse (norm)") == step.values("Contact: impulse (norm)")[0])
+        lines = list(error_bars.lines_of("sheath", "shell", ladders))
+        print("\n".join(lines))
+        expect("no plastic work and no permanent deflection yet", len(lines) == 3)
+        expect("a tip that still rises says so", "+ mm |" in lines[0] and "+" not in lines[2].split("|")[2])
+        expect("a ladder that was lost says so", "| lost |" in "".join(error_bars.lines_of("sheath", "shell", {**ladders, "mesh": None})))
+    for fault in faults:
+        print("fault:", fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
