@@ -120,8 +120,9 @@ namespace birdstrike::benchmarks
       const double                             nu = law.elasticity.poisson;
       full_integration::PlaneGeometry<Counted> plane(midpoint, nu);
       SectionVector<Counted>                   section[4];
-      compute_point_strains(
-        plane, full_integration::compute_strains(midpoint, u, ShellModes<Counted>::of_corners(director)), section);
+      compute_point_strains(plane, full_integration::DirectorGradient<Counted>(midpoint),
+                            full_integration::compute_strains(midpoint, u, ShellModes<Counted>::of_corners(director)),
+                            section);
       for (unsigned int k = 0; k < 4; ++k)
         {
           if (points == nullptr)
@@ -134,7 +135,8 @@ namespace birdstrike::benchmarks
       plane          = full_integration::PlaneGeometry<Counted>(end, nu);
       ShellModes<Counted> f, fd;
       Vectors             force, moment;
-      full_integration::compute_mode_forces(end, integrate_resultants(plane, section), f, fd);
+      full_integration::compute_mode_forces(
+        end, integrate_resultants(plane, full_integration::DirectorGradient<Counted>(end), section), f, fd);
       f.sum_at_corners(force);
       fd.sum_at_corners(director);
       for (int i = 0; i < 4; ++i)

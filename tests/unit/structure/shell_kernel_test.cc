@@ -82,7 +82,7 @@ namespace
         director[i] = s.rotation[i].cross(g.director[i]);
       const auto amplitudes = full_integration::compute_strains(g, ShellModes<Number>::of_corners(s.displacement),
                                                                 ShellModes<Number>::of_corners(director));
-      full_integration::compute_point_strains(plane, amplitudes, strain);
+      full_integration::compute_point_strains(plane, full_integration::DirectorGradient<Number>(g), amplitudes, strain);
     }
 
     std::array<Number, 8> strains(const int k) const
@@ -186,8 +186,11 @@ TEST(ShellKernel, FullIntegrationOfForcesIsTheTransposeOfStrains)
       area += points.plane.point[k].area;
     }
   ShellModes<double> f, fd;
-  full_integration::compute_mode_forces(points.g, full_integration::integrate_resultants(points.plane, resultants), f,
-                                        fd);
+  full_integration::compute_mode_forces(
+    points.g,
+    full_integration::integrate_resultants(points.plane, full_integration::DirectorGradient<double>(points.g),
+                                           resultants),
+    f, fd);
   Vector3<double> force[4], director_force[4];
   f.sum_at_corners(force);
   fd.sum_at_corners(director_force);

@@ -38,8 +38,9 @@ namespace birdstrike
     for (int i = 0; i < 4; ++i)
       director[i] = nodes.rotation[i].cross(midpoint.director[i]);
     SectionVector<Lanes> section_of_point[n_points];
-    compute_point_strains(
-      plane, full_integration::compute_strains(midpoint, u, ShellModes<Lanes>::of_corners(director)), section_of_point);
+    compute_point_strains(plane, full_integration::DirectorGradient<Lanes>(midpoint),
+                          full_integration::compute_strains(midpoint, u, ShellModes<Lanes>::of_corners(director)),
+                          section_of_point);
 
     SectionVector<Lanes> strain[n_points]; // kept where something may fail
     if (erosion)
@@ -78,7 +79,8 @@ namespace birdstrike
     chunk.bound = max(chunk.bound, Lanes(batch.owned * batch.bound));
     ShellModes<Lanes> f, fd;
     Corners           force[2];
-    full_integration::compute_mode_forces(end, integrate_resultants(plane, section_of_point), f, fd);
+    full_integration::compute_mode_forces(
+      end, integrate_resultants(plane, full_integration::DirectorGradient<Lanes>(end), section_of_point), f, fd);
     f.sum_at_corners(force[0]);
     fd.sum_at_corners(director);
     for (int i = 0; i < 4; ++i)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/elements/shell/geometry.h"
+#include "structure/elements/shell/shifter.h"
 #include "structure/elements/shell/vector.h"
 
 namespace birdstrike
@@ -10,7 +10,8 @@ namespace birdstrike
   /// Surface x and directors d (along the averaged nodal normals) are bilinear; a node has displacement u and rotation
   /// theta, its director moves by delta d = theta x d. Covariant increments (Dvorkin & Bathe 1984, eqs 6-10)
   ///   e_ab = sym(x,a . u,b),  k_ab = sym(x,a . delta d,b + d,a . u,b),  g_a = x,a . delta d + d . u,a,
-  /// vanish for every rigid motion, of a warped element too, and do not contain the rotation about d: no drilling.
+  /// vanish for every rigid motion, of a warped element too, and do not contain the rotation about d: no drilling. What
+  /// bends layers off the middle is k less what Shifter says.
   /// Warping enters through d,a and the warp of x (the z_gamma terms of Belytschko, Wong & Chiang 1992).
   ///
   /// Kept are the values at the centre, and of the rest what the stabilisation needs, so that nothing locks:
@@ -22,16 +23,6 @@ namespace birdstrike
   /// coefficient. The strain is 14-dimensional on 20 displacements (drilling apart): 6 rigid modes, no other.
   namespace physical_shell
   {
-    /// From covariant components, with the contravariant base of `g`.
-    template <class Base, class Number>
-    [[gnu::always_inline]] inline void compute_tensor(const Base &g, const Number &k11, const Number &k22,
-                                                      const Number &two_k12, Number (&k)[3])
-    {
-      k[0] = k11 * g.c1x * g.c1x + k22 * g.c2x * g.c2x + two_k12 * g.c1x * g.c2x;
-      k[1] = k11 * g.c1y * g.c1y + k22 * g.c2y * g.c2y + two_k12 * g.c1y * g.c2y;
-      k[2] = 2. * (k11 * g.c1x * g.c1y + k22 * g.c2x * g.c2y) + two_k12 * (g.c1x * g.c2y + g.c1y * g.c2x);
-    }
-
     /// At the centre, and the linear parts less what a constant strain contributes.
     template <class Number>
     [[gnu::always_inline]] inline void compute_membrane(const ShellGeometry<Number> &g, const ShellModes<Number> &u,
@@ -71,6 +62,7 @@ namespace birdstrike
       compute_membrane(g, u, s.membrane, s.linear_membrane);
       compute_tensor(g, Number(a1.dot(dd.m1) + d1.dot(u.m1)), Number(a2.dot(dd.m2) + d2.dot(u.m2)),
                      Number(a1.dot(dd.m2) + a2.dot(dd.m1) + d1.dot(u.m2) + d2.dot(u.m1)), s.curvature);
+      Shifter<Number>::at_centre(g).shift_curvature(s.membrane, s.curvature);
       const Vector3<Number> u_gamma  = u.m3 - g.alpha * u.m1 - g.beta * u.m2;
       const Vector3<Number> dd_gamma = dd.m3 - g.alpha * dd.m1 - g.beta * dd.m2;
       s.linear_curvature[0] =
@@ -105,9 +97,11 @@ namespace birdstrike
     [[gnu::always_inline]] inline void compute_mode_forces(const ShellGeometry<Number> &g, const ShellVector<Number> &r,
                                                            ShellModes<Number> &f, ShellModes<Number> &fd)
     {
-      const Vector3<Number>      &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
-      const Vector3<Number>      &d0 = g.d.m0, &d1 = g.d.m1, &d2 = g.d.m2;
-      const Contravariant<Number> n(g, r.membrane), m(g, r.curvature);
+      const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3;
+      const Vector3<Number> &d0 = g.d.m0, &d1 = g.d.m1, &d2 = g.d.m2;
+      Number                 membrane[3] = {r.membrane[0], r.membrane[1], r.membrane[2]};
+      Shifter<Number>::at_centre(g).shift_force(r.curvature, membrane);
+      const Contravariant<Number> n(g, membrane), m(g, r.curvature);
       const Number                third = (1. / 3.) * g.area, quarter_area = 0.25 * g.area;
       const Number                l1 = third * g.l1, l2 = third * g.l2;
       const Number                h1 = l1 * r.linear_membrane[0], h2 = l2 * r.linear_membrane[1];

@@ -97,10 +97,48 @@ namespace birdstrike
       }
     };
 
+    /// Covariant components of a symmetric tensor sym(t_a . K . t_b) at point k, of its amplitudes as of the curvature.
     template <class Number>
-    [[gnu::always_inline]] inline void compute_point_strains(const PlaneGeometry<Number> &plane,
-                                                             const Amplitudes<Number>    &s,
-                                                             SectionVector<Number> (&strain)[n_points])
+    struct AtPoint
+    {
+      Number k11, k22, two_k12;
+
+      [[gnu::always_inline]] AtPoint(const Number (&K)[6], const int k)
+      {
+        const Number both = (1. / 3.) * K[5]; // eta^2 = xi^2 = 1/3
+        k11               = K[0] + both + eta[k] * K[3];
+        k22               = K[1] + both + xi[k] * K[4];
+        two_k12           = K[2] + xi[k] * K[3] + eta[k] * K[4] + (2. * xi[k] * eta[k]) * K[5];
+      }
+    };
+
+    /// The gradient of the directors at every point.
+    template <class Number>
+    struct DirectorGradient
+    {
+      Number B[6];
+
+      [[gnu::always_inline]] explicit DirectorGradient(const ShellGeometry<Number> &g)
+      {
+        const Vector3<Number> &a1 = g.x.m1, &a2 = g.x.m2, &a3 = g.x.m3, &d1 = g.d.m1, &d2 = g.d.m2, &d3 = g.d.m3;
+        B[0] = a1.dot(d1);
+        B[1] = a2.dot(d2);
+        B[2] = a1.dot(d2) + a2.dot(d1);
+        B[3] = a1.dot(d3) + a3.dot(d1);
+        B[4] = a2.dot(d3) + a3.dot(d2);
+        B[5] = a3.dot(d3);
+      }
+      [[gnu::always_inline]] physical_shell::Shifter<Number> at(const PlaneGeometry<Number> &plane, const int k) const
+      {
+        const AtPoint<Number> b(B, k);
+        return {plane.point[k], b.k11, b.k22, b.two_k12};
+      }
+    };
+
+    template <class Number>
+    [[gnu::always_inline]] inline void
+    compute_point_strains(const PlaneGeometry<Number> &plane, const DirectorGradient<Number> &gradient,
+                          const Amplitudes<Number> &s, SectionVector<Number> (&strain)[n_points])
     {
       Number mean[3], along_1[3], along_2[3];
       for (int c = 0; c < 3; ++c)
@@ -109,16 +147,14 @@ namespace birdstrike
           along_2[c] = s.linear_membrane[1] * plane.uniaxial[1][c];
           mean[c]    = s.membrane[c] - plane.mean_eta * along_1[c] - plane.mean_xi * along_2[c];
         }
-      const auto  &K   = s.curvature;
-      const Number k11 = K[0] + (1. / 3.) * K[5], k22 = K[1] + (1. / 3.) * K[5]; // eta^2 = xi^2 = 1/3
       for (int k = 0; k < n_points; ++k)
         {
           const PointBase<Number> &p = plane.point[k];
           for (int c = 0; c < 3; ++c)
             strain[k].membrane[c] = mean[c] + eta[k] * along_1[c] + xi[k] * along_2[c];
-          physical_shell::compute_tensor(p, Number(k11 + eta[k] * K[3]), Number(k22 + xi[k] * K[4]),
-                                         Number(K[2] + xi[k] * K[3] + eta[k] * K[4] + (2. * xi[k] * eta[k]) * K[5]),
-                                         strain[k].curvature);
+          const AtPoint<Number> curvature(s.curvature, k);
+          physical_shell::compute_tensor(p, curvature.k11, curvature.k22, curvature.two_k12, strain[k].curvature);
+          gradient.at(plane, k).shift_curvature(strain[k].membrane, strain[k].curvature);
           const Number g1 = s.shear[0] + eta[k] * s.linear_shear[0], g2 = s.shear[1] + xi[k] * s.linear_shear[1];
           strain[k].shear[0] = g1 * p.c1x + g2 * p.c2x;
           strain[k].shear[1] = g1 * p.c1y + g2 * p.c2y;
@@ -128,18 +164,21 @@ namespace birdstrike
     /// The transpose of compute_point_strains, integrated over the area.
     template <class Number>
     [[gnu::always_inline]] inline Amplitudes<Number>
-    integrate_resultants(const PlaneGeometry<Number> &plane, const SectionVector<Number> (&resultants)[n_points])
+    integrate_resultants(const PlaneGeometry<Number> &plane, const DirectorGradient<Number> &gradient,
+                         const SectionVector<Number> (&resultants)[n_points])
     {
       Amplitudes<Number> r{};
       Number             by_eta[3]{}, by_xi[3]{};
       auto              &M = r.curvature;
       for (int k = 0; k < n_points; ++k)
         {
-          const PointBase<Number>     &p = plane.point[k];
-          const SectionVector<Number> &n = resultants[k];
+          const PointBase<Number>     &p           = plane.point[k];
+          const SectionVector<Number> &n           = resultants[k];
+          Number                       membrane[3] = {n.membrane[0], n.membrane[1], n.membrane[2]};
+          gradient.at(plane, k).shift_force(n.curvature, membrane);
           for (int c = 0; c < 3; ++c)
             {
-              const Number force = p.area * n.membrane[c];
+              const Number force = p.area * membrane[c];
               r.membrane[c] += force;
               by_eta[c] += eta[k] * force;
               by_xi[c] += xi[k] * force;
