@@ -58,7 +58,27 @@ namespace birdstrike
     std::array<double, 4> sizes;
     const Point3          turned = turn(direction);
     for (unsigned int k = 0; k < 4; ++k)
-      sizes[k] = (touch.weights[k] * direction + turned.cross(arms[k])).norm();
+      sizes[k] = force_on(k, direction, turned).norm();
+    return sizes;
+  }
+
+  Point3 Couple::force_on(const unsigned int k, const Point3 &force, const Point3 &turned) const
+  {
+    return touch.weights[k] * force + turned.cross(arms[k]);
+  }
+
+  std::array<double, 4> Couple::largest_loads_across(const Point3 &normal) const
+  {
+    // the force on a node is linear in that on the point: the larger singular value of the map from the plane
+    std::array<double, 4> sizes;
+    const Point3          one = normal.unitOrthogonal(), other = normal.cross(one);
+    const Point3          turned_one = turn(one), turned_other = turn(other);
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        const Point3 a = force_on(k, one, turned_one), b = force_on(k, other, turned_other);
+        const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b);
+        sizes[k] = std::sqrt(0.5 * (aa + bb + std::hypot(aa - bb, 2. * ab)));
+      }
     return sizes;
   }
 } // namespace birdstrike

@@ -34,8 +34,12 @@ namespace birdstrike
     Point3 velocity(const FacetsView &facets) const;
     /// Sizes of the forces on the nodes for a unit force on the point.
     std::array<double, 4> loads(const Point3 &direction) const;
+    /// The largest of all directions across `normal`: that of a slip may be round-off.
+    std::array<double, 4> largest_loads_across(const Point3 &normal) const;
 
   private:
+    Point3 force_on(unsigned int k, const Point3 &force, const Point3 &turned) const;
+
     double norm_of(const Point3 &arm) const; ///< of the map from F to turn x arm
 
     const TouchRecord    &touch;

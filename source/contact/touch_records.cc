@@ -14,10 +14,9 @@ namespace birdstrike
       touch.velocity -= couple.velocity(facets);
       const Point3 normal = touch.normal.normalized();
       touch.loads         = couple.loads(normal);
-      const Point3 slip   = touch.velocity - touch.velocity.dot(normal) * normal;
-      if (!has_friction || slip == Point3::Zero())
+      if (!has_friction)
         return;
-      const auto along = couple.loads(slip.normalized());
+      const auto along = couple.largest_loads_across(normal);
       for (unsigned int k = 0; k < 4; ++k)
         touch.loads[k] = std::max(touch.loads[k], along[k]);
     }

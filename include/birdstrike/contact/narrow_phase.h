@@ -55,9 +55,10 @@ namespace birdstrike
   /// directions falling from 0.5 to 0.2 the second share rises from 0 to 1; so a slightly folded surface never counts
   /// twice. A third facet (inner corner of a box) is not seen.
   ///
-  /// *Who is looked at.* Points closer than the larger of max g and four steps' flight of their own. Of one further
-  /// away there is nothing to remember: it cannot pass the surface before it is next seen, and so its side is then
-  /// again the one on which it is. Only one that has already passed is kept awake wherever it is.
+  /// *Who is looked at.* Points closer than the larger of max g and four steps' flight of their own, but no further
+  /// than one step beyond max g. Of one further away there is nothing to remember: it cannot pass the surface before it
+  /// is next seen, and so its side is then again the one on which it is. Only one that has already passed is kept awake
+  /// wherever it is.
   class NarrowPhase
   {
   public:

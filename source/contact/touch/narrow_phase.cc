@@ -13,6 +13,13 @@ namespace birdstrike
     constexpr double tie           = 1e-9;                          // relative difference of equal distances
     constexpr double looks_outward = 0.25; // cosine between a facet's normal and where a point came from
 
+    /// m, from where on a point is looked at that moves by `way` in a step. Pairs are listed up to one step's way
+    /// beyond the range (search.h); of what is further away the axes would say whether it was seen.
+    double looked_at_from(const ContactScene &scene, const double way)
+    {
+      return std::max(scene.range, std::min(4. * way, scene.range + way));
+    }
+
     bool has_passed(const PointRecord &record, const std::uint64_t call)
     {
       return record.last_call + 1 == call && (record.sides[0].is_through || record.sides[1].is_through);
@@ -32,7 +39,7 @@ namespace birdstrike
     block           = &present;
     if (present.is_new)
       keep_passed_awake(scene, memory);
-    const double reach = std::max(scene.range, 4. * std::max(present.step_motion, scene.step * present.speed));
+    const double reach = looked_at_from(scene, std::max(present.step_motion, scene.step * present.speed));
     pairs.find_awake(present, reach);
     present.n_awake = pairs.n();
     if (pairs.n() == 0)
@@ -114,7 +121,7 @@ namespace birdstrike
     std::uint32_t closest = nearest(group);
     if (!scene.facets.two_sided && pairs.height[closest] < 0.)
       closest = way_in(group, scene, closest, memory[scene.points.id[block->points[group.near]]]);
-    if (pairs.distance[closest] >= std::max(scene.range, 4. * way_of(scene, closest)) && !block->has_passed[group.near])
+    if (pairs.distance[closest] >= looked_at_from(scene, way_of(scene, closest)) && !block->has_passed[group.near])
       return;
     PointRecord &record = memory[scene.points.id[block->points[group.near]]];
 
@@ -149,13 +156,11 @@ namespace birdstrike
       keep_awake(group.near);
   }
 
-  /// Its own, not what bounds it for the whole block: which points those are, and when they were looked at, is a matter
-  /// of the axes.
+  /// Its own, by the velocities of the drift, not what the search has seen it move: which points share a block, and
+  /// when it was tracked or sorted anew, is a matter of the axes.
   double NarrowPhase::way_of(const ContactScene &scene, const std::uint32_t place) const
   {
-    const std::uint32_t point = block->points[block->pair_near[pairs.pair[place]]];
-    const double        moved = std::sqrt(block->point_motions_squared[point - block->begin]) + scene.nodes_motion;
-    return std::max(scene.step * pairs.velocity_of(place).norm(), moved);
+    return scene.step * pairs.velocity_of(place).norm();
   }
 
   void NarrowPhase::keep_passed_awake(const ContactScene &scene, PointMemory &memory)

@@ -198,7 +198,7 @@ TEST(ClosedSkin, APointThatCameThroughIsPushedBackToWhereItCameFrom)
         scene.compute_contact(contact, 1e-7, pool);
         for (const double d : {-0.5 * g, depth, depth})
           {
-            scene.place(0, at(d));
+            scene.fly_to(0, at(d), 1e-7);
             scene.compute_contact(contact, 1e-7, pool);
             EXPECT_EQ(contact.report().n_touching, 1u);
             EXPECT_NEAR(scene.force_on_point(0)[2] * side, k * (g + d), 1e-9 * k) << depth;

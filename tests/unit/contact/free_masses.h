@@ -177,6 +177,13 @@ namespace birdstrike::test
       for (unsigned int d = 0; d < 3; ++d)
         x[d][i] = p[d];
     }
+    /// Moves it there within one step, at the velocity of that drift.
+    void fly_to(const std::size_t i, const Point3 &p, const double step)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        v[d][i] = (p[d] - x[d][i]) / step;
+      place(i, p);
+    }
 
     /// One step from forces that are up to date.
     void advance(Contact &contact, const double step, ThreadPool &pool)

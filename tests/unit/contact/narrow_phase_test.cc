@@ -297,8 +297,8 @@ TEST(NarrowPhase, AOneSidedSurfaceIsSeenFromOutsideOnly)
   Contact    contact(without_damper());
   ThreadPool pool;
   scene.compute_contact(contact, 1e-7, pool);
-  scene.place(0, Point3(0.005, 0.005, -0.4 * g));
-  scene.place(1, Point3(0.015, 0.005, -0.1 * g));
+  scene.fly_to(0, Point3(0.005, 0.005, -0.4 * g), 1e-7);
+  scene.fly_to(1, Point3(0.015, 0.005, -0.1 * g), 1e-7);
   scene.compute_contact(contact, 1e-7, pool);
   EXPECT_EQ(scene.force_on_point(0).norm(), 0.);
   EXPECT_NEAR(scene.force_on_point(1)[2], 1e6 * 1. * g, 1e-6); // from 0.9 g, its reference, to -0.1 g

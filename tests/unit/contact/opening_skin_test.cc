@@ -90,7 +90,7 @@ namespace
 
     Point3 force_at(const Point3 &position)
     {
-      scene.place(0, position);
+      scene.fly_to(0, position, step);
       scene.compute_contact(contact, step, pool);
       return scene.force_on_point(0);
     }
