@@ -20,6 +20,7 @@ namespace birdstrike
     bool                         is_known    = false;
     bool                         is_touching = false;
     double                       reference   = 0.;    ///< m, overlap at first sight: carries no force
+    double                       depth       = 0.;    ///< m, in the last call; 0 without a force
     double                       stiffness   = 0.;    ///< N/m, of this touch; 0 before it
     std::uint32_t                touch       = 0;     ///< its number + 1 among the touches of the last call; 0: none
     Point3                       outward{0., 0., 0.}; ///< of a one-sided surface: away from it when last seen outside
@@ -46,7 +47,9 @@ namespace birdstrike
   ///   d = t_p/2 + t_q/2 - s |p - q|,
   /// with s = -1 once the node has passed to the other side of a sheet, so that it is pushed back to where it came
   /// from; of a solid's skin (half thickness 0) only what was outside before can be inside. What overlaps at first
-  /// sight, or once facets between have failed, carries no force, and later only as far as it goes deeper.
+  /// sight, or once facets between have failed, carries no force, and later only as far as it goes deeper. Nor does
+  /// what a depth leaps by where the nearest facet changes, as a fold's rim comes to count: it comes by the node's own
+  /// way.
   class SelfTouches
   {
   public:

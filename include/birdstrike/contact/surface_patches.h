@@ -68,7 +68,7 @@ namespace birdstrike
     {
       return owner_of_point[node];
     }
-    double smallest_edge() const ///< m, of the patches' mean facets
+    double smallest_edge() const ///< m, of the mean of as many of the smallest facets as a patch has
     {
       return edge;
     }

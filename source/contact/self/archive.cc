@@ -55,6 +55,7 @@ namespace birdstrike
       row("is known", a.is_known, b.is_known);
       row("is touching", a.is_touching, b.is_touching);
       row("reference", a.reference, b.reference);
+      row("depth", a.depth, b.depth);
       row("stiffness", a.stiffness, b.stiffness);
       row("touch", a.touch, b.touch);
       row("outward", a.outward, b.outward);

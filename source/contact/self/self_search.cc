@@ -58,7 +58,7 @@ namespace birdstrike
     std::vector<std::uint32_t> next(first_facet.begin(), first_facet.end() - 1);
     each_corner([&](const std::uint32_t f, const std::uint32_t node) { facets_of_node[next[node]++] = f; });
 
-    anchor = facets.n_facets > 0 ? facets.nodes[0][0] : 0;
+    anchor = facets.n_facets > 0 ? *std::min_element(facets.nodes[0].begin(), facets.nodes[0].end()) : 0;
   }
 
   bool SelfSearch::has_to_look(const FacetsView &facets)
@@ -68,47 +68,54 @@ namespace birdstrike
     return 2. * motion > margin_used * margin || 2. * motion + 4. * of_step > margin;
   }
 
-  /// An upper bound of how far any node has moved since the last look in the frame of the anchor, m.
+  /// How far any node has moved since the last look in the frame of the anchor, m: its true distance, as the largest of
+  /// each component would leave it to the axes when a look comes, and so which patches it finds turned back.
   double SelfSearch::largest_motion(const FacetsView &facets) const
   {
     if (facets.n_facets == 0)
       return 0.;
     const double *x = facets.position, *old = seen.data();
-    Point3        shift;
-    for (unsigned int d = 0; d < 3; ++d)
-      shift[d] = x[3 * anchor + d] - old[3 * anchor + d];
-    Point3     largest(0., 0., 0.); // of each component
-    const auto add = [&](const std::size_t d, const double dx) {
-      double &of = largest[static_cast<Eigen::Index>(d)];
-      of         = std::max(of, dx);
+    const Point3  shift           = Point3(x + 3 * anchor) - Point3(old + 3 * anchor);
+    double        largest_squared = 0.;
+    const auto    add             = [&](const std::size_t node) {
+      largest_squared =
+        std::max(largest_squared, (Point3(x + 3 * node) - Point3(old + 3 * node) - shift).squaredNorm());
     };
     if (patches.has_loose_nodes())
       for (std::uint32_t p = 0; p < patches.size(); ++p)
         for (const std::uint32_t node : patches.points_of(p))
-          for (unsigned int d = 0; d < 3; ++d)
-            add(d, std::abs(x[3 * node + d] - old[3 * node + d] - shift[d]));
+          add(node);
     else
       {
-        // three registers hold whole nodes, and their lanes repeat the components
-        std::array<Lanes, 3> shifts, motion;
+        // three registers hold whole nodes, and their lanes repeat the components; the sum of a node's three squares
+        // stands in the lane of its first
+        std::array<Lanes, 3>                            shifts, is_first;
+        alignas(64) std::array<double, 3 * n_lanes + 2> squares{};
+        Lanes                                           largest(0.);
         for (std::size_t r = 0; r < 3; ++r)
           {
-            shifts[r] = Lanes([&](const auto j) { return shift[static_cast<Eigen::Index>((r * n_lanes + j) % 3)]; });
-            motion[r] = Lanes(0.);
+            shifts[r]   = Lanes([&](const auto j) { return shift[static_cast<Eigen::Index>((r * n_lanes + j) % 3)]; });
+            is_first[r] = Lanes([&](const auto j) { return (r * n_lanes + j) % 3 == 0 ? 1. : 0.; });
           }
         std::size_t e = 0;
         for (; e + 3 * n_lanes <= 3 * facets.n_nodes; e += 3 * n_lanes)
-          for (std::size_t r = 0; r < 3; ++r)
-            {
-              const Lanes dx = load<Lanes>(x + e + r * n_lanes) - load<Lanes>(old + e + r * n_lanes) - shifts[r];
-              motion[r]      = max(motion[r], max(dx, -dx));
-            }
-        for (std::size_t k = 0; k < 3 * n_lanes; ++k)
-          add(k % 3, motion[k / n_lanes][k % n_lanes]);
-        for (; e < 3 * facets.n_nodes; ++e)
-          add(e % 3, std::abs(x[e] - old[e] - shift[static_cast<Eigen::Index>(e % 3)]));
+          {
+            for (std::size_t r = 0; r < 3; ++r)
+              {
+                const Lanes dx = load<Lanes>(x + e + r * n_lanes) - load<Lanes>(old + e + r * n_lanes) - shifts[r];
+                store(Lanes(dx * dx), &squares[r * n_lanes]);
+              }
+            for (std::size_t r = 0; r < 3; ++r)
+              {
+                const double *of = &squares[r * n_lanes];
+                largest = max(largest, is_first[r] * (load<Lanes>(of) + load<Lanes>(of + 1) + load<Lanes>(of + 2)));
+              }
+          }
+        largest_squared = stdx::hmax(largest);
+        for (; e < 3 * facets.n_nodes; e += 3)
+          add(e / 3);
       }
-    return largest.norm();
+    return std::sqrt(largest_squared);
   }
 
   void SelfSearch::set_margin(const FacetsView &facets, const double step)

@@ -163,6 +163,7 @@ namespace birdstrike
 
     side                    = remembered(scene, near, before);
     const bool   is_new     = !side.is_known;
+    const bool   is_next    = side.is_known && side.nodes != nodes; // another facet than in the last call
     const double travelled  = velocity.norm() * scene.step;
     const bool   is_passage = side.is_touching || near.distance <= 2. * travelled;
     if (is_beyond)
@@ -183,16 +184,21 @@ namespace birdstrike
     for (unsigned int k = 0; k < 4; ++k)
       gap += near.closest.weights[k] * scene.topology.half_thickness(nodes[k]);
     const double overlap = gap - sign * near.distance;
-    side.reference       = std::max(0., is_new && scene.is_changed ? overlap
-                                        : is_new                   ? overlap - travelled
-                                                                   : std::min(side.reference, overlap));
-    side.is_touching     = overlap > side.reference;
-    result.point         = point;
-    result.nodes         = nodes;
-    result.weights       = near.weights();
-    result.penetration   = overlap - side.reference;
     result.normal =
       is_on_it ? Point3((is_beyond ? seen : side.sign) * near.normal) : near.closest.offset * (sign / near.distance);
+    // what it has not come nearer in this step it has from before: the way along the sheet would be energy for nothing
+    const double approach = std::max(0., -velocity.dot(result.normal)) * scene.step;
+    side.reference        = std::max(0., is_new && scene.is_changed ? overlap
+                                         : is_new                   ? overlap - approach
+                                                                    : std::min(side.reference, overlap));
+    if (is_next && overlap - side.reference > side.depth + 2. * travelled)
+      side.reference = overlap - side.depth - approach;
+    side.is_touching   = overlap > side.reference;
+    side.depth         = std::max(0., overlap - side.reference);
+    result.point       = point;
+    result.nodes       = nodes;
+    result.weights     = near.weights();
+    result.penetration = overlap - side.reference;
     if (!side.is_touching)
       side.stiffness = 0.;
     return side.is_touching;

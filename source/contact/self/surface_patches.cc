@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace birdstrike
 {
@@ -46,13 +47,18 @@ namespace birdstrike
     front.push_back(seed);
     owner_of_facet[seed] = number;
     for (std::size_t k = 0; k < front.size(); ++k)
-      for (const std::int32_t next : facets.neighbor[front[k]])
-        if (next >= 0 && front.size() < most_facets && owner_of_facet[static_cast<std::size_t>(next)] == no_patch &&
-            normals[static_cast<std::size_t>(next)].dot(normals[seed]) > same_way)
-          {
-            owner_of_facet[static_cast<std::size_t>(next)] = number;
-            front.push_back(static_cast<std::uint32_t>(next));
-          }
+      {
+        auto next_ones =
+          facets.neighbor[front[k]]; // whichever corner a facet's list begins with, and whichever way round
+        std::sort(next_ones.begin(), next_ones.end());
+        for (const std::int32_t next : next_ones)
+          if (next >= 0 && front.size() < most_facets && owner_of_facet[static_cast<std::size_t>(next)] == no_patch &&
+              normals[static_cast<std::size_t>(next)].dot(normals[seed]) > same_way)
+            {
+              owner_of_facet[static_cast<std::size_t>(next)] = number;
+              front.push_back(static_cast<std::uint32_t>(next));
+            }
+      }
   }
 
   void SurfacePatches::collect_nodes(const FacetsView &facets)
@@ -125,14 +131,15 @@ namespace birdstrike
 
   void SurfacePatches::find_edge(const FacetsView &facets)
   {
-    edge = 1e300;
-    for (const Patch &patch : patches)
-      {
-        double area = 0.;
-        for (const std::uint32_t f : patch.facets)
-          area += compute_area_vector(facet_nodes(facets, f)).norm();
-        edge = std::min(edge, std::sqrt(area / static_cast<double>(patch.facets.size())));
-      }
+    // of as many as a patch has, but not of a patch: how it has grown must not matter
+    std::vector<double> areas(facets.n_facets);
+    for (std::size_t f = 0; f < facets.n_facets; ++f)
+      areas[f] = compute_area_vector(facet_nodes(facets, f)).norm();
+    std::sort(areas.begin(), areas.end());
+    areas.resize(std::min(areas.size(), most_facets));
+    edge = areas.empty()
+             ? 1e300
+             : std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.) / static_cast<double>(areas.size()));
   }
 
   void SurfacePatches::look(const FacetsView &facets)
