@@ -26,10 +26,7 @@ class Run:
         if os.path.exists(history):
             with open(history, "rb") as file:
                 self.history_bytes = file.read()
-            lines = [l for l in self.history_bytes.decode().splitlines() if not l.startswith("#")]
-            table = [row for row in csv.DictReader(lines) if None not in row.values()]
-            if table:
-                self.columns = {name: [float(row[name]) for row in table] for name in table[0]}
+            self.columns = self.table("history")
         summary = os.path.join(folder, "summary.json")
         if os.path.exists(summary):
             with open(summary) as file:
@@ -41,6 +38,13 @@ class Run:
         for key in path.split("/"):
             value = value[int(key)] if isinstance(value, list) else value[key]
         return value
+
+    def table(self, name):
+        """Columns of numbers of a .csv file of the run."""
+        with open(os.path.join(self.folder, name + ".csv"), errors="replace") as file:
+            lines = [line for line in file.read().splitlines() if not line.startswith("#")]
+        rows = [row for row in csv.DictReader(lines) if None not in row.values()]
+        return {key: [float(row[key]) for row in rows] for key in rows[0]} if rows else {}
 
     def initial_energy(self):
         return self.columns["energy"][0]

@@ -2,6 +2,7 @@
 
 import math
 
+import entries
 import numpy as np
 
 DISTANCE = 1000.  # m
@@ -21,6 +22,29 @@ def yaw_pitch_roll(attitude, velocity):
     """Angles (degrees) that give a bird with this velocity the attitude."""
     m = frame_of(velocity).T @ attitude
     return [math.degrees(a) for a in (math.atan2(-m[1, 2], m[2, 2]), math.asin(max(-1., min(1., m[0, 2]))), math.atan2(-m[0, 1], m[0, 0]))]
+
+
+def vector_of(scene, path):
+    """The entry's three numbers."""
+    return np.array([float(x) for x in scene.settings[path].replace(",", " ").split()])
+
+
+def sections_of_birds(scene):
+    return scene.info.get("birds", ["Bird"])
+
+
+def slice_frame(normal, attitude):
+    """Columns: x, y, z of a slice whose Roll is 0, of a bird with this attitude without roll (compute_slice_frame in source/bird/attitude.cc)."""
+    n = normal / np.linalg.norm(normal)
+    x = attitude[:, 0] - (attitude[:, 0] @ n) * n
+    if np.linalg.norm(x) < 0.1:
+        x = attitude[:, 2] - (attitude[:, 2] @ n) * n
+    x /= np.linalg.norm(x)
+    return np.stack((x, np.cross(n, x), n), axis=1)
+
+
+def about_third(angle):
+    return np.array(((math.cos(angle), -math.sin(angle), 0.), (math.sin(angle), math.cos(angle), 0.), (0., 0., 1.)))
 
 
 def draw_turn(draw, is_mirrored):
@@ -47,26 +71,72 @@ class Place:
     def point(self, x):
         return self.turn @ np.asarray(x) + self.shift
 
+    def axial(self, w):
+        """Of a rotation or a moment."""
+        return (-1. if self.is_mirrored else 1.) * self.turn @ np.asarray(w)
+
     def apply(self, scene):
-        """The scene's twin there. A lattice of the bird has mirror planes between its x and y, so that the mirrored one changes them."""
-        twin, listed = scene.copy(), [float(v) for v in scene.settings["Bird/Velocity"].split(",")]
-        velocity, aim = np.array(listed), np.array([float(x) for x in scene.settings["Bird/Aim point"].split(",")])
-        distance = float(scene.settings["Bird/Stand-off"])
+        """The scene's twin there."""
+        twin = scene.copy()
+        for section in sections_of_birds(scene):
+            self.place_bird(scene, twin, section)
+        if np.any(self.drift):
+            twin.set("Blade/Loads/Initial velocity", "; ".join(repr(float(v)) for v in self.drift))
+        self.place_blade(scene, twin)
+        return twin
+
+    def place_bird(self, scene, twin, section):
+        """A lattice of the bird has mirror planes between its x and y, so that the mirrored one changes them."""
+        velocity, aim = vector_of(scene, section + "/Velocity"), vector_of(scene, section + "/Aim point")
+        distance = float(scene.settings[section + "/Stand-off"])
         start = self.point(aim - distance * velocity / np.linalg.norm(velocity))
-        roll = math.radians(float(scene.settings.get("Bird/Roll", "0")))
-        about = np.array(((math.cos(roll), -math.sin(roll), 0.), (math.sin(roll), math.cos(roll), 0.), (0., 0., 1.)))
-        attitude = self.turn @ frame_of(velocity) @ about
+        roll = math.radians(float(scene.settings.get(section + "/Roll", "0")))
+        attitude = self.turn @ frame_of(velocity) @ about_third(roll)
         if self.is_mirrored:
             attitude = attitude[:, (1, 0, 2)]
         seen = self.turn @ velocity + self.drift
-        twin.set("Bird/Velocity", [float(v) for v in seen])
-        twin.set("Bird/Aim point", [float(x) for x in start + distance * seen / np.linalg.norm(seen)])
-        for name, angle in zip(("Yaw", "Pitch", "Roll"), yaw_pitch_roll(attitude, seen)):
-            twin.set("Bird/" + name, angle)
-        if np.any(self.drift):
-            twin.set("Blade/Loads/Initial velocity", "; ".join(repr(float(v)) for v in self.drift))
+        twin.set(section + "/Velocity", [float(v) for v in seen])
+        twin.set(section + "/Aim point", [float(x) for x in start + distance * seen / np.linalg.norm(seen)])
+        angles = yaw_pitch_roll(attitude, seen)
+        if scene.settings.get(section + "/Slice/Normal"):
+            angles[2] = self.place_slice(scene, twin, section, angles[:2], seen, roll)
+        for name, angle in zip(("Yaw", "Pitch", "Roll"), angles):
+            twin.set(f"{section}/{name}", angle)
+
+    def place_slice(self, scene, twin, section, yaw_pitch, seen, roll):
+        """Its normal; the roll (degrees) about it that gives it the lattice."""
+        normal = vector_of(scene, section + "/Slice/Normal")
+        lattice = self.turn @ slice_frame(normal, frame_of(vector_of(scene, section + "/Velocity"))) @ about_third(roll)
+        if self.is_mirrored:
+            lattice = lattice[:, (1, 0, 2)]
+        twin.set(section + "/Slice/Normal", [float(c) for c in self.turn @ normal])
+        yaw, pitch = (math.radians(angle) for angle in yaw_pitch)
+        about_x = np.array(((1., 0., 0.), (0., math.cos(yaw), -math.sin(yaw)), (0., math.sin(yaw), math.cos(yaw))))
+        about_y = np.array(((math.cos(pitch), 0., math.sin(pitch)), (0., 1., 0.), (-math.sin(pitch), 0., math.cos(pitch))))
+        unrolled = slice_frame(self.turn @ normal, frame_of(seen) @ about_x @ about_y)
+        return math.degrees(math.atan2(lattice[:, 0] @ unrolled[:, 1], lattice[:, 0] @ unrolled[:, 0]))
+
+    def place_blade(self, scene, twin):
+        """Cells of a mirrored mesh are listed the other way round, so that normals stay on their side and angles about them turn over."""
         twin.mesh = scene.mesh.moved(lambda p: tuple(float(x) for x in self.point(p))).listed(self.is_mirrored, None)
-        return twin
+        if "Blade/Spin/Axis" in scene.settings:
+            twin.set("Blade/Spin/Axis", [float(c) for c in self.axial(vector_of(scene, "Blade/Spin/Axis"))])
+            twin.set("Blade/Spin/Centre", [float(x) for x in self.point(vector_of(scene, "Blade/Spin/Centre"))])
+        info = twin.info
+        if "plies" in info:
+            direction = self.turn @ vector_of(scene, "Blade/Laminate/Reference direction")
+            twin.set("Blade/Laminate/Reference direction", " ".join(repr(float(c)) for c in direction))
+            info["plies"] = [(-angle if self.is_mirrored else angle, *of) for angle, *of in info["plies"]]
+            entries.set_plies(twin)
+        if "initial_spin" in info:
+            spin = self.axial(info["initial_spin"])
+            info.update(initial_spin=spin, initial_velocity=self.turn @ np.array(info["initial_velocity"]) - np.cross(spin, self.shift))
+            entries.set_initial(twin)
+        if "point_loads" in info:
+            info["point_loads"] = [([float(x) for x in self.point(place)], [float(f) for f in self.turn @ np.array(force)],
+                                    [float(m) for m in self.axial(moment)], law) for place, force, moment, law in info["point_loads"]]
+            info["driven"] = [(side, [float(x) for x in self.turn @ np.array(way)], law) for side, way, law in info["driven"]]
+            entries.set_loads(twin)
 
 
 def draw_place(scene, draw):

@@ -23,15 +23,20 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 
 import crossings  # noqa: E402
 import draws  # noqa: E402
+import gathered  # noqa: E402
 import loaded  # noqa: E402
 import strike  # noqa: E402
 import strikes  # noqa: E402
+import turning  # noqa: E402
 import twins  # noqa: E402
 from judge import judge  # noqa: E402
 from scene import Scene  # noqa: E402
 
-KINDS = {"strike": strikes.strike, **draws.KINDS}
+NEWER = {**turning.KINDS, **gathered.KINDS}
+KINDS = {"strike": strikes.strike, **draws.KINDS, **NEWER}
 ORDER = [kind for special in draws.KINDS for kind in ("strike", "strike", "strike", special)]
+ORDER_WITH_NEWER = [kind for k, special in enumerate(draws.KINDS) for kind in ("strike", "strike", list(NEWER)[k % len(NEWER)], special)]
+WITH_NEWER = 100000  # the first seed that may draw a newer kind; those below draw what they always have
 FIELDS = 40
 OPEN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "open.txt")
 
@@ -40,6 +45,13 @@ def known_to_fail():
     """'kind seed' of the scenes that are known to fail and still do: named in every table, and no news."""
     with open(OPEN) as file:
         return {" ".join(line.split()[:2]) for line in file if line.strip() and not line.startswith("#")}
+
+
+def kind_of(seed, only):
+    if not isinstance(seed, int):
+        return "frozen"
+    order = only or (ORDER_WITH_NEWER if seed >= WITH_NEWER else ORDER)
+    return order[seed % len(order)]
 
 
 def draw_scene(kind, seed):
@@ -78,9 +90,12 @@ class Runs:
             other = twins.summary_difference(first, rows) if rows.summary else [f"exit {rows.code}"]
             if other:
                 faults.append("output interval: " + ", ".join(other))
-        if scene.can_be_placed:
-            more, name, largest = twins.compare_places(scene, first, draw, self.run)
-            return faults + more, name, largest
+        if scene.can_be_placed or scene.kind in NEWER:
+            elsewhere = twins.Elsewhere(scene, first, draw, self.run)
+            compared = [twins.compare_places(elsewhere)] if scene.can_be_placed else []
+            compared.append(twins.compare_likes(elsewhere))
+            more, names, largest = zip(*compared)
+            return sum(more, faults), " ".join(n for n in names if n), max(largest)
         name, (twin, factor) = twins.choose(scene, draw)
         more, largest = twins.compare_twin(name, twin, factor, scene, first, draw, self.run)
         return faults + more, name, largest
@@ -133,7 +148,7 @@ def main():
     parser.add_argument("--count", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--frozen", nargs="*", help="scenes once found wrong (scene.json of --keep), instead of drawn ones")
-    parser.add_argument("--only", choices=KINDS, help="one kind of scene; otherwise they take turns")
+    parser.add_argument("--only", choices=KINDS, nargs="+", help="kinds of scenes that take turns, instead of all")
     parser.add_argument("--keep", help="folder for the files of scenes that fail, stop or are refused")
     parser.add_argument("--limit", type=float, default=60., help="seconds a run may take")
     options = parser.parse_args()
@@ -141,8 +156,7 @@ def main():
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
         known = known_to_fail()
         seeds = options.frozen or range(options.seed, options.seed + options.count)
-        jobs = [(program, options.only or (ORDER[seed % len(ORDER)] if isinstance(seed, int) else "frozen"), seed, options.limit, options.keep)
-                for seed in seeds]
+        jobs = [(program, kind_of(seed, options.only), seed, options.limit, options.keep) for seed in seeds]
         for (_, kind, seed, *_), (text, verdict, figures) in zip(jobs, pool.map(judge_scene, *zip(*jobs))):
             print(text, flush=True)
             verdicts.append("open" if verdict == "FAILED" and f"{kind} {seed}" in known else verdict)

@@ -51,9 +51,11 @@ def draw_counts(draw, shape, element, most):
     return [max(1, round(shrink * n)) for n in counts]
 
 
-def draw_blade(scene, draw):
+def draw_blade(scene, draw, kinds=("shell", "shell", "solid", "solid", "rigid"), supports=("10", "10", "10, 11", "10, 11, 12, 13", ""),
+               can_scale=True, share_that_fails=0.3):
+    """A blade of one of the kinds, held at one of the choices of boundaries; its step (s)."""
     info = scene.info
-    kind = draw.choice(("shell", "shell", "solid", "solid", "rigid"))
+    kind = draw.choice(kinds)
     shape = draw_shape(scene, draw, info["diameter"])
     n_span, n_chord = draw_counts(draw, shape, info["spacing"] * log_uniform(draw, 0.2, 10.), 400 if kind != "solid" else 150)
     n_span = max(n_span, 2)
@@ -69,7 +71,7 @@ def draw_blade(scene, draw):
     if kind == "shell":  # thicker than twice their side, shells are none: the program warns, bricks are for that
         blade.thickness = thickness = min(thickness, round_figures(2. * blade.shortest_side()))
     scene.blade, scene.mesh = blade, blade.mesh
-    can_fail = draw.random() < 0.3 and kind != "rigid"
+    can_fail = draw.random() < share_that_fails and kind != "rigid"
     for path, value in {"Kind": kind, "Mesh/Generator": "file", "Supports/Tip": "11"}.items():
         scene.set("Blade/" + path, value)
     formulation = {"shell": draw.choice(("physical", "Belytschko-Tsay", "fully integrated")), "rigid": "",
@@ -86,7 +88,7 @@ def draw_blade(scene, draw):
     if kind == "shell":
         scene.set("Blade/Thickness/Value", thickness)
         scene.set("Blade/Element/Points through thickness", draw.choice((3, 5, 7)))
-    elif layers > 1 and not can_fail and draw.random() < 0.3:
+    elif can_scale and layers > 1 and not can_fail and draw.random() < 0.3:
         scene.set("Blade/Mass scaling/Method", "selective")
         scene.set("Blade/Mass scaling/Largest added inertia", draw.choice((0.01, 1.)))
     names = [draw.choice(sorted(METALS)) for _ in range(2)]
@@ -94,7 +96,7 @@ def draw_blade(scene, draw):
     if 2 in blade.mesh.materials:
         scene.set("Blade/Section 1/Material ids", "2")
         waves.append(set_metal(scene, draw, "Section 1/", names[1], can_fail))
-    clamped = draw.choice(("10", "10", "10, 11", "10, 11, 12, 13", ""))
+    clamped = draw.choice(supports)
     scene.set("Blade/Supports/Clamped" if clamped else "Blade/Supports/Free", clamped or "10, 11, 12, 13")
     if clamped:
         scene.set("Blade/Supports/Tip", "" if "11" in clamped else "11")

@@ -3,6 +3,7 @@
 import math
 
 import crossings
+import likes
 import numpy as np
 import placing
 
@@ -118,8 +119,10 @@ FLOAT, GROWTH, PLACED = 1.2e-7, 30., 1e-5
 def nudged(scene, draw):
     """The scene with aim and speed changed by a float's precision of a spacing and of themselves, to one side and to the other."""
     twins = scene.copy(), scene.copy()
-    for path, scale in (("Bird/Aim point", scene.info["spacing"]), ("Bird/Velocity", scene.info["speed"])):
-        changes = [scale * FLOAT * draw.uniform(-1., 1.) for _ in range(3)]
+    entries = [(section, *of) for section in placing.sections_of_birds(scene)
+               for of in (("Aim point", scene.info["spacing"]), ("Velocity", scene.info["speed"]))]
+    for section, entry, scale in entries:
+        path, changes = f"{section}/{entry}", [scale * FLOAT * draw.uniform(-1., 1.) for _ in range(3)]
         for twin, sign in zip(twins, (1., -1.)):
             twin.set(path, [float(x) + sign * change for x, change in zip(scene.settings[path].split(","), changes)])
     return twins
@@ -164,26 +167,54 @@ def placed_difference(one, two, turn=np.eye(3)):
                float(np.abs((turn @ one[name] if name == "impulse" else one[name]) - two[name]).max()) for name in one)
 
 
-def compare_places(scene, first, draw, run):
-    """Faults, the place's name and the difference. Where all at once (turned, mirrored, shifted, moving) differs, each alone says more."""
-    energy = 0.5 * scene.info["mass"] * scene.info["speed"]**2
-    reference, faults = placed_figures(first, energy), []
+class Elsewhere:
+    """Runs of a scene's likes against its own, and what round-off may make of them, found when it is first asked for."""
 
-    def differ(place, name):
-        result = run(place.apply(scene), name)
+    def __init__(self, scene, first, draw, run):
+        info = scene.info
+        self.scene, self.draw, self.run, self.grown = scene, draw, run, None
+        self.energy = info.get("closing_energy", 0.5 * info["mass"] * info["speed"]**2)
+        self.reference = placed_figures(first, self.energy)
+
+    def differ(self, twin, name, turn=np.eye(3)):
+        """Largest difference, or words."""
+        result = self.run(twin, name)
         if result.code != 0:
             return f"exit {result.code}: {result.stop()}"
-        return placed_difference(reference, placed_figures(result, energy), place.turn)
+        return placed_difference(self.reference, placed_figures(result, self.energy), turn)
 
-    place = placing.draw_place(scene, draw)
-    largest = differ(place, "placed")
-    if not isinstance(largest, str) and largest <= PLACED:
-        return [], place.name, largest
-    nudges = [run(moved, f"nudged{k}{side}") for k in range(2) for side, moved in enumerate(nudged(scene, draw))]
-    grown = max((placed_difference(reference, placed_figures(n, energy)) if n.code == 0 else 0.) for n in nudges)
-    tolerance = PLACED + GROWTH * grown
-    if isinstance(largest, str) or largest > tolerance:
-        faults.append(f"{place.name}: {largest if isinstance(largest, str) else f'{largest:.2g}'}, tolerance {tolerance:.2g}")
-        for alone in placing.apart(scene, draw, place):
-            faults.append(f"{alone.name} alone: {differ(alone, alone.name)}")
+    def tolerance(self):
+        if self.grown is None:
+            nudges = [self.run(moved, f"nudged{k}{side}") for k in range(2) for side, moved in enumerate(nudged(self.scene, self.draw))]
+            self.grown = max((placed_difference(self.reference, placed_figures(n, self.energy)) if n.code == 0 else 0.) for n in nudges)
+        return PLACED + GROWTH * self.grown
+
+    def fault(self, name, largest):
+        """Nothing, or one line."""
+        if not isinstance(largest, str) and (largest <= PLACED or largest <= self.tolerance()):
+            return []
+        return [f"{name}: {largest if isinstance(largest, str) else f'{largest:.2g}'}, tolerance {self.tolerance():.2g}"]
+
+
+def compare_places(elsewhere):
+    """Faults, the place's name and the difference. Where all at once (turned, mirrored, shifted, moving) differs, each alone says more."""
+    scene = elsewhere.scene
+    place = placing.draw_place(scene, elsewhere.draw)
+    largest = elsewhere.differ(place.apply(scene), "placed", place.turn)
+    faults = elsewhere.fault(place.name, largest)
+    if faults:
+        for alone in placing.apart(scene, elsewhere.draw, place):
+            faults.append(f"{alone.name} alone: {elsewhere.differ(alone.apply(scene), alone.name, alone.turn)}")
     return faults, place.name, largest if not isinstance(largest, str) else math.inf
+
+
+def compare_likes(elsewhere):
+    """Faults, the name of the way of telling that differs most, and by how much."""
+    faults, worst, largest = [], "", 0.
+    for name, twin, turn in likes.told_otherwise(elsewhere.scene):
+        difference_of = elsewhere.differ(twin, name.replace(" ", "-"), turn)
+        faults += elsewhere.fault(name, difference_of)
+        size = math.inf if isinstance(difference_of, str) else difference_of
+        if size >= largest:
+            worst, largest = name, size
+    return faults, worst, largest
