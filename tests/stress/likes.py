@@ -1,5 +1,5 @@
-"""Scenes of the newer kinds told otherwise, of which only round-off may tell: birds in another order, plies cut in two or counted from the
-other side, a row seen from the next blade or counted backwards, a speed written as a formula."""
+"""Scenes of the newer kinds told otherwise, of which only round-off may tell: birds in another order, plies cut in two or counted from another
+corner, a row seen from the next blade or counted backwards, a speed written as a formula."""
 
 import math
 
@@ -38,12 +38,10 @@ def plies_in_halves(scene):
     return twin, np.eye(3)
 
 
-def plies_turned_over(scene):
-    """Cells the other way round: the normal points to the other side, plies are listed from there, and angles about it change sign."""
+def cells_listed_anew(scene):
+    """Points and cells in another order, cells the other way round: shells look upwards all the same."""
     twin = scene.copy()
-    twin.mesh = scene.mesh.listed(True, None)
-    twin.info["plies"] = [(-angle, thickness, name) for angle, thickness, name in reversed(scene.info["plies"])]
-    entries.set_plies(twin)
+    twin.mesh = scene.mesh.listed(True, scene.seed)
     return twin, np.eye(3)
 
 
@@ -102,7 +100,7 @@ def told_otherwise(scene):
     if len(scene.info.get("birds", [])) > 1:
         ways.append(("order of birds", birds_reversed))
     if "plies" in scene.info:
-        ways += [("turned over", plies_turned_over)]
+        ways.append(("another list", cells_listed_anew))
         if not scene.info["can_fail"]:
             ways.append(("halves", plies_in_halves))
     if "Blade/Mesh/Row/Blades" in scene.settings:

@@ -43,6 +43,15 @@ def slice_frame(normal, attitude):
     return np.stack((x, np.cross(n, x), n), axis=1)
 
 
+def upward_normal(mesh):
+    """Sum of the cells' areas (m^2) as the program has shells of a file look: with the first of z, y and x that is not next to nothing
+    (face_upwards in source/mesh/blade_mesh.cc)."""
+    points = np.array(mesh.points)
+    corners = points[np.array([cell[:4] for cell in mesh.cells])]
+    area = 0.5 * np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]).sum(axis=0)
+    return area * next((math.copysign(1., area[k]) for k in (2, 1, 0) if abs(area[k]) > 0.01 * np.linalg.norm(area)), 1.)
+
+
 def about_third(angle):
     return np.array(((math.cos(angle), -math.sin(angle), 0.), (math.sin(angle), math.cos(angle), 0.), (0., 0., 1.)))
 
@@ -117,8 +126,10 @@ class Place:
         return math.degrees(math.atan2(lattice[:, 0] @ unrolled[:, 1], lattice[:, 0] @ unrolled[:, 0]))
 
     def place_blade(self, scene, twin):
-        """Cells of a mirrored mesh are listed the other way round, so that normals stay on their side and angles about them turn over."""
+        """Shells look upwards wherever they are, so that a place may turn plies over and pressure about."""
         twin.mesh = scene.mesh.moved(lambda p: tuple(float(x) for x in self.point(p))).listed(self.is_mirrored, None)
+        is_shell = scene.settings["Blade/Kind"] == "shell"
+        looks_back = is_shell and self.turn @ upward_normal(scene.mesh) @ upward_normal(twin.mesh) < 0.
         if "Blade/Spin/Axis" in scene.settings:
             twin.set("Blade/Spin/Axis", [float(c) for c in self.axial(vector_of(scene, "Blade/Spin/Axis"))])
             twin.set("Blade/Spin/Centre", [float(x) for x in self.point(vector_of(scene, "Blade/Spin/Centre"))])
@@ -126,12 +137,14 @@ class Place:
         if "plies" in info:
             direction = self.turn @ vector_of(scene, "Blade/Laminate/Reference direction")
             twin.set("Blade/Laminate/Reference direction", " ".join(repr(float(c)) for c in direction))
-            info["plies"] = [(-angle if self.is_mirrored else angle, *of) for angle, *of in info["plies"]]
+            info["plies"] = [(-angle if self.is_mirrored != looks_back else angle, *of) for angle, *of in info["plies"]][::-1 if looks_back else 1]
             entries.set_plies(twin)
         if "initial_spin" in info:
             spin = self.axial(info["initial_spin"])
             info.update(initial_spin=spin, initial_velocity=self.turn @ np.array(info["initial_velocity"]) - np.cross(spin, self.shift))
             entries.set_initial(twin)
+        if "Blade/Loads/Pressure" in scene.settings and looks_back:
+            twin.set("Blade/Loads/Pressure", f"-({scene.settings['Blade/Loads/Pressure']})")
         if "point_loads" in info:
             info["point_loads"] = [([float(x) for x in self.point(place)], [float(f) for f in self.turn @ np.array(force)],
                                     [float(m) for m in self.axial(moment)], law) for place, force, moment, law in info["point_loads"]]
