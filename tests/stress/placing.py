@@ -64,11 +64,20 @@ def draw_turn(draw, is_mirrored):
     return turn
 
 
-class Place:
-    """x -> turn x + shift, and velocities turn v + drift."""
+def draw_square_turn(draw, is_mirrored):
+    """Of axes into axes, which boxes along them go through unchanged."""
+    turn = np.diag([draw.choice((1., -1.)) for _ in range(3)])[draw.sample(range(3), 3)]
+    if (np.linalg.det(turn) < 0.) != is_mirrored:
+        turn[0] *= -1.
+    return turn
 
-    def __init__(self, draw, is_turned, is_mirrored, is_shifted, largest_drift):
-        self.turn = draw_turn(draw, is_mirrored) if is_turned else np.diag((1., 1., -1. if is_mirrored else 1.))
+
+class Place:
+    """x -> turn x + shift, and velocities turn v + drift. `is_square`: turned by right angles only."""
+
+    def __init__(self, draw, is_turned, is_mirrored, is_shifted, largest_drift, is_square=False):
+        by = draw_square_turn if is_square else draw_turn
+        self.turn = by(draw, is_mirrored) if is_turned else np.diag((1., 1., -1. if is_mirrored else 1.))
         unit = np.array([draw.gauss(0., 1.) for _ in range(3)])
         self.shift = DISTANCE * unit / np.linalg.norm(unit) if is_shifted else np.zeros(3)
         drift = np.array([draw.gauss(0., 1.) for _ in range(3)])
@@ -152,17 +161,23 @@ class Place:
             entries.set_loads(twin)
 
 
+def waits(scene):
+    """Whether a bird is woken where boxes along the axes come near, which says from when on it counts for the step of all."""
+    return any(float(scene.settings.get(section + "/Arrival time", 0.)) > 0. for section in sections_of_birds(scene))
+
+
 def draw_place(scene, draw):
     """All at once: one difference says that something is wrong, then each alone says what."""
     drift = draw.choice((0., 1.)) * scene.info["speed"] if scene.info.get("free") else 0.
-    return Place(draw, True, draw.random() < 0.5, True, drift)
+    return Place(draw, True, draw.random() < 0.5, True, drift, waits(scene))
 
 
 def apart(scene, draw, place):
     """Each part of a place by itself."""
     names = place.name.split("+")
     drift = scene.info["speed"] if "moving" in names else 0.
-    places = [Place(draw, name == "turned", name == "mirrored", name == "shifted", drift if name == "moving" else 0.) for name in names]
+    places = [Place(draw, name == "turned", name == "mirrored", name == "shifted", drift if name == "moving" else 0., waits(scene))
+              for name in names]
     for alone in places:
         if alone.name == "turned" and not place.is_mirrored:
             alone.turn = place.turn
