@@ -24,6 +24,11 @@ def draw_axis(draw, shape):
     return axis, np.array((-shape.length * log_uniform(draw, 0.05, 3.), 0., 0.))
 
 
+def borne(info):
+    """Pa, that every metal of the blade bears, nearly or wholly elastic."""
+    return min(METALS[name][0] * min(METALS[name][2], 1e-2) for name in info["metals"])
+
+
 def draw_rate(scene, draw, axis, centre):
     """rad/s at which the centrifugal stress of span and bending at the root, roughly, is a drawn share of what the metal bears."""
     info, shape = scene.info, scene.blade.shape
@@ -32,8 +37,7 @@ def draw_rate(scene, draw, axis, centre):
     pull = outward.mean(axis=0)  # per square of the speed
     stress = shape.length * (abs(pull[0]) + 3. * shape.length / info["thickness"] * np.linalg.norm(pull[1:]))
     density = max(METALS[name][1] for name in info["metals"])
-    bears = min(METALS[name][0] * min(METALS[name][2], 1e-2) for name in info["metals"])
-    by_stress = math.sqrt(log_uniform(draw, 1e-4, 0.5) * bears / (density * stress))
+    by_stress = math.sqrt(log_uniform(draw, 1e-4, 0.5) * borne(info) / (density * stress))
     farthest = np.linalg.norm(outward, axis=1).max()
     return round_figures(min(by_stress, 3. * info["speed"] / farthest, 0.5 / info["end_guess"])), farthest
 
@@ -75,8 +79,17 @@ def guess_end(info):
     info["end_guess"] = min(1.3 * info["length"] / info["speed"], 300. * bird_step)
 
 
+def set_steady_pressure(scene, draw):
+    """That bends the blade as a part of what its metal bears, besides the spin."""
+    info = scene.info
+    slender = info["thickness"] / scene.blade.shape.length
+    scene.set("Blade/Loads/Pressure", round_figures(0.1 * borne(info) * slender**2 * log_uniform(draw, 1e-3, 1.)))
+    if info["kind"] == "solid":
+        scene.set("Blade/Loads/Pressure boundaries", draw.choice(("15", "16")))
+
+
 def turning(scene, draw):
-    """Any bird on a blade on a hub, about any axis."""
+    """Any bird on a blade on a hub, about any axis, some under a steady pressure."""
     draw_any_bird(scene, draw, "Bird", log_uniform(draw, 20., 600.), draw.randint(40, 200))
     info = scene.info
     blade_step = draw_blade(scene, draw, ("shell", "shell", "solid"), ("10", "10", "10", "10, 11"), False, 0.2)
@@ -88,6 +101,8 @@ def turning(scene, draw):
     rate, farthest = draw_rate(scene, draw, axis, centre)
     at_start = set_spin(scene, draw, axis, centre, rate)
     see_from_hub(scene, at_start * axis, centre)
+    if draw.random() < 0.3:
+        set_steady_pressure(scene, draw)
     info.update(turns=True, closing_energy=0.5 * info["mass"] * info["speed"]**2, most_speed=info["speed"] + 4. * abs(rate) * farthest)
 
 
@@ -161,8 +176,8 @@ def row(scene, draw):
     info["closing"] = info["speed"]
     set_times(scene, draw, blade_step, n * info["cells"])
     metal, tip = METALS[info["metals"][0]], info["root"] + info["length_x"]
-    bears = math.sqrt(log_uniform(draw, 1e-3, 0.5) * metal[0] * min(metal[2], 1e-2) / (metal[1] * tip * info["length_x"]))
-    rate = round_figures(min(bears, 3. * info["speed"] / tip, 0.5 / info["end_guess"])) if draw.random() < 0.75 else 0.
+    by_stress = math.sqrt(log_uniform(draw, 1e-3, 0.5) * borne(info) / (metal[1] * tip * info["length_x"]))
+    rate = round_figures(min(by_stress, 3. * info["speed"] / tip, 0.5 / info["end_guess"])) if draw.random() < 0.75 else 0.
     axis, centre = np.array((0., 1., 0.)), np.zeros(3)
     at_start = set_spin(scene, draw, axis, centre, rate)
     angle = math.radians(info["stagger"] + draw.choice((1., -1.)) * draw.uniform(10., 90.))  # to the chord, in the plane of chord and normal
