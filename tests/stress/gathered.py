@@ -18,6 +18,8 @@ def flock(scene, draw):
     for number in range(1, draw.choice((2, 2, 3)) + 1):
         section = "Bird" if number == 1 else f"Bird {number}"
         birds.append((section, draw_any_bird(scene, draw, section, log_uniform(draw, 30., 600.), draw.randint(40, 120))))
+    coarsest = max((of for _, of in birds), key=lambda of: of["spacing"])
+    info.update(spacing=coarsest["spacing"], diameter=coarsest["diameter"])  # of which elements and thickness are drawn shares
     blade_step = draw_blade(scene, draw, can_scale=False)
     first = {}
     for section, of in reversed(birds):  # the first last, whose figures the scene keeps
@@ -34,6 +36,7 @@ def flock(scene, draw):
     slowest = min(0.35 * of["spacing"] / (of["sound"] + 1.2 * of["speed"]) for _, of in birds)
     info["end"] = round_figures(min(info["end"], 300. * slowest))
     set_arrivals(scene, draw, birds, first)
+    info["end"] = round_figures(min(info["end"], 6e5 / len(scene.mesh.cells) * min(blade_step, slowest)))
     scene.set("Time/End time", info["end"])
     info.update(birds=[section for section, _ in birds], closing_energy=sum(0.5 * of["mass"] * of["share"] * of["speed"]**2 for _, of in birds),
                 most_speed=max(of["speed"] for _, of in birds), mass=sum(of["mass"] for _, of in birds),
