@@ -90,6 +90,11 @@ def run(program, prm, folder, settings=(), limit=120., start=start):
     return Run(*start(command, os.path.dirname(os.path.abspath(prm)), limit), folder)
 
 
+def resume(program, folder, limit=120., start=start):
+    """Goes on with the run in `folder` from its newest checkpoint."""
+    return Run(*start([program, "resume", folder], os.path.dirname(os.path.abspath(folder)), limit), folder)
+
+
 def has_words(result):
     """Whether a refusal (2) or a stop (3) speaks to the user."""
     dump = any(word in result.text for word in ("terminate called", "Stacktrace", "An error occurred in line", "Segmentation"))

@@ -82,9 +82,15 @@ class Runs:
     def compare(self, scene, first):
         """Threads, output interval, twin: faults and the twin's words."""
         faults, draw = [], random.Random(f"twin {scene.kind} {scene.seed}")
-        threads = self.run(scene, "threads", "Time/Threads=2")
+        half = int(first.columns["step"][-1]) // 2 + 1
+        checkpoint = (f"Output/Checkpoint/Step interval={half}", "Output/Checkpoint/At the end=false") if scene.kind in NEWER else ()
+        threads = self.run(scene, "threads", "Time/Threads=2", *checkpoint)
         if threads.code != first.code or threads.history_bytes != first.history_bytes:
             faults.append(f"two threads: exit {threads.code}, another history.csv")
+        if checkpoint:
+            resumed = strike.resume(self.program, threads.folder, self.limit, self.start)
+            if resumed.code != first.code or resumed.history_bytes != first.history_bytes:
+                faults.append(f"resumed at step {half}: exit {resumed.code}: {resumed.stop()[:100]}, another history.csv")
         if scene.seed % 4 == 0:
             rows = self.run(scene, "interval", f"Output/History interval={scene.info['end'] / 7.3!r}")
             other = twins.summary_difference(first, rows) if rows.summary else [f"exit {rows.code}"]
