@@ -44,16 +44,18 @@ namespace birdstrike::prices
 namespace birdstrike
 {
   /// A step of the elements of a blade, ns: of all as they are, and what more it would take if all held points through
-  /// the thickness.
+  /// the thickness. Registers of elements come to hold points together, but the price of a step counts those that have
+  /// yielded themselves: which share a register hangs on the order of a mesh file, and the ratio of steps must not.
   struct ElementPrices
   {
     double      of_step = 0., of_points_spared = 0.;
     std::size_t n_elements = 0, n_with_points = 0;
 
-    /// n elements, some with points; ns of one without and of one with them.
-    void add(const std::size_t n, const std::size_t n_with, const double elastic, const double yielding)
+    /// n elements, some with points, of which some have yielded; ns of one without and of one with them.
+    void add(const std::size_t n, const std::size_t n_with, const std::size_t n_yielded, const double elastic,
+             const double yielding)
     {
-      of_step += elastic * static_cast<double>(n - n_with) + yielding * static_cast<double>(n_with);
+      of_step += elastic * static_cast<double>(n - n_yielded) + yielding * static_cast<double>(n_yielded);
       of_points_spared += (yielding - elastic) * static_cast<double>(n - n_with);
       n_elements += n;
       n_with_points += n_with;

@@ -4,11 +4,13 @@
 #include "structure/elements/element_lane.h"
 #include "structure/elements/erosion.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/simd/compress.h>
 #include <birdstrike/core/simd/records.h>
 #include <birdstrike/core/step_limit.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -93,6 +95,10 @@ namespace birdstrike
     std::size_t n_elements_of(const std::size_t batch) const
     {
       return std::min<std::size_t>(n_lanes, n_elements() - batch * n_lanes);
+    }
+    std::size_t count_positive(const Lanes &of_elements, const std::size_t batch) const ///< without what fills it up
+    {
+      return static_cast<std::size_t>(std::popcount(to_bits(of_elements > 0.) & ((1u << n_elements_of(batch)) - 1u)));
     }
     std::size_t element_of(const std::size_t slot) const ///< of a lane, counted through all batches
     {

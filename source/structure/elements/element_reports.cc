@@ -217,14 +217,17 @@ namespace birdstrike
         if (is_rigid[k])
           continue;
         const Group &group = groups[k];
-        std::size_t  n = 0, n_with_points = 0;
+        std::size_t  n = 0, n_with_points = 0, n_yielded = 0;
         for (std::size_t b = 0; b < group.batches.size(); ++b)
           {
             n += group.n_elements_of(b);
-            n_with_points += group.has_points(b) ? group.n_elements_of(b) : 0;
+            if (!group.has_points(b))
+              continue;
+            n_with_points += group.n_elements_of(b);
+            n_yielded += group.count_yielded(b);
           }
         const auto [elastic, yielding] = price_of(group.section);
-        sum.add(n, n_with_points, elastic, yielding);
+        sum.add(n, n_with_points, n_yielded, elastic, yielding);
       }
     return sum;
   }

@@ -108,6 +108,30 @@ TEST(ShellPlasticity, PointsCarryWhatTheClosedFormDid)
     }
 }
 
+TEST(ShellPlasticity, PriceOfAStepHangsOnNoOrderOfElements)
+{
+  for (const auto formulation : covariant_formulations)
+    {
+      SCOPED_TRACE(name_of(formulation));
+      // one end of a strip yields: neighbours in one register, or each in another
+      const auto strip = make_grid(64, 1, [](const double x, const double y) { return Point3(64. * x, y, 0.); });
+      auto       mixed = strip;
+      for (std::size_t k = 0; k < strip.cells.size(); ++k)
+        mixed.cells[k] = strip.cells[13 * k % strip.cells.size()];
+      const ShellSection section = titanium(HardeningLaw::linear, 1e9, formulation);
+      Model              a(strip, 0.05, section), b(mixed, 0.05, section);
+      const double       elastic = a.elements.prices().of_step;
+      Eigen::VectorXd    stretch = Eigen::VectorXd::Zero(a.n_dofs());
+      for (std::size_t n = 0; n < strip.nodes.size(); ++n)
+        stretch[6 * n] = 0.02 * std::max(0., strip.nodes[n][0] - 61.);
+      for (Model *model : {&a, &b})
+        model->move(stretch);
+      EXPECT_LT(a.elements.n_promoted(), b.elements.n_promoted());
+      EXPECT_EQ(a.elements.prices().of_step, b.elements.prices().of_step);
+      EXPECT_GT(a.elements.prices().of_step, elastic);
+    }
+}
+
 TEST(ShellPlasticity, ThatHaveNeverYieldedHoldNoPoints)
 {
   for (const auto formulation : covariant_formulations)

@@ -42,6 +42,7 @@ namespace birdstrike
     }
 
     bool                   has_points(std::size_t batch) const;                 ///< any of its sections
+    std::size_t            count_yielded(std::size_t batch) const;              ///< at an outer point; all of plies
     Lanes                  contraction(std::size_t batch, std::size_t k) const; ///< of a section: SectionLaw
     double                 largest_plastic_strain(std::size_t element) const;
     StoredEnergy::State    stored(std::size_t section) const;            ///< by number: [n_batches][n_in_plane]

@@ -29,6 +29,17 @@ namespace birdstrike
     return has;
   }
 
+  std::size_t ShellGroup::count_yielded(const std::size_t batch) const
+  {
+    if (laminate)
+      return n_elements_of(batch);
+    Lanes strain(0.);
+    for (std::size_t k = 0; k < n_in_plane; ++k)
+      if (const auto &of_section = points_of(batch, k); !of_section.empty())
+        strain += of_section.front().plastic_strain + of_section.back().plastic_strain;
+    return count_positive(strain, batch);
+  }
+
   double ShellGroup::largest_thickness(const std::size_t element) const
   {
     double largest = 0.;

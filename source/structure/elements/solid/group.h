@@ -50,6 +50,7 @@ namespace birdstrike
     }
 
     bool                has_points(std::size_t batch) const;
+    std::size_t         count_yielded(std::size_t batch) const; ///< at an outer layer; all of what has points anyway
     double              largest_plastic_strain(std::size_t element) const;
     StoredEnergy::State stored(std::size_t point) const; ///< of one of `points`, or an element of one point
     std::size_t         bytes() const;

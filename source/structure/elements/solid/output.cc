@@ -68,6 +68,13 @@ namespace birdstrike
     return layers.empty() || !layers[batch].empty();
   }
 
+  std::size_t SolidGroup::count_yielded(const std::size_t batch) const
+  {
+    if (layers.empty() || layers[batch].empty())
+      return n_elements_of(batch);
+    return count_positive(layers[batch].front().plastic_strain + layers[batch].back().plastic_strain, batch);
+  }
+
   double SolidGroup::largest_plastic_strain(const std::size_t element) const
   {
     const std::size_t b = element / n_lanes, k = element % n_lanes;
