@@ -14,6 +14,8 @@ namespace birdstrike
     /// shocks of 177 m/s at Courant number 0.5: with 1 the predictor is unstable and the shock slow; with 0.5 plateaus
     /// are within 0.8 % and overshoots 0-5 %; with 0.2, 5-20 %; with 0, 40-70 % and chequered pressure.
     constexpr double pressure_share = 0.5;
+    /// Largest flux of a soft bird over the acoustic solver's: see RiemannRates.
+    constexpr double largest_flux = 3.;
     /// Added to r^2, in 4h^2: keeps 1/r finite for a particle that meets its own image or another in one place.
     constexpr double smallest_distance2 = 1e-20;
 
@@ -29,20 +31,12 @@ namespace birdstrike
     }
 
     /// What a pass computes: one kernel each.
-    template <bool periodic, bool corrected, bool linear, bool renewing, bool strong = false>
+    template <bool soft, bool periodic, bool corrected, bool linear = false, bool renewing = true, bool strong = false>
     struct Variant
     {
-      static constexpr bool is_periodic = periodic, is_corrected = corrected, is_linear = linear,
+      static constexpr bool is_soft = soft, is_periodic = periodic, is_corrected = corrected, is_linear = linear,
                             is_renewing = renewing, is_strong = strong;
     };
-    template <bool is_periodic>
-    using Plain = Variant<is_periodic, false, false, true>;
-    template <bool is_periodic, bool is_renewing>
-    using Corrected = Variant<is_periodic, true, false, is_renewing>;
-    template <bool is_periodic>
-    using Linear = Variant<is_periodic, true, true, true>;
-    template <bool is_periodic, bool is_linear>
-    using Strong = Variant<is_periodic, true, is_linear, true, true>;
 
     /// Symmetric part of the velocity gradient g B, g: xx yy zz, xy xz yz, yx zx zy, and its spin with strength.
     template <bool is_strong, class N>
@@ -118,6 +112,7 @@ namespace birdstrike
     const Number               zero(0), one(1);
     const auto                &a    = pairs[i].value;
     const T                    unit = static_cast<T>(1. / scale.force), V = a[3] * unit; // a power of two: exact
+    const T                    flux_unit = static_cast<T>(largest_flux * 3. * eos.reference_density());
     ForceSum<T>                force;
     PairSums<Number>           sums;
     Number                     approach = zero, smallest = a[3];
@@ -166,7 +161,10 @@ namespace birdstrike
             sums.add_moments(wx, x);
             smallest = min(smallest, select(t > zero, A[3], smallest));
           }
-        sums.flux() += w * r * ((a[7] - A[7]) * Y);
+        Number by = Y;
+        if constexpr (Variant::is_soft)
+          by = min(by, flux_unit / (a[11] + A[11]));
+        sums.flux() += w * r * ((a[7] - A[7]) * by);
         sums.heat() += w * q * vx;
         sums.weight() += w;
         approach = max(approach, select(t > zero, Variant::is_linear ? max(-vx * inverse_r, zero) : u, zero));
@@ -231,7 +229,7 @@ namespace birdstrike
               }
           }
       }
-    // (p_i - p_j)/(Z_i + Z_j) with the mean of 1/Z, which records hold times 3/2 rho0
+    // (p_i - p_j)/(Z_i + Z_j), times 6 rho0; of a bird that is not soft with the mean of 1/Z
     const N flux       = by_volume * (1. / (1.5 * eos.reference_density())) * sum(SumBlock::flux);
     const N flux_share = (0.5 * pressure_share) * flux, heat = (-0.5 * scale.force) * sum(SumBlock::heat);
     store(-(divergence + flux_share), &particles.compression_rate[i]);
@@ -267,26 +265,31 @@ namespace birdstrike
       }
   }
 
+  // Without correction there are no gradients to reconstruct from; periodic cells are for verification.
+  template <class T>
+  template <bool soft, bool wraps>
+  auto RiemannRates<T>::choose_sum() const -> Sum
+  {
+    if (has_strength)
+      return has_reconstruction ? &RiemannRates::sum_pairs<Variant<soft, wraps, true, true, true, true>>
+                                : &RiemannRates::sum_pairs<Variant<soft, wraps, true, false, true, true>>;
+    if (!has_correction)
+      return &RiemannRates::sum_pairs<Variant<soft, wraps, false>>;
+    if (has_reconstruction)
+      return &RiemannRates::sum_pairs<Variant<soft, wraps, true, true>>;
+    return is_renewing ? &RiemannRates::sum_pairs<Variant<soft, wraps, true>>
+                       : &RiemannRates::sum_pairs<Variant<soft, wraps, true, false, wraps>>;
+  }
+
   template <class T>
   void RiemannRates<T>::sum_range(Particles &particles, const NeighborList &list, const std::size_t begin,
                                   const std::size_t end) const
   {
     const auto &t     = list.period();
     const bool  wraps = t[0] > 0. || t[1] > 0. || t[2] > 0.;
-    using Sum         = void (RiemannRates::*)(Particles &, const NeighborList &, std::size_t, std::size_t) const;
-    // without correction there are no gradients to reconstruct from; periodic cells are for verification
-    const Sum every_pass[2][3] = {
-      {&RiemannRates::sum_pairs<Plain<false>>, &RiemannRates::sum_pairs<Corrected<false, true>>,
-       &RiemannRates::sum_pairs<Linear<false>>},
-      {&RiemannRates::sum_pairs<Plain<true>>, &RiemannRates::sum_pairs<Corrected<true, true>>,
-       &RiemannRates::sum_pairs<Linear<true>>}};
-    const Sum strong[2][2] = {
-      {&RiemannRates::sum_pairs<Strong<false, false>>, &RiemannRates::sum_pairs<Strong<false, true>>},
-      {&RiemannRates::sum_pairs<Strong<true, false>>, &RiemannRates::sum_pairs<Strong<true, true>>}};
-    const bool is_keeping = !wraps && has_correction && !has_reconstruction && !is_renewing;
-    const Sum  sum        = is_keeping ? &RiemannRates::sum_pairs<Corrected<false, false>>
-                                       : every_pass[wraps][has_correction ? (has_reconstruction ? 2 : 1) : 0];
-    (this->*(has_strength ? strong[wraps][has_reconstruction] : sum))(particles, list, begin, end);
+    const Sum   soft  = wraps ? choose_sum<true, true>() : choose_sum<true, false>();
+    const Sum   other = wraps ? choose_sum<false, true>() : choose_sum<false, false>();
+    (this->*(slowest_sound > 0. ? soft : other))(particles, list, begin, end);
   }
 
   template void RiemannRates<float>::sum_range(Particles &, const NeighborList &, std::size_t, std::size_t) const;

@@ -30,6 +30,13 @@ namespace birdstrike
   /// adjoint as the pressure's; torques cancel as far as B makes L exact. Signals run with sqrt(c^2 + 4 G/(3 rho)),
   /// impedances stay the bulk's: beyond yield, which is far below a shock's pressure, waves have its speed.
   ///
+  /// (Y_i + Y_j)/4 stands for 1/(Z_i + Z_j) without a division; where Z differs it is (Z_i + Z_j)^2/(4 Z_i Z_j) times
+  /// as much, five to twelve where one particle's pores are closed and its neighbours' are open. Its pressure would
+  /// leave by the flux in less than a step, and what the next one foretells is a particle without pressure, which is
+  /// compressed on (measured: 21 % of all energy, at one particle). So the flux of soft birds
+  /// (Rates::set_slowest_sound) is at most three times the acoustic solver's: shocks in a tenth of pores stay as they
+  /// are, with once it they ring by 53 instead of 38 %.
+  ///
   /// With reconstruction, u is the jump at the midpoint after removing the harmonic mean (van Leer 1974) of both
   /// particles' velocity gradients.
   ///
@@ -84,6 +91,9 @@ namespace birdstrike
     void           update_force_unit(std::size_t longest_list);
     void           update_images(const MirrorImages &images, ThreadPool &pool);
 
+    using Sum = void (RiemannRates::*)(Particles &, const NeighborList &, std::size_t, std::size_t) const;
+    template <bool is_soft, bool wraps>
+    Sum  choose_sum() const;
     void sum_range(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;
     template <class Variant>
     void sum_pairs(Particles &particles, const NeighborList &list, std::size_t begin, std::size_t end) const;

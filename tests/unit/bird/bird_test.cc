@@ -3,6 +3,7 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/numerical_failure.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -354,4 +355,43 @@ TEST(Bird, DissipatesWhereParticlesApproachAlone)
         else
           EXPECT_GT(power, 1.) << formulation;
       }
+}
+
+// The flux between particles of impedances Z_i and Z_j is the acoustic solver's, (p_i - p_j)/(Z_i + Z_j), by the mean
+// of 1/Z: of one whose pores are closed among open ones, five times as much and more. It stays at three times at most.
+TEST(Bird, FluxOutOfClosedPoresIsBounded)
+{
+  ThreadPool     pool(1);
+  BirdParameters parameters = exact_bird();
+  EosParameters  liquid;
+  liquid.type     = EosType::porous;
+  liquid.porosity = 0.4;
+  Bird bird(parameters, liquid, pool);
+  bird.set_closing_speed(100.);
+  const EquationOfState eos(liquid, parameters.density);
+  const double          slowest   = eos.struck_sound_speed(100.);
+  const auto            impedance = [&](const double mu) {
+    return eos.reference_density() * (1. + mu) *
+           std::max(slowest, std::sqrt(eos.sound_speed_squared(mu, eos.pressure(mu))));
+  };
+  const Point3 at(bird.state().x[0][0], bird.state().x[1][0], bird.state().x[2][0]);
+  // over the acoustic solver's, in one unit for all: neighbours are the same
+  const auto flux = [&](const double mu_of_one) {
+    bird.set_state([&](Point3 &x, Point3 &v, double &mu) {
+      v  = Point3::Zero();
+      mu = (x - at).norm() < 1e-9 ? mu_of_one : 0.;
+    });
+    const auto       &mu  = bird.state().mu;
+    const std::size_t one = std::max_element(mu.begin(), mu.end()) - mu.begin();
+    return -bird.state().compression_rate[one] / eos.pressure(mu_of_one) * (impedance(mu_of_one) + impedance(0.));
+  };
+  const auto by_mean = [&](const double mu) {
+    return std::pow(impedance(mu) + impedance(0.), 2) / (4. * impedance(mu) * impedance(0.));
+  };
+  const double unit = flux(1e-3) / by_mean(1e-3);
+  EXPECT_GT(unit, 0.);
+  for (const double mu : {0.1, 0.3, 0.5, 0.6, 0.65, 0.7, 0.9})
+    EXPECT_NEAR(flux(mu) / unit, std::min(by_mean(mu), 3.), 1e-9) << mu;
+  EXPECT_LT(by_mean(0.6), 2.);
+  EXPECT_GT(by_mean(0.9), 5.);
 }
