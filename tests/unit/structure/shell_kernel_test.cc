@@ -252,3 +252,41 @@ TEST(ShellKernel, FullIntegrationHasTheShearOfAConstantStateAtEveryPoint)
       EXPECT_NEAR(points.strain[k].shear[1], e2.dot(shear), 1e-16);
     }
 }
+
+TEST(ShellKernel, BendingStrainIsTheChangeOfTheDirectorsGradient)
+{
+  // a plane element of any corners is strained in its plane, its tilted directors stay: the trace of b, which needs no
+  // frame, before and after; k alone, without the strain of the middle, is wrong by 2 e : b
+  Sample<double> s(
+    [](const double mean, const double scatter, const int seed) { return value(mean, scatter, seed, 1); });
+  for (int i = 0; i < 4; ++i)
+    {
+      s.corner[i][2] = 0.;
+      const double x = s.corner[i][0], y = s.corner[i][1];
+      s.normal[i]       = Vector3<double>(0.1 * x - 0.05 * y, 0.03 * x + 0.08 * y, 1.).normalized();
+      s.displacement[i] = Vector3<double>(1e-3 * x + 2e-3 * y, 3e-3 * x - 2e-3 * y, 0.);
+      s.rotation[i]     = Vector3<double>::Zero();
+    }
+  const auto moved = [&](const double share) {
+    Sample<double> result = s;
+    for (int i = 0; i < 4; ++i)
+      result.corner[i] += share * s.displacement[i];
+    return Points<double>(result);
+  };
+  constexpr double small  = 1e-4;
+  const auto       before = moved(-small), after = moved(small), at = moved(0.);
+  const auto       trace = [](const physical_shell::Shifter<double> &shifter) { return shifter.b[0] + shifter.b[1]; };
+  using Shifter          = physical_shell::Shifter<double>;
+  const double change    = (trace(Shifter::at_centre(after.g)) - trace(Shifter::at_centre(before.g))) / (2. * small);
+  const auto   e         = strains(s, true);
+  EXPECT_GT(std::abs(change), 1e-5);
+  EXPECT_NEAR(e[3] + e[4], change, 1e-6 * std::abs(change));
+  for (int k = 0; k < 4; ++k)
+    {
+      const auto of = [&](const Points<double> &points) {
+        return trace(full_integration::DirectorGradient<double>(points.g).at(points.plane, k));
+      };
+      const double of_point = (of(after) - of(before)) / (2. * small);
+      EXPECT_NEAR(at.strains(k)[3] + at.strains(k)[4], of_point, 1e-6 * std::abs(of_point)) << "point " << k;
+    }
+}
