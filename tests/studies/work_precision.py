@@ -3,12 +3,14 @@
 
     bash tests/studies/work_precision.sh                  # all of it, into build/work_precision
     bash tests/studies/work_precision.sh packing kernel   # these groups
+    bash tests/studies/work_precision.sh --spacing 2.5    # of groups that refine the bird this level alone
 
-Two strikes: frontal.prm to the tip's first peak and oblique.prm (leading edge) until the bird has gone by, 0.9 ms. A group of choices
+Four strikes (strikes_measured.py): frontal.prm to the tip's first peak; oblique.prm (leading edge) until the bird has gone by, 0.9 ms; the
+frontal strike until the blade has come to rest about its permanent deflection; the bird on a rigid plate. A group of choices
 changes one thing of the shipped cases and climbs a ladder: of particle spacings, of meshes, or both. One thread; seconds are the
 processor's. Errors are differences from a reference that is finer than any point of the group: the shipped choice at 1.25 mm on the
 shipped mesh where the bird is refined; 124 x 36 elements where the mesh is, with 15 points through the thickness; 1.5 mm on these where both
-are. "Worst" is the largest error over what is aimed at
+are; on the rigid plate Hugoniot's and the stagnation pressure. "Worst" is the largest error over what is aimed at
 (AIMS): at 1 every figure is as good as asked.
 
 Writes runs.csv (a line a run, in SI units; what stands there is not run again: delete it after a change of the program),
@@ -17,22 +19,18 @@ work_precision.md (tables) and, with gnuplot, a chart a group (GROUP.svg).
 
 import argparse
 import csv
-import json
 import math
 import os
-import resource
 import shutil
 import subprocess
 import sys
 
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-
-STRIKES = {"frontal": ("prm/frontal.prm", "Time/End time=0.016", "Time/Stop at tip peak=true"),
-           "leading edge": ("prm/oblique.prm", "Time/End time=0.9e-3")}
+import strikes_measured
 
 # Largest error that a decision bears, in percent.
-AIMS = {("frontal", "tip peak"): 0.5, ("frontal", "impulse"): 2, ("frontal", "root moment"): 2, ("frontal", "plastic work"): 3,
-        ("leading edge", "impulse"): 2, ("leading edge", "plastic work"): 5}
+AIMS = {("frontal", "tip peak"): 0.5, ("frontal", "impulse"): 2, ("frontal", "impulse history"): 2, ("frontal", "root moment"): 2,
+        ("frontal", "plastic work"): 3, ("to rest", "permanent deflection"): 2, ("leading edge", "impulse"): 2,
+        ("leading edge", "plastic work"): 5, ("rigid plate", "Hugoniot pressure"): 10, ("rigid plate", "stagnation pressure"): 5}
 
 SPACINGS = ("5", "4", "3", "2.5", "2")  # mm
 MESHES = ("16x5", "31x9", "62x18")
@@ -84,7 +82,7 @@ GROUPS = {
 class Runs:
     """The table of runs, kept in a file: SPACING and MESH are levels, SETTINGS what differs from the shipped case."""
 
-    FIELDS = ("strike", "spacing", "mesh", "settings", "state", "cpu", "tip peak", "impulse", "root moment", "plastic work")
+    FIELDS = ("strike", "spacing", "mesh", "settings", "state", "cpu", *dict.fromkeys(quantity for _, quantity in AIMS))
 
     def __init__(self, program, folder):
         self.program, self.folder, self.path = program, folder, os.path.join(folder, "runs.csv")
@@ -98,7 +96,7 @@ class Runs:
         for row in self.rows:
             if (row["strike"], row["spacing"], row["mesh"], row["settings"]) == key:
                 return row
-        row = dict(zip(self.FIELDS, key), **self.run(strike, level, settings))
+        row = dict(zip(self.FIELDS, key), **strikes_measured.measure(self.program, self.folder, strike, level, settings))
         self.rows.append(row)
         with open(self.path, "w", newline="") as file:
             writer = csv.DictWriter(file, self.FIELDS)
@@ -106,32 +104,9 @@ class Runs:
             writer.writerows(self.rows)
         return row
 
-    def run(self, strike, level, settings):
-        spacing, mesh = level
-        span, chord = mesh.split("x")
-        file, *entries = STRIKES[strike]
-        entries += [f"Bird/Particle spacing={spacing} mm", f"Blade/Mesh/Elements along span={span}",
-                    f"Blade/Mesh/Elements along chord={chord}", "Time/Threads=1", "Output/Blade fields=false", "Output/Bird fields=false",
-                    "Output/HDF5=false", "Output/Checkpoint/At the end=false", *settings]
-        folder = os.path.join(self.folder, "run")
-        command = [self.program, "run", "--force", os.path.join(TOP, file), "--output", folder]
-        for setting in entries:
-            command += ["--set", setting]
-        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        cpu = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-        if done.returncode != 0:
-            print(f"{strike}, {spacing} mm, {mesh}, {'; '.join(settings)}: exit code {done.returncode}\n{done.stdout[-600:]}", file=sys.stderr)
-            return {"state": f"exit code {done.returncode}", "cpu": f"{cpu:.2f}"}
-        with open(os.path.join(folder, "summary.json")) as file:
-            summary = json.load(file)
-        impulse = math.hypot(*summary["contact"]["impulse"])
-        return {"state": "done", "cpu": f"{cpu:.2f}", "tip peak": summary["tip"]["peak"], "impulse": impulse,
-                "root moment": summary["root"]["peak_moment"], "plastic work": summary["plastic"]["work"]}
 
-
-def levels(refines):
-    return {"spacing": [(spacing, "62x18") for spacing in SPACINGS], "mesh": [("2.5", mesh) for mesh in MESHES],
+def levels(refines, spacings):
+    return {"spacing": [(spacing, "62x18") for spacing in spacings], "mesh": [("2.5", mesh) for mesh in MESHES],
             "both": [(spacing, mesh) for mesh in MESHES for spacing in SPACINGS]}[refines]
 
 
@@ -139,26 +114,40 @@ def reference_level(refines):
     return {"spacing": BIRD_REFERENCE, "mesh": ("2.5", "124x36"), "both": MESH_REFERENCE}[refines]
 
 
-def errors(row, reference):
-    """In percent of the reference, by quantity; NaN where a run was lost."""
-    return {quantity: 100 * (float(row[quantity]) / float(reference[quantity]) - 1) if row["state"] == "done" else math.nan
-            for strike, quantity in AIMS if strike == row["strike"]}
+def error(quantity, row, reference):
+    """In percent of the reference; NaN where a run was lost."""
+    if row["state"] != "done":
+        return math.nan
+    if quantity == "impulse history":  # largest difference over the impulse at the end
+        one, two = ([float(text) for text in which[quantity].split()] for which in (row, reference))
+        return 100 * max(abs(a - b) for a, b in zip(one, two)) / two[-1]
+    return 100 * (float(row[quantity]) / float(reference[quantity]) - 1)
 
 
-def collect(runs, name):
+def strikes_of(refines):
+    """A rigid plate has no mesh to refine."""
+    return [strike for strike in dict.fromkeys(of for of, _ in AIMS) if strike != "rigid plate" or refines == "spacing"]
+
+
+def level_for(strike, refines, level):
+    return (level[0], strikes_measured.COARSE) if strike == "to rest" and refines == "spacing" else level
+
+
+def collect(runs, name, spacings):
     """A line a point: choice, level, processor time and errors by (strike, quantity), worst error over its aim."""
     _, refines, choices = GROUPS[name]
-    points = []
-    references = {strike: runs.find(strike, reference_level(refines), () if refines == "spacing" else MANY_POINTS) for strike in STRIKES}
+    points, strikes = [], strikes_of(refines)
+    references = {strike: strikes_measured.EXACT.get(strike) or
+                  runs.find(strike, level_for(strike, refines, reference_level(refines)), () if refines == "spacing" else MANY_POINTS) for strike in strikes}
     for choice, settings in choices.items():
-        for level in levels(refines):
+        for level in levels(refines, spacings):
             point = {"choice": choice, "spacing": level[0], "mesh": level[1], "cpu": {}}
-            for strike in STRIKES:
-                row = runs.find(strike, level, settings)
+            for strike in strikes:
+                row = runs.find(strike, level_for(strike, refines, level), settings)
                 point["cpu"][strike] = float(row["cpu"])
-                for quantity, error in errors(row, references[strike]).items():
-                    point[strike, quantity] = error
-            for strike in STRIKES:
+                for aim in AIMS:
+                    if aim[0] == strike:
+                        point[aim] = error(aim[1], row, references[strike])
                 point[strike, "worst"] = max((abs(point[aim]) / AIMS[aim] for aim in AIMS if aim[0] == strike), key=lambda e: (math.isnan(e), e))
             points.append(point)
     return points
@@ -167,12 +156,12 @@ def collect(runs, name):
 def as_markdown(name, points):
     about, refines, _ = GROUPS[name]
     head = ["choice", "spacing, mm", "mesh"]
-    for strike in STRIKES:
+    for strike in strikes_of(refines):
         head += [f"{strike}: time, s", *(f"{quantity}, %" for of, quantity in AIMS if of == strike), "worst over aim"]
     lines = [f"## {about.capitalize()}", "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for point in points:
         cells = [point["choice"], point["spacing"], point["mesh"]]
-        for strike in STRIKES:
+        for strike in strikes_of(refines):
             cells += [f"{point['cpu'][strike]:.2f}", *(f"{point[aim]:+.2f}" for aim in AIMS if aim[0] == strike), f"{point[strike, 'worst']:.2f}"]
         lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines) + "\n"
@@ -187,15 +176,18 @@ def draw(folder, name, points):
     lines = [(choice, [p for p in points if p["choice"] == choice]) for choice in choices]
     if refines == "both":  # a line a mesh and choice
         lines = [(f"{mesh}, {choice}", [p for p in points if p["mesh"] == mesh and p["choice"] == choice]) for choice in choices for mesh in MESHES]
-    script = [f"reset\nset terminal svg size 1200,720 font 'DejaVu Sans,13' background rgb 'white'\nset output '{name}.svg'\n"
+    aims = [aim for aim in AIMS if aim[0] in strikes_of(refines)]
+    rows = -(-len(aims) // 4)
+    high = 1. / (rows + 0.44)  # of a row of panels, in shares of the picture
+    script = [f"reset\nset terminal svg size 1500,{250 * rows + 110} font 'DejaVu Sans,13' background rgb 'white'\nset output '{name}.svg'\n"
               "set logscale xy\nset grid lc rgb '#d0d0d0'\nset format y '%g'\nset xlabel 'processor time, one core [s]'\nset ylabel '|error| [%]'\n"
               f"set title noenhanced\nunset key\nset multiplot title 'Error against run time: {about}'\n"]
     styles = [f"with linespoints linewidth 1.5 linecolor '{COLORS[k]}' pointtype {k + 4}" for k in range(len(lines))]
     aim_style = "with lines dashtype 3 linecolor '#404040'"
-    for number, aim in enumerate(AIMS):
-        left, top = 0.07 + 0.325 * (number % 3), 0.89 - 0.415 * (number // 3)
-        script.append(f"set title '{aim[0]}: {aim[1]}'\nset lmargin at screen {left}\nset rmargin at screen {left + 0.25}\n"
-                      f"set tmargin at screen {top}\nset bmargin at screen {top - 0.26}\n")
+    for number, aim in enumerate(aims):
+        left, top = 0.05 + 0.245 * (number % 4), 1. - 0.3 * high - high * (number // 4)
+        script.append(f"set title '{aim[0]}: {aim[1]}'\nset lmargin at screen {left}\nset rmargin at screen {left + 0.18}\n"
+                      f"set tmargin at screen {top}\nset bmargin at screen {top - 0.6 * high}\n")
         plots = [f"{AIMS[aim]} {aim_style}"]
         for k, (_, of) in enumerate(lines):
             script.append(f"$d{number}_{k} << EOD\n" + "".join(
@@ -203,7 +195,7 @@ def draw(folder, name, points):
             if any(not math.isnan(p[aim]) for p in of):
                 plots.append(f"$d{number}_{k} using 1:2 {styles[k]}")
         script.append("plot " + ", ".join(plots) + "\n")
-    script.append("set lmargin at screen 0.03\nset rmargin at screen 0.97\nset tmargin at screen 0.11\nset bmargin at screen 0.01\n"
+    script.append(f"set lmargin at screen 0.03\nset rmargin at screen 0.97\nset tmargin at screen {0.2 * high}\nset bmargin at screen 0.01\n"
                   "unset logscale\nunset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\nunset title\nset xrange [0:1]\nset yrange [0:1]\n"
                   "set key center center horizontal noenhanced\nplot " +
                   ", ".join([f"-1 {aim_style} title 'aim'"] + [f"-1 {style} title '{title}'" for style, (title, _) in zip(styles, lines)]) + "\n")
@@ -218,12 +210,13 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--output", required=True, help="folder of tables and charts")
     parser.add_argument("--only", nargs="+", default=list(GROUPS), choices=list(GROUPS), metavar="GROUP", help=", ".join(GROUPS))
+    parser.add_argument("--spacing", nargs="+", default=SPACINGS, choices=SPACINGS, metavar="MM", help="of " + ", ".join(SPACINGS))
     arguments = parser.parse_args()
     os.makedirs(arguments.output, exist_ok=True)
     runs = Runs(arguments.program, arguments.output)
     with open(os.path.join(arguments.output, "work_precision.md"), "w") as tables:
         for name in arguments.only:
-            points = collect(runs, name)
+            points = collect(runs, name, arguments.spacing)
             tables.write(as_markdown(name, points) + "\n")
             tables.flush()
             draw(arguments.output, name, points)
