@@ -74,7 +74,8 @@ def run(program, folder, strike, level, settings):
 def on_rigid_plate(program, folder, level, settings):
     """Over Hugoniot's and over the stagnation pressure."""
     p_h, _, _ = soft_body_pressure.hugoniot()
-    result = soft_body_pressure.run(program, folder, "cylinder", 1e-3 * float(level[0]), 0.31e-3, settings=("Case/Symmetry plane=none", *settings))
+    result = soft_body_pressure.run(program, folder, "cylinder", 1e-3 * float(level[0]), 0.31e-3, 2,
+                                    ("Case/Symmetry plane=none", *settings))
     found = soft_body_pressure.figures_of("cylinder", result, p_h)
     return {"Hugoniot pressure": found["peak"], "stagnation pressure": found["stagnation"]}
 
