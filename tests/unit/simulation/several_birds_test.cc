@@ -127,17 +127,19 @@ TEST(SeveralBirds, ArriveWhenTheyAreDue)
 TEST(SeveralBirds, MeetATurningBladeAlikeWheneverTheyCome)
 {
   const std::string file = BIRDSTRIKE_SOURCE_DIR "/tests/data/spinning-blade.prm";
-  const Overrides   rows{"Output/History interval=0"};
-  const double      angle = 600. * 0.5e-3; // rad
-  const Strike      now   = run_file(file, with(rows, {"Time/End time=0.6 ms"}));
-  const Strike      later = run_file(file, with(rows, {"Time/End time=1.1 ms", "Bird/Arrival time=0.5 ms",
-                                                       "Bird/Roll=" + std::to_string(angle * 180. / M_PI)}));
+  // a quarter of the steps: where in a step particles first touch an edge changes the impulse by 0.2 to 0.9 % at the
+  // default ones, by 0.02 % so
+  const Overrides rows{"Output/History interval=0", "Time/Step scale=0.25", "Time/Bird step scale=0.25"};
+  const double    angle = 600. * 0.5e-3; // rad
+  const Strike    now   = run_file(file, with(rows, {"Time/End time=0.6 ms"}));
+  const Strike    later = run_file(file, with(rows, {"Time/End time=1.1 ms", "Bird/Arrival time=0.5 ms",
+                                                     "Bird/Roll=" + std::to_string(angle * 180. / M_PI)}));
   EXPECT_NEAR(begin_of(later, "contact_impulse_y"), 0.5e-3, 4e-6);
   const double c = std::cos(angle), s = std::sin(angle), scale = std::abs(at_end(now, "contact_impulse_z"));
   const double x = at_end(now, "contact_impulse_x"), z = at_end(now, "contact_impulse_z");
-  EXPECT_NEAR(at_end(later, "contact_impulse_x"), c * x + s * z, 2e-3 * scale);
-  EXPECT_NEAR(at_end(later, "contact_impulse_y"), at_end(now, "contact_impulse_y"), 2e-3 * scale);
-  EXPECT_NEAR(at_end(later, "contact_impulse_z"), c * z - s * x, 2e-3 * scale);
+  EXPECT_NEAR(at_end(later, "contact_impulse_x"), c * x + s * z, 1e-3 * scale);
+  EXPECT_NEAR(at_end(later, "contact_impulse_y"), at_end(now, "contact_impulse_y"), 1e-3 * scale);
+  EXPECT_NEAR(at_end(later, "contact_impulse_z"), c * z - s * x, 1e-3 * scale);
   const double deflection = value_at(now.curves, "tip_mid_chord", 0.3e-3); // about its first maximum, 2.2 mm
   EXPECT_NEAR(value_at(later.curves, "tip_mid_chord", 0.8e-3), deflection, 0.01 * std::abs(deflection));
 }
