@@ -9,7 +9,8 @@ mesh (three, the finest 1.5 times finer along span and chord) and time steps (th
 level adds to the value as shipped, and half the error bar of the finest level, both in percent of the shipped value; "in x" instead of
 a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
 
-Writes error_bars.md, and a folder a ladder, whose runs are reused by the next call.
+Writes a folder a ladder, whose runs are reused by the next call, and of all ladders that are there error_bars.md (a line a quantity) and
+summary.md (a line a case: what the finest levels add).
 """
 
 import argparse
@@ -66,8 +67,18 @@ class Ladder:
         return f"{added} ± {scale * float(bar):.1f}" if bar else f"{added} in {scale * spread:.1f}"
 
 
+def folder_of(folder, case, kind, name):
+    return os.path.join(folder, case.replace("/", "-") + "-" + kind, name)
+
+
+def read(folder, case, kind, name):
+    """None where there is none."""
+    table = os.path.join(folder_of(folder, case, kind, name), "converge.csv")
+    return Ladder(table, name) if os.path.exists(table) else None
+
+
 def climb(program, folder, case, kind, name, extra):
-    output = os.path.join(folder, case.replace("/", "-") + "-" + kind, name)
+    output = folder_of(folder, case, kind, name)
     command = [program, "converge", os.path.join(TOP, "prm", case + ".prm"), "--vary", name, *LADDERS[name], "--jobs", "1",
                "--output", output]
     for setting in (f"Blade/Kind={kind}", *QUIET, *extra):
@@ -75,23 +86,55 @@ def climb(program, folder, case, kind, name, extra):
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != 0:
         print(f"{case}, {kind}, {name}: exit code {done.returncode}\n{done.stdout[-600:]}", file=sys.stderr)
-    table = os.path.join(output, "converge.csv")
-    return Ladder(table, name) if os.path.exists(table) else None
+    return read(folder, case, kind, name) if done.returncode in (0, 3) else None  # 3: levels were lost, and its table says so
 
 
 def show(value, factor):
-    return f"{value * factor:.{max(0, 3 - math.ceil(math.log10(abs(value * factor) + 1e-30)))}f}"
+    return f"{value * factor:.{max(0, 4 - math.ceil(math.log10(abs(value * factor) + 1e-30)))}f}"
+
+
+def value_of(quantity, ladders):
+    """As shipped, with a plus where it still rises; None where the case has none."""
+    factor = QUANTITIES[quantity][2]
+    of_it = [ladder for ladder in ladders.values() if ladder and ladder.values(quantity)]
+    if not of_it or abs(of_it[0].shipped(quantity)) * factor < 1e-6:
+        return None
+    return show(of_it[0].shipped(quantity), factor) + ("+" if any(ladder.rises(quantity) for ladder in of_it) else "")
 
 
 def lines_of(case, kind, ladders):
     """A line a quantity: value as shipped, and a cell a ladder."""
-    for quantity, (name, unit, factor) in QUANTITIES.items():
-        of_it = [ladder for ladder in ladders.values() if ladder and ladder.values(quantity)]
-        if not of_it or abs(of_it[0].shipped(quantity)) * factor < 1e-6:
+    for quantity, (name, unit, _) in QUANTITIES.items():
+        value = value_of(quantity, ladders)
+        if value is None:
             continue
-        value = show(of_it[0].shipped(quantity), factor) + ("+" if any(ladder.rises(quantity) for ladder in of_it) else "")
         cells = [ladder.cell(quantity) if ladder else "lost" for ladder in ladders.values()]
         yield f"| {case}, {kind} | {name} {value} {unit} | {' | '.join(cells)} |"
+
+
+SUMMARY = ("Tip: peak (mid-chord)", "Root: peak bending moment", "Plasticity: plastic work", "Contact: impulse (norm)")
+HEADS = {"error_bars.md": ["case", "as shipped", *LADDERS],
+         "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s", "particles 1.5 times finer",
+                        "mesh 1.5 times finer", "steps 0.44 times as long"]}
+
+
+def summary_of(case, kind, ladders):
+    values = [value_of(quantity, ladders) for quantity in SUMMARY]
+    cells = [", ".join("–" if value is None or not ladder or not ladder.values(quantity) else ladder.cell(quantity).split()[0]
+                       for quantity, value in zip(SUMMARY, values)) for ladder in ladders.values()]
+    yield f"| {case}, {kind} | {'; '.join(value or '–' for value in values)} | {' | '.join(cells)} |"
+
+
+def write_tables(folder):
+    for file, lines in (("error_bars.md", lines_of), ("summary.md", summary_of)):
+        table = ["| " + " | ".join(HEADS[file]) + " |", "|---" * len(HEADS[file]) + "|"]
+        for case, kinds in CASES.items():
+            for kind in kinds.split():
+                ladders = {name: read(folder, case, kind, name) for name in LADDERS}
+                if any(ladders.values()):
+                    table += lines(case, kind, ladders)
+        with open(os.path.join(folder, file), "w") as out:
+            out.write("\n".join(table).replace(" -", " −") + "\n")
 
 
 def main():
@@ -107,14 +150,10 @@ def main():
     if unknown:
         sys.exit(f"No such case: {', '.join(unknown)}. There are: {', '.join(CASES)}.")
     os.makedirs(arguments.output, exist_ok=True)
-    lines = ["| case | as shipped | " + " | ".join(LADDERS) + " |", "|---" * (2 + len(LADDERS)) + "|"]
     for case, kind in wanted:
         ladders = {name: climb(arguments.program, arguments.output, case, kind, name, arguments.set) for name in LADDERS}
-        lines += lines_of(case, kind, ladders)
-        with open(os.path.join(arguments.output, "error_bars.md"), "w") as file:
-            file.write("\n".join(lines) + "\n")
-        print(f"{case}, {kind}: done", flush=True)
-    print("\n".join(lines))
+        print("\n".join(lines_of(case, kind, ladders)), flush=True)
+        write_tables(arguments.output)
 
 
 if __name__ == "__main__":

@@ -41,6 +41,11 @@ def main():
         print("\n".join(lines))
         expect("no plastic work and no permanent deflection yet", len(lines) == 3)
         expect("a tip that still rises says so", "+ mm |" in lines[0] and "+" not in lines[2].split("|")[2])
+        error_bars.write_tables(folder)
+        whole = (pathlib.Path(folder) / "error_bars.md").read_text(), (pathlib.Path(folder) / "summary.md").read_text()
+        expect("the tables have the ladders that are there", [len(text.splitlines()) for text in whole] == [5, 3])
+        expect(f"the summary has what the finest levels add: {whole[1]}",
+               all(ladders[name].cell("Contact: impulse (norm)").split()[0].replace("-", "−") in whole[1] for name in ladders))
         expect("a ladder that was lost says so", "| lost |" in "".join(error_bars.lines_of("sheath", "shell", {**ladders, "mesh": None})))
     for fault in faults:
         print("fault:", fault)
