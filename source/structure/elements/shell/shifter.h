@@ -22,6 +22,11 @@ namespace birdstrike::physical_shell
   /// bent shell is unsymmetric, by m t/(E t^3) of itself, and where waves of bending and of the membrane two elements
   /// long are equally fast they grow by flutter. On elements shorter than they are thick that made 2.5 % of all energy
   /// of the frontal strike.
+  ///
+  /// What is left: directors are the normals of the places, not what the nodes' rotations make of them, so that a bent
+  /// shell's tangent is not quite symmetric. Bent until titanium yields, free plates of exact squares have waves that
+  /// grow by 80 (one point, 3.35 mm long, 4.27 thick) and 330 per second (fully integrated, 5 mm). One of 3.35 x 3.29
+  /// mm elements with one point, on which they grew by 320, has none.
   template <class Number>
   struct Shifter
   {
