@@ -35,8 +35,9 @@ namespace birdstrike
         prm, "Formulation", p.formulation, element_formulations(),
         "Automatic: physical for a shell; solid-shell for a built-in part of one layer whose metal does not fail, "
         "one point for all other solids. Shells: one point with physical "
-        "stabilisation and warping correction, or plain Belytschko-Tsay with perturbation hourglass "
-        "control; or fully integrated (2 x 2 points, MITC4), the reference for both. Solids: one point with "
+        "stabilisation, or Belytschko-Tsay with perturbation hourglass "
+        "control, which couples no bending to membrane within a warped or bent element; or fully integrated (2 x 2 "
+        "points, MITC4), the reference for both. Solids: one point with "
         "physical stabilisation, which bends right in a single layer but flows as a whole; solid-shell, the same "
         "with points through the thickness, which yields layer by layer in a single one; or B-bar, fully "
         "integrated, which needs layers. [-]");

@@ -10,15 +10,12 @@ SHARES = 1e-9  # of sums of parts: round-off
 # Pairs of the standard formulation, and of riemann's without its correction of gradients, push along the line between them: round-off,
 # of float pairs 6e-8 of the sum of m |x| |v|, of which the program's scale is a hundredth where the bird aims at the origin. Corrected
 # gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the offset of a touch a part of its couple is
-# lost (couple.h). Forces in a warped element of Belytschko and Tsay leave one, of a size that hangs on the warp alone (0.4 of what little
-# there is in a strike at the clamp): the run has to say so besides.
-ANGULAR, ANGULAR_OF_FLOAT, ANGULAR_OF_METHOD, ANGULAR_OF_WARPED, SILENT = 1e-9, 6e-6, 1e-2, 1e-1, 1e-4
+# lost (couple.h).
+ANGULAR, ANGULAR_OF_FLOAT, ANGULAR_OF_METHOD = 1e-9, 6e-6, 1e-2
 
 
 def angular_limit(scene, result):
     info, settings = scene.info, scene.settings
-    if info["formulation"] == "Belytschko-Tsay":
-        return ANGULAR_OF_WARPED if "The balance of angular momentum was off" in result.text else SILENT
     riemann = [section for section in info.get("birds", ["Bird"]) if settings[section + "/Formulation"] == "riemann"]
     is_corrected = any(settings.get(section + "/Gradient correction", "true") == "true" for section in riemann)
     has_couples = info.get("element", math.inf) < info["spacing"] + info["thickness"]

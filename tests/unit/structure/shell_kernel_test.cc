@@ -146,6 +146,25 @@ TEST(ShellKernel, ForcesAreTheTransposeOfStrains)
     }
 }
 
+TEST(ShellKernel, WarpedElementsTurnWithoutStrain)
+{
+  // a rotation of the whole about the origin: no strain, no hourglass; so the forces, its transpose, have no moment
+  Sample<double> s(
+    [](const double mean, const double scatter, const int seed) { return value(mean, scatter, seed, 3); });
+  const Vector3<double> turn(3e-3, -5e-3, 2e-3);
+  for (int i = 0; i < 4; ++i)
+    {
+      s.displacement[i] = turn.cross(s.corner[i]);
+      s.rotation[i]     = turn;
+    }
+  for (const bool physical : {true, false})
+    {
+      const auto e = strains(s, physical);
+      for (int c = 0; c < 14; ++c)
+        EXPECT_NEAR(e[c], 0., 1e-16) << "component " << c << ", physical " << physical;
+    }
+}
+
 TEST(ShellKernel, FullIntegrationOnLanesAgreesWithDoubles)
 {
   const Points<Lanes> lanes(Sample<Lanes>([](const double mean, const double scatter, const int seed) {
