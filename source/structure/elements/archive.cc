@@ -19,8 +19,6 @@ namespace birdstrike
         archive_elements(archive, groups[i]);
         groups[i].archive(archive);
       }
-    if (archive.is_reading())
-      nodes.close(position);
     archive.entities("nodes", n_nodes, [&](Archive::Row &row, const std::size_t n) {
       row("force", std::span<double, n_unknowns>(node_force[n].value, n_unknowns));
       nodes.archive(row, n);
@@ -42,7 +40,6 @@ namespace birdstrike
         return;
       for (std::size_t slot = e; slot < group.batches.size() * n_lanes && group.element_of(slot) == e; ++slot)
         group.take_out(slot / n_lanes, slot % n_lanes);
-      nodes.take_out(group.place.cells[e]);
       for (const auto n : group.place.cells[e])
         --n_left[n];
     });

@@ -131,7 +131,7 @@ namespace birdstrike
                                                 double *force)
   {
     if (!try_internal_forces(position, increment, dt, force))
-      erode(position);
+      erode();
   }
 
   template <class Group>
@@ -170,31 +170,25 @@ namespace birdstrike
 
   // Serial and in the order of the elements, so that it does not depend on the number of threads.
   template <class Group>
-  void Elements<Group>::erode(const double *position)
+  void Elements<Group>::erode()
   {
-    bool has_new = false;
     for (Group &group : groups)
       for (std::size_t b = 0; group.erosion && b < group.batches.size(); ++b)
         if (Erosion::OfBatch &of_batch = group.erosion->batches[b]; of_batch.dying != 0)
           {
-            has_new = true;
             for (std::size_t k = 0; k < n_lanes; ++k)
               if ((of_batch.dying >> k & 1u) != 0)
                 {
                   group.take_out(b, k);
                   if (k >= group.n_elements_of(b))
                     continue;
-                  const Cell &cell = group.place.cells[b * n_lanes + k];
                   group.erosion->count_out(group.is_owned(b * n_lanes + k), group.mass[b * n_lanes + k],
                                            (of_batch.collapsed >> k & 1u) != 0);
-                  nodes.take_out(cell);
-                  for (const auto n : cell)
+                  for (const auto n : group.place.cells[b * n_lanes + k])
                     --n_left[n];
                 }
             of_batch.dying = of_batch.collapsed = 0;
           }
-    if (has_new)
-      nodes.close(position);
   }
 
   template <class Group>

@@ -174,7 +174,7 @@ namespace birdstrike
     using Row = typename Group::ForceOnCorner;
 
     void gather_forces(const ElementBlocks::Block &block, double *force);
-    void erode(const double *position); ///< after all forces: takes out the elements that have failed
+    void erode(); ///< after all forces: takes out the elements that have failed
     void archive_failed(Archive &archive, Group &group);
     void archive_elements(Archive &archive, Group &group);
     void set_inverse_masses(std::span<const double> nodal_masses); ///< those of the nodes, none: equal parts

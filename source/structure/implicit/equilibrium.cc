@@ -33,17 +33,16 @@ namespace birdstrike
 
   SparseRows Equilibrium::compute_tangent(const std::span<const double> step)
   {
-    SparseRows          tangent = make_pattern(*free, reach[0], reach[1]);
+    SparseRows          tangent = make_pattern(*free, reach);
     std::vector<double> varied(step.begin(), step.end()), above, below;
+    const std::uint32_t n_colours = colour.empty() ? 0 : *std::max_element(colour.begin(), colour.end()) + 1;
     for (const bool is_rotation : {false, true})
       {
-        const auto         &colours   = colour[is_rotation];
-        const std::uint32_t n_colours = colours.empty() ? 0 : *std::max_element(colours.begin(), colours.end()) + 1;
-        const auto          size_of   = [&](const std::uint32_t n) { return is_rotation ? variation : difference[n]; };
-        const auto          vary      = [&](const std::uint32_t which, const std::size_t local, const double sign) {
+        const auto size_of = [&](const std::uint32_t n) { return is_rotation ? variation : difference[n]; };
+        const auto vary    = [&](const std::uint32_t which, const std::size_t local, const double sign) {
           std::copy(step.begin(), step.end(), varied.begin());
-          for (std::uint32_t n = 0; n < colours.size(); ++n)
-            if (const auto [k, end] = free->of(n, is_rotation); colours[n] == which && k + local < end)
+          for (std::uint32_t n = 0; n < colour.size(); ++n)
+            if (const auto [k, end] = free->of(n, is_rotation); colour[n] == which && k + local < end)
               varied[k + local] += sign * size_of(n);
         };
         for (std::uint32_t which = 0; which < n_colours; ++which)
@@ -55,9 +54,9 @@ namespace birdstrike
               compute_forces(varied, above);
               vary(which, local, -1.);
               compute_forces(varied, below);
-              for (std::uint32_t n = 0; n < colours.size(); ++n)
-                if (const auto [k, end] = free->of(n, is_rotation); colours[n] == which && k + local < end)
-                  for (const std::uint32_t reached : reach[is_rotation].of(n))
+              for (std::uint32_t n = 0; n < colour.size(); ++n)
+                if (const auto [k, end] = free->of(n, is_rotation); colour[n] == which && k + local < end)
+                  for (const std::uint32_t reached : reach.of(n))
                     {
                       std::size_t       row     = free->of(reached, false).first; // all of a node have the same columns
                       const std::size_t end_row = free->of(reached, true).second;
@@ -88,16 +87,11 @@ namespace birdstrike
     for (const std::uint32_t dof : held)
       is_held[dof] = true;
     const std::size_t n_nodes = mesh.nodes.size();
-    const NodeLists   neighbours =
+    reach =
       find_neighbours({mesh.cells[0].data(), mesh.cells[0].size() * mesh.cells.size()}, mesh.cells[0].size(), n_nodes);
-    // directors of shells are normals averaged over cells: displacements reach one cell farther than rotations
-    reach[0]  = n_unknowns == 6 ? widen(neighbours) : neighbours;
-    colour[0] = find_colours(reach[0]);
-    reach[1]  = neighbours;
-    if (n_unknowns == 6)
-      colour[1] = find_colours(reach[1]);
+    colour                  = find_colours(reach);
     const NodeArrays arrays = motion.arrays();
-    difference              = find_differences({arrays.reference, arrays.reference + 3 * n_nodes}, neighbours);
+    difference              = find_differences({arrays.reference, arrays.reference + 3 * n_nodes}, reach);
     accepted.assign(arrays.displacement, arrays.displacement + n_unknowns * n_nodes);
     saved = elements.save();
     find_unknowns();

@@ -49,8 +49,8 @@ namespace birdstrike
 
   protected:
     std::unique_ptr<FreeUnknowns> free;
-    NodeLists                     reach[2];   ///< of displacements, and of rotations
-    std::vector<std::uint32_t>    colour[2];  ///< likewise
+    NodeLists                     reach;      ///< nodes on which a node's motion makes forces
+    std::vector<std::uint32_t>    colour;     ///< of its nodes
     std::vector<double>           difference; ///< m, [n_nodes]: what displacements are varied by
     double                        load_factor = 1.;
   };

@@ -22,19 +22,12 @@ namespace birdstrike
         for (std::size_t e = k.begin[row]; e < k.begin[row + 1]; ++e)
           {
             norm += k.value[e] * k.value[e];
-            // patterns are not symmetric where displacements reach farther than rotations
             const std::uint32_t column = k.column[e];
-            const auto   first = k.column.begin() + k.begin[column], last = k.column.begin() + k.begin[column + 1];
-            const auto   found    = std::lower_bound(first, last, row);
-            const bool   is_there = found != last && *found == row;
-            double      *mirrored = is_there ? &k.value[found - k.column.begin()] : nullptr;
-            const double other    = is_there ? *mirrored : 0.;
-            if (is_there && column < row)
-              continue; // done
-            difference += (is_there && column != row ? 2. : 1.) * (k.value[e] - other) * (k.value[e] - other);
-            k.value[e] = 0.5 * (k.value[e] + other);
-            if (is_there)
-              *mirrored = k.value[e];
+            if (column <= row)
+              continue;
+            double &mirrored = k.at(column, static_cast<std::uint32_t>(row));
+            difference += 2. * (k.value[e] - mirrored) * (k.value[e] - mirrored);
+            k.value[e] = mirrored = 0.5 * (k.value[e] + mirrored);
           }
       return std::sqrt(difference / norm);
     }

@@ -29,19 +29,6 @@ namespace birdstrike
     return lists;
   }
 
-  NodeLists widen(const NodeLists &neighbours)
-  {
-    NodeLists                  lists{{0}, {}};
-    std::vector<std::uint32_t> list;
-    for (std::size_t n = 0; n + 1 < neighbours.begin.size(); ++n)
-      {
-        for (const std::uint32_t neighbour : neighbours.of(n))
-          list.insert(list.end(), neighbours.of(neighbour).begin(), neighbours.of(neighbour).end());
-        append_sorted(list, lists);
-      }
-    return lists;
-  }
-
   std::vector<std::uint32_t> find_colours(const NodeLists &reach)
   {
     constexpr std::uint32_t    none = -1;
@@ -81,15 +68,15 @@ namespace birdstrike
     return begin[row + 1] - begin[row] - std::count(value.begin() + begin[row], value.begin() + begin[row + 1], 0.);
   }
 
-  SparseRows make_pattern(const FreeUnknowns &unknowns, const NodeLists &displacements, const NodeLists &rotations)
+  SparseRows make_pattern(const FreeUnknowns &unknowns, const NodeLists &reach)
   {
     SparseRows                 rows{{0}, {}, {}};
     std::vector<std::uint32_t> columns;
     for (std::uint32_t node = 0; node < unknowns.n_nodes(); ++node)
       {
         columns.clear();
-        for (const bool is_rotation : {false, true})
-          for (const std::uint32_t other : (is_rotation ? rotations : displacements).of(node))
+        for (const std::uint32_t other : reach.of(node))
+          for (const bool is_rotation : {false, true})
             for (auto [k, end] = unknowns.of(other, is_rotation); k < end; ++k)
               columns.push_back(k);
         std::sort(columns.begin(), columns.end());

@@ -22,8 +22,6 @@ namespace birdstrike
 
   /// Nodes that share a cell with a node, itself among them, ascending; cells of n_corners nodes, one after the other.
   NodeLists find_neighbours(std::span<const std::uint32_t> cells, std::size_t n_corners, std::size_t n_nodes);
-  /// Neighbours of neighbours.
-  NodeLists widen(const NodeLists &neighbours);
   /// A colour for each node, so that no two of one colour reach the same node (Curtis, Powell & Reid 1974): columns of
   /// a matrix that are found by one difference.
   std::vector<std::uint32_t> find_colours(const NodeLists &reach);
@@ -49,7 +47,6 @@ namespace birdstrike
     std::size_t n_not_zero(std::size_t row) const;
   };
 
-  /// Zeros where forces on an unknown may depend on another: on displacements within one reach, on rotations within
-  /// another.
-  SparseRows make_pattern(const FreeUnknowns &unknowns, const NodeLists &displacements, const NodeLists &rotations);
+  /// Zeros where forces on an unknown may depend on another.
+  SparseRows make_pattern(const FreeUnknowns &unknowns, const NodeLists &reach);
 } // namespace birdstrike

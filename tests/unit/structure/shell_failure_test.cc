@@ -22,9 +22,11 @@ namespace
     return section;
   }
 
-  Mesh plate(const unsigned int nx, const unsigned int ny)
+  Mesh plate(const unsigned int nx, const unsigned int ny, const double side = 1., const double slope = 0.)
   {
-    return make_grid(nx, ny, [=](const double x, const double y) { return Point3(nx * x, ny * y, 0.); });
+    return make_grid(nx, ny, [=](const double x, const double y) {
+      return Point3(side * nx * x, side * ny * y, slope * side * nx * x);
+    });
   }
 
   /// u_x = strain x + z-part of a curvature about y, per step
@@ -107,7 +109,7 @@ TEST(ShellFailure, PointsFailBeforeTheElement)
        {std::pair(covariant_formulations[0], 0.6), std::pair(covariant_formulations[0], 1.),
         std::pair(covariant_formulations[1], 0.6), std::pair(covariant_formulations[1], 1.)})
     {
-      Model       model(plate(1, 1), 0.05, failing_titanium(0.05, share, formulation));
+      Model       model(plate(1, 1, 1e-3), 0.05, failing_titanium(0.05, share, formulation)); // directors hardly turn
       const auto &e     = model.elements;
       const auto  u     = stretch(model, 1e-4, 2e-3); // strains from 0.5e-4 to 1.5e-4
       int         first = 0, last = 0;
@@ -175,26 +177,21 @@ TEST(ShellFailure, AMeshGoesOnAsIfTheFailedElementHadNeverBeen)
 }
 
 // Elements on a plane of symmetry keep their normals in it when a neighbour fails.
-TEST(ShellFailure, NormalsStayInThePlaneOfSymmetry)
+TEST(ShellFailure, DirectorsStandInThePlaneOfSymmetry)
 {
-  // A fold along the plane x = 3, then bending across it: a moment has no component along the normal of its node. That
-  // of node 11, which has lost an element, is z where the plane is known, else tilted with the element that is left.
+  // A plate that falls towards the plane x = 3, its mirror image behind it, bent across the fold: a moment has no
+  // component along the director of its node, which on the fold is z where the plane is known, else the plate's normal.
   const auto twist_over_bend = [](const bool has_plane) {
-    Model torn(plate(3, 3), 0.05, failing_titanium(0.05));
+    Model half(plate(3, 3, 1., -1e-3), 0.05, failing_titanium(0.05));
     if (has_plane)
-      torn.elements.add_symmetry_plane(std::vector<std::uint32_t>{3, 7, 11, 15}, Point3::UnitX());
-    tear_off_last_element(torn);
-    Eigen::VectorXd fold = Eigen::VectorXd::Zero(torn.n_dofs()), bend = fold;
-    for (std::size_t n = 0; n < torn.mesh.nodes.size(); ++n)
-      {
-        fold[6 * n + 2] = -1e-3 * torn.mesh.nodes[n][0];
-        bend[6 * n + 3] = 1e-4 * torn.mesh.nodes[n][1];
-      }
-    torn.move(fold, 1e-6);
-    const Eigen::VectorXd f = torn.move(bend, 1e-6);
+      half.elements.add_symmetry_plane(std::vector<std::uint32_t>{3, 7, 11, 15}, Point3::UnitX());
+    Eigen::VectorXd bend = Eigen::VectorXd::Zero(half.n_dofs());
+    for (std::size_t n = 0; n < half.mesh.nodes.size(); ++n)
+      bend[6 * n + 3] = 1e-8 * half.mesh.nodes[n][1];
+    const Eigen::VectorXd f = half.move(bend, 1e-6);
     return std::abs(f[6 * 11 + 5] / f[6 * 11 + 3]);
   };
-  EXPECT_LT(twist_over_bend(true), 1e-12);
+  EXPECT_LT(twist_over_bend(true), 1e-9);
   EXPECT_GT(twist_over_bend(false), 1e-4);
 }
 

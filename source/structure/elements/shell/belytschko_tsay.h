@@ -8,7 +8,7 @@ namespace birdstrike
   /// one coefficient r for membrane, w and theta modes. Stiffnesses of the five modes q = gamma_I v_I (their eq. 27):
   ///   r/8 E t A B.B (membrane),  r/12 kappa G t^3 B.B (w),  r/192 E t^3 A B.B (theta),
   /// written as strain-like amplitudes so that the section treats them as it treats physical stabilisation.
-  /// The rotation about the averaged nodal normal n is replaced by the spin of the element about n, and the moment
+  /// The rotation about the director n of a node is replaced by the spin of the element about n, and the moment
   /// about n becomes the forces that work on this spin: free drilling makes curved shells converge to a wrong value.
   ///
   /// The membrane modes of a warped element leave out what its tilt gives them, q + warp n . u_,a, so that it turns

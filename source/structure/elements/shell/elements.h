@@ -28,7 +28,7 @@ namespace birdstrike
   /// Reissner-Mindlin kinematics, 3 displacements and 3 global rotation increments a node, finite rotations; the theory
   /// stands in kernel.h, of full integration in full_integration.h. Strains are taken on the midpoint geometry x -
   /// dx/2, forces on the end geometry. The stiffness against drilling is zero; the moment on a node has no component
-  /// along the averaged normal there (not so with Belytschko-Tsay), and the rotation about it has no effect.
+  /// along the director there (not so with Belytschko-Tsay), and the rotation about it has no effect.
   class ShellElements : public Elements<ShellGroup>
   {
   public:
@@ -36,7 +36,7 @@ namespace birdstrike
     ShellElements(const std::vector<Point3> &nodes, const std::vector<Cell> &cells,
                   const std::vector<double> &thickness, const Sections<ShellSection> &sections, ThreadPool &pool);
 
-    /// Nodes on a symmetry plane with the given normal: their averaged normal stays in the plane, as it would with the
+    /// Nodes on a symmetry plane with the given normal: their directors begin in the plane, as they would with the
     /// other half of the shell in place. May be called for several planes, before the first step.
     void add_symmetry_plane(std::span<const std::uint32_t> nodes, const Point3 &plane_normal);
 
@@ -47,7 +47,7 @@ namespace birdstrike
     double elastic_energy() const; ///< J
     double hourglass_energy() const;
 
-    Point3 director(const std::size_t node) const ///< unit, the averaged normal there
+    Point3 director(const std::size_t node) const ///< unit
     {
       return Point3(nodes.records[node].normal);
     }

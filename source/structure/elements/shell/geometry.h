@@ -44,7 +44,7 @@ namespace birdstrike
   struct ShellGeometry
   {
     ShellModes<Number> x;           ///< m
-    Vector3<Number>    director[4]; ///< -, n/(n.e3) of the averaged nodal normals n
+    Vector3<Number>    director[4]; ///< -, n/(n.e3) of the nodes' unit directors n
     ShellModes<Number> d;           ///< of the directors
     Vector3<Number>    e3;
     Number             area;          ///< m^2
@@ -127,7 +127,7 @@ namespace birdstrike
     }
   };
 
-  /// Whether an element looks the way its nodes' normals, averaged over their elements, do on the mean. One that is
+  /// Whether an element looks the way its nodes' directors, averaged normals at rest, do on the mean. One that is
   /// turned inside out in its plane, amid others, does not, while its area, of a normal of its own, is positive again.
   template <class Number>
   [[gnu::always_inline]] inline auto looks_along(const Vector3<Number> (&normal)[4], const Vector3<Number> &e3)

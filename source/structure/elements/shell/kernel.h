@@ -7,7 +7,7 @@ namespace birdstrike
 {
   /// One-point quadrilateral shell, default formulation.
   ///
-  /// Surface x and directors d (along the averaged nodal normals) are bilinear; a node has displacement u and rotation
+  /// Surface x and directors d (those of the nodes, d.e3 = 1) are bilinear; a node has displacement u and rotation
   /// theta, its director moves by delta d = theta x d. Covariant increments (Dvorkin & Bathe 1984, eqs 6-10)
   ///   e_ab = sym(x,a . u,b),  k_ab = sym(x,a . delta d,b + d,a . u,b),  g_a = x,a . delta d + d . u,a,
   /// vanish for every rigid motion, of a warped element too, and do not contain the rotation about d: no drilling. What

@@ -16,12 +16,16 @@ namespace birdstrike
     double position[3];        ///< at t^{n+1}, m
     double increment[3];       ///< displacement, m
     double rotation[3];        ///< increment, rad
-    double midpoint_normal[3]; ///< mean of the normals at t^n and t^{n+1}
-    double normal[3];          ///< averaged unit normal at t^{n+1}
+    double midpoint_normal[3]; ///< mean of the directors at t^n and t^{n+1}
+    double normal[3];          ///< unit director at t^{n+1}
     double unused = 0.;
   };
 
-  /// The nodes of shells: their records, and the averaged normal of each, the normalised sum of those of its elements.
+  /// The nodes of shells: their records, and the director of each. At rest it is the averaged normal, the normalised
+  /// sum of those of the node's elements; then it turns with the node. Of a step's rotation increment theta, taken as a
+  /// Cayley (Rodrigues) vector, n^{n+1} - n^n = theta x (n^n + n^{n+1})/2 to round-off, which is what strain increments
+  /// at the midpoint count (Hughes & Winget 1980). A director that followed the positions instead would leave bending
+  /// moments a tangent that is not symmetric, on which short waves of elements as thick as long grow by flutter.
   class ShellNodes
   {
   public:
@@ -34,11 +38,8 @@ namespace birdstrike
     /// Records of the nodes that enter with the block, from positions [n_nodes][3] and increments [n_nodes][6].
     void update(const ElementBlocks::Block &block, const double *position, const double *increment);
 
-    /// The averaged normal of these stays in the plane.
+    /// The directors of these are in the plane, before the first step.
     void add_symmetry_plane(std::span<const std::uint32_t> nodes, const Point3 &plane_normal);
-
-    void take_out(const Cell &cell);    ///< what it was to the normals of its nodes becomes nothing
-    void close(const double *position); ///< after all that have been taken out in a step
 
     /// Of one node, besides its position.
     void archive(Archive::Row &row, const std::size_t node)
@@ -52,36 +53,10 @@ namespace birdstrike
     AlignedVector<ShellRecord> records; ///< [n_nodes + 4]; the last four are a square of 1 m, at rest
 
   private:
-    /// Two neighbours of a node within one element: (next - node) x (previous - node) is the normal there.
-    struct Corner
-    {
-      std::uint32_t next, previous;
-    };
-    /// The normal of a node: (x_0 - x_1) x (x_2 - x_3), of four nodes, is the sum of the normals of its elements there
-    /// where up to four of them close a ring or up to two a fan; other nodes, and those on planes of symmetry, have
-    /// four times themselves here, and are summed over their corners.
-    using Diagonals = std::array<std::uint32_t, 4>;
-    struct EnteringNode
-    {
-      std::uint32_t node;
-      Diagonals     diagonals;
-    };
+    void update_group(const std::uint32_t *group, std::size_t n, const double *position, const double *increment);
 
-    void      build_corners(const std::vector<Cell> &cells);
-    Diagonals find_diagonals(std::uint32_t node) const;
-    void      list_irregular();
-    void      update_group(const EnteringNode *nodes, std::size_t n, const double *position, const double *increment,
-                           const double *last);
-    void      update_irregular(std::size_t node, const double *position);
-    Point3    compute_normal(std::size_t node, const double *position) const;
-
-    ThreadPool                      &pool;
-    std::vector<std::uint32_t>       corner_begin; ///< [n_nodes + 1]
-    std::vector<Corner>              corners;
-    std::vector<EnteringNode>        entering;    ///< by block
-    std::vector<std::uint32_t>       entering_of; ///< [n_nodes], where a node is in that list
-    std::vector<std::uint32_t>       irregular;   ///< which of those that enter have no diagonals
-    std::vector<std::vector<Point3>> symmetry;    ///< [n_nodes], normals of symmetry planes; empty without any
-    std::vector<std::uint32_t>       bared;       ///< nodes of cells that have been taken out in this step
+    ThreadPool                &pool;
+    std::vector<std::uint32_t> entering; ///< nodes by block
+    std::vector<Point3>        sums;     ///< [n_nodes], of the area vectors of a node's elements at rest, m^2
   };
 } // namespace birdstrike

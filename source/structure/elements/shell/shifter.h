@@ -23,10 +23,8 @@ namespace birdstrike::physical_shell
   /// long are equally fast they grow by flutter. On elements shorter than they are thick that made 2.5 % of all energy
   /// of the frontal strike.
   ///
-  /// What is left: directors are the normals of the places, not what the nodes' rotations make of them, so that a bent
-  /// shell's tangent is not quite symmetric. Bent until titanium yields, free plates of exact squares have waves that
-  /// grow by 80 (one point, 3.35 mm long, 4.27 thick) and 330 per second (fully integrated, 5 mm). One of 3.35 x 3.29
-  /// mm elements with one point, on which they grew by 320, has none.
+  /// It takes directors that turn with the nodes' rotations (ShellNodes): with normals of the places waves on exact
+  /// squares still grew by 80 (one point, 3.35 mm long, 4.27 thick) and 330 per second (fully integrated, 5 mm).
   template <class Number>
   struct Shifter
   {

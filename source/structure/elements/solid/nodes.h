@@ -29,13 +29,6 @@ namespace birdstrike
     /// Records of the nodes that enter with the block, from positions and increments [n_nodes][3].
     void update(const ElementBlocks::Block &block, const double *position, const double *increment);
 
-    /// Nodes need nothing of elements.
-    void take_out(const Cell &)
-    {
-    }
-    void close(const double *)
-    {
-    }
     void archive(Archive::Row &, std::size_t)
     {
     }
