@@ -49,6 +49,8 @@ namespace birdstrike
       row("weights", touch.weights);
       row("force", touch.force);
       row("turn", touch.turn);
+      row("tilt", touch.tilt);
+      row("turn weights", touch.turn_weights);
       row("taken", touch.taken);
     });
   }

@@ -134,10 +134,15 @@ namespace birdstrike
   {
     const Couple couple(target.facets, has_friction, touch);
     const Point3 turn = couple.turn(force);
+    const Point3 tilt = couple.tilt(force);
     touch.turn        = couple.turn(touch.dissipative);
+    touch.tilt        = couple.tilt(touch.dissipative);
     for (unsigned int k = 0; k < 4; ++k)
-      for (unsigned int d = 0; d < 3; ++d)
-        target.node_sums[touch.nodes[k]][d] -= turn.cross(couple.arm(k))[d];
+      {
+        const Point3 more = turn.cross(couple.arm(k)) + touch.turn_weights[k] * tilt;
+        for (unsigned int d = 0; d < 3; ++d)
+          target.node_sums[touch.nodes[k]][d] -= more[d];
+      }
   }
 
   void BlockForces::add_to_patches(const Target &target, const TouchRecord &touch, const Point3 &force)

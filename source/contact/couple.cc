@@ -50,7 +50,14 @@ namespace birdstrike
     Point3 moment = Point3::Zero();
     for (unsigned int k = 0; k < 4; ++k)
       moment += arms[k].cross(Point3(facets.velocity + facets.nodes[touch.facet][k] * facets.velocity_stride));
-    return share * (inverse * moment).cross(touch.lever);
+    const Point3 spin = share * (inverse * moment).cross(touch.offset);
+    if (!touch.is_edge)
+      return spin;
+    double turned = 0.; // m/s, along the normal's gradient
+    for (unsigned int k = 0; k < 4; ++k)
+      turned += touch.turn_weights[k] *
+                touch.turn_normal.dot(Point3(facets.velocity + facets.nodes[touch.facet][k] * facets.velocity_stride));
+    return of_couple(spin) + turned / squared_normal() * touch.normal;
   }
 
   std::array<double, 4> Couple::loads(const Point3 &direction) const
@@ -64,7 +71,7 @@ namespace birdstrike
 
   Point3 Couple::force_on(const unsigned int k, const Point3 &force, const Point3 &turned) const
   {
-    return touch.weights[k] * force + turned.cross(arms[k]);
+    return touch.weights[k] * force + turned.cross(arms[k]) + touch.turn_weights[k] * tilt(force);
   }
 
   std::array<double, 4> Couple::largest_loads_across(const Point3 &normal) const

@@ -5,12 +5,13 @@
 namespace birdstrike
 {
   double add_spin_power(double power, const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
-                        const Point3 &turn)
+                        const Point3 &turn, const Point3 &tilt, const std::array<double, 4> &turn_weights)
   {
     const auto   position = [&](const std::uint32_t node) { return Point3(facets.position + 3 * node); };
     const Point3 mean     = 0.25 * (position(nodes[0]) + position(nodes[1]) + position(nodes[2]) + position(nodes[3]));
-    for (const std::uint32_t node : nodes)
-      power += turn.cross(position(node) - mean).dot(Point3(facets.velocity + node * facets.velocity_stride));
+    for (unsigned int k = 0; k < 4; ++k)
+      power += (turn.cross(position(nodes[k]) - mean) + turn_weights[k] * tilt)
+                 .dot(Point3(facets.velocity + nodes[k] * facets.velocity_stride));
     return power;
   }
 
@@ -26,7 +27,9 @@ namespace birdstrike
             Point3 velocity(points.velocity[0][i], points.velocity[1][i], points.velocity[2][i]);
             for (unsigned int k = 0; k < 4; ++k)
               velocity -= touch.weights[k] * Point3(facets.velocity + touch.nodes[k] * facets.velocity_stride);
-            to_come = 0.5 * step * compute_taken_power(facets, touch.nodes, velocity, touch.force, touch.turn);
+            to_come = 0.5 * step *
+                      compute_taken_power(facets, touch.nodes, velocity, touch.force, touch.turn, touch.tilt,
+                                          touch.turn_weights);
           }
         booked += touch.taken + to_come;
       }
@@ -54,7 +57,8 @@ namespace birdstrike
           const double taken = -0.5 * step * touch.dissipative.dot(touch.velocity);
           under_way += taken;
           reported = std::max(reported, booked + under_way);
-          past.push_back({points.id[touch.point], nodes, touch.weights, touch.dissipative, touch.turn, taken});
+          past.push_back({points.id[touch.point], nodes, touch.weights, touch.dissipative, touch.turn, touch.tilt,
+                          touch.turn_weights, taken});
         }
   }
 } // namespace birdstrike

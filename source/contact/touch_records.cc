@@ -2,6 +2,7 @@
 #include "contact/couple.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace birdstrike
 {
@@ -41,6 +42,35 @@ namespace birdstrike
         }
     }
 
+    /// What forces on the edge's plane do to the nodes of one of its facets by that one's turns. On facets much smaller
+    /// than the depth of the plane they stay `largest` times the force.
+    void turn_with_facet(const FacetsView &facets, const EdgePlace &edge, const unsigned int carrier,
+                         TouchRecord &touch)
+    {
+      constexpr double largest = 4.;
+      const auto      &nodes   = facets.nodes[touch.facet];
+      const auto       x       = facet_nodes(facets, touch.facet);
+      const auto       find    = [&](const std::uint32_t node) {
+        return static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
+      };
+      const std::size_t a = find(edge.nodes[carrier]), b = find(edge.nodes[1 - carrier]);
+      const Point3      along = x[b] - x[a], from_a = 0.25 * (x[0] + x[1] + x[2] + x[3]) - x[a];
+      const double      length = along.norm(), height = along.cross(from_a).norm() / length;
+      const double      share = along.dot(from_a) / (length * length); // of the foot of the centre
+      touch.is_edge           = true;
+      touch.turn_normal       = along.cross(from_a).normalized();
+      const double about = edge.turns[carrier].about / height, across = edge.turns[carrier].across / length;
+      touch.turn_weights.fill(-0.25 * about);
+      touch.turn_weights[a] += (1. - share) * about + across;
+      touch.turn_weights[b] += share * about - across;
+      double most = 0.;
+      for (const double weight : touch.turn_weights)
+        most = std::max(most, std::abs(weight));
+      if (!(most <= largest))
+        for (double &weight : touch.turn_weights)
+          weight = most < INFINITY ? weight * largest / most : 0.;
+    }
+
     /// The facets that carry a touch at an edge, by the block's numbers: the two of a ridge, each a half, as its plane
     /// turns by half of what each turns. None where the edge has become sharp since the last search.
     unsigned int find_carriers(const CandidateBlock &block, const EdgePlace &edge,
@@ -70,7 +100,6 @@ namespace birdstrike
         record.normal       = touch.normal;
         record.velocity     = pairs.velocity_of(touch.place);
         record.offset       = pairs.offset_of(touch.place);
-        record.lever        = record.offset;
         record.weights      = pairs.weights_of(touch.place);
         record.penetration  = touch.penetration;
         record.share        = touch.share;
@@ -91,7 +120,7 @@ namespace birdstrike
           {
             record.nodes = block.facet_nodes[carriers[c]];
             move_to_edge(points, facets, touch.edge, block.facets.keys()[carriers[c]], record);
-            record.lever = record.offset + (c == 0 ? 1. : -1.) * touch.edge.opening;
+            turn_with_facet(facets, touch.edge, c, record);
             complete();
           }
         if (n_carriers == 0)

@@ -10,17 +10,21 @@
 
 namespace birdstrike
 {
-  /// power + that of the spin which the couple of a touch gives the nodes of its facet, W.
+  /// power + that of the spin which the couple of a touch gives the nodes of its facet, and of the turn of that at an
+  /// edge (touch_record.h), W.
   double add_spin_power(double power, const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
-                        const Point3 &turn);
+                        const Point3 &turn, const Point3 &tilt, const std::array<double, 4> &turn_weights);
 
   /// What a force on a point and its couple on the nodes of a facet take, W: of the relative velocity of the point and
   /// its closest point, and of the spin that the couple gives the facet. Most touches have no couple.
   inline double compute_taken_power(const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
-                                    const Point3 &velocity, const Point3 &force, const Point3 &turn)
+                                    const Point3 &velocity, const Point3 &force, const Point3 &turn, const Point3 &tilt,
+                                    const std::array<double, 4> &turn_weights)
   {
     const double power = -force.dot(velocity);
-    return turn == Point3::Zero() ? power : add_spin_power(power, facets, nodes, turn);
+    return turn == Point3::Zero() && tilt == Point3::Zero()
+             ? power
+             : add_spin_power(power, facets, nodes, turn, tilt, turn_weights);
   }
 
   /// The energy that damper and friction take: their own forces on the relative velocity at each touch, in the two half
@@ -69,6 +73,8 @@ namespace birdstrike
       std::array<double, 4>        weights;
       Point3                       force; // N
       Point3                       turn;  // N/m
+      Point3                       tilt;  // N
+      std::array<double, 4>        turn_weights;
       double                       taken; // J, first half
     };
     std::vector<Past> past;

@@ -10,17 +10,22 @@
 
 namespace birdstrike
 {
+  /// How a depth over an edge of facet 0 or 1 falls with the turns of that facet (edge_profile.h): by `about` phi +
+  /// `across` eta, m, with the angle phi by which the facet's centre turns about its edge a-b, towards its normal n,
+  /// and eta = (u_b - u_a).n/|b - a|.
+  struct EdgeTurn
+  {
+    double about = 0., across = 0.;
+  };
+
   /// A place on an edge: what carries the edge's plane, so that forces on the plane act there.
   struct EdgePlace
   {
     std::array<std::int32_t, 2> facets{{-1, -1}}; ///< at the edge, whose turns the plane follows; -1: none, or one only
     std::array<std::uint32_t, 2> nodes{};         ///< of the edge
-    double                       share = 0.;      ///< from the first node (0) to the second (1)
+    double                       share = 0.;      ///< from the first node (0) to the second (1), and beyond either
     Point3                       offset{0., 0., 0.}; ///< from there to the point, m
-
-    /// m, what the offset from the first facet has more and that from the second less: couples about the edge with
-    /// which the facets pay for a depth that grows as they open (edge_profile.h, round_share).
-    Point3 opening{0., 0., 0.};
+    std::array<EdgeTurn, 2>      turns{};            ///< for a force of which each facet carries its part
   };
 
   /// A point p over or beside a facet, and what a surface without edges would make of it; SharpEdges::cut() corrects
@@ -47,7 +52,8 @@ namespace birdstrike
     bool      is_oblique = false; ///< the normal does not pass through q
     double    limit      = 1e300; ///< depth below the plane of the edge that bounds the face, m
     Point3    limit_normal{0., 0., 0.};
-    EdgePlace place{}; ///< of the plane, and of the edge face, where they are not at q
+    EdgePlace place{};     ///< of the plane, and of the edge face, where they are not at q
+    EdgeTurn  face_turn{}; ///< of the edge face; those of the plane stand in `place`
 
     Point3 slope{0., 0., 0.}; ///< in: of a face's half thickness along the surface (thickness_slope.h)
   };

@@ -22,8 +22,8 @@ namespace birdstrike
         touch.feature = EdgeTouch::Feature::beyond;
     }
 
-    /// Makes it a touch of the edge face, which the planes of both faces bound.
-    void take_edge_face(const Point3 &outward, const double s, const Point3 &up, const double z, EdgeTouch &touch)
+    /// Makes it a touch of the edge face, which the planes of both faces bound. Whether the other one does.
+    bool take_edge_face(const Point3 &outward, const double s, const Point3 &up, const double z, EdgeTouch &touch)
     {
       const double cosine = std::sqrt(0.5), z_of_other = -2. * touch.half_thickness - z;
       touch.feature    = EdgeTouch::Feature::edge_face;
@@ -36,7 +36,28 @@ namespace birdstrike
           touch.limit_normal = cosine * (outward - up - touch.slope);
           if (limit <= 0.)
             touch.feature = EdgeTouch::Feature::beyond;
+          return true;
         }
+      return false;
+    }
+    /// A depth a (...) - r.(alpha out + beta up), r from the edge to the point, as the face turns: `out` is the
+    /// direction of r in the face, `up` its normal n or -n. By r.out = -sqrt(r^2 - (r.up)^2) it turns with n alone,
+    ///   (alpha out + beta up)'.r = (beta - alpha (r.up)/(r.out)) r.up',   n' = phi o - (eta.n) e.
+    /// Beside the edge `out` is o, and what r has along it moves the place on the edge instead (along_edge).
+    EdgeTurn turn_of(const EdgeFrame &face, const Point3 &edge, const bool is_end, const Point3 &r, const Point3 &out,
+                     const Point3 &up, const double alpha, const double beta)
+    {
+      const double side = up.dot(face.normal), s = r.dot(out);
+      const double tilt = side * (s != 0. ? beta - alpha * r.dot(up) / s : 0.);
+      if (!is_end)
+        return {side * (beta * s - alpha * r.dot(up)), 0.};
+      return {tilt * r.dot(face.outward), -tilt * r.dot(edge.normalized())};
+    }
+
+    /// What the foot of a point on an edge from a to b is beyond `share`: forces without a couple act below the point.
+    double along_edge(const Point3 &edge, const bool is_end, const Point3 &r)
+    {
+      return is_end ? 0. : r.dot(edge) / std::max(edge.squaredNorm(), 1e-300);
     }
   } // namespace
 
@@ -117,9 +138,16 @@ namespace birdstrike
         const Point3 out       = foot.is_end() ? outward(foot.from_closest, foot.distance, up) : frame.outward;
         const double s = from_foot.dot(out), z = from_foot.dot(up) - touch.half_thickness;
         bound(out, s, up, z, touch);
-        touch.place = {foot.edge->facets, foot.edge->nodes, foot.share, from_foot, Point3::Zero()};
+        const auto turns_by = [&](const double alpha, const double beta) {
+          return turn_of(frame, b - a, foot.is_end(), from_foot, out, up, alpha, beta);
+        };
+        const double beside = along_edge(b - a, foot.is_end(), from_foot);
+        touch.place  = {foot.edge->facets, foot.edge->nodes, foot.share + beside, from_foot - beside * (b - a), {}};
+        double below = std::sqrt(0.5); // of the plane: that of the face
         if (touch.was_on_edge_face && z < 0. && touch.feature == EdgeTouch::Feature::face)
-          take_edge_face(out, s, up, z, touch);
+          below = take_edge_face(out, s, up, z, touch) ? -below : below;
+        touch.place.turns[0] = turns_by(std::sqrt(0.5), below);
+        touch.face_turn      = turns_by(1., 0.);
         return;
       }
     const double height = touch.offset.dot(frame.normal), side = touch.height < 0. ? -1. : 1.; // through it, or not
@@ -131,7 +159,13 @@ namespace birdstrike
     touch.overlap     = 0.5 * touch.size - std::hypot(s, std::max(away, 0.));
     touch.normal      = outward(r, s, up);
     bound(touch.normal, s, up, z, touch);
-    touch.is_oblique = true;
+    touch.is_oblique    = true;
+    const bool   is_end = foot.is_end();
+    const double beside = along_edge(b - a, is_end, touch.offset);
+    touch.place = {foot.edge->facets, foot.edge->nodes, foot.share + beside, touch.offset - beside * (b - a), {}};
+    touch.place.turns[0] =
+      turn_of(frame, b - a, is_end, touch.offset, touch.normal, up, std::sqrt(0.5), std::sqrt(0.5));
+    touch.face_turn = turn_of(frame, b - a, is_end, touch.offset, touch.normal, up, 1., 0.);
     if (z < 0. && touch.feature == EdgeTouch::Feature::face)
       touch.feature = EdgeTouch::Feature::edge_face;
   }
@@ -152,9 +186,17 @@ namespace birdstrike
     const Point3 out     = foot.is_end() && towards.norm() > at_it * touch.size ? towards.normalized() : face.outward;
     touch.limit_normal   = bisector.dot(face.normal) * face.normal + bisector.dot(face.outward) * out;
     touch.limit          = round - touch.limit_normal.dot(from_foot);
-    const Point3 axis    = one.normal.cross(other.normal).normalized();
-    const double slope   = -0.5 * touch.size * round_share_slope(angle); // of the depth, as the faces open
-    touch.place = {edge.facets, edge.nodes, foot.share, from_foot, 2. * slope * touch.limit_normal.cross(axis)};
+    const double beside  = along_edge(b - a, foot.is_end(), from_foot);
+    touch.place          = {edge.facets, edge.nodes, foot.share + beside, from_foot - beside * (b - a), {}};
+    // the plane follows the angle between the faces, which both turn, and the face that it is over
+    const double alpha = bisector.dot(face.outward), beta = bisector.dot(face.normal);
+    const double opened =
+      touch.size * round_share_slope(angle) - (beta * from_foot.dot(out) - alpha * from_foot.dot(face.normal));
+    const EdgeTurn own = turn_of(face, is_over_one ? Point3(b - a) : Point3(a - b), foot.is_end(), from_foot, out,
+                                 face.normal, alpha, beta);
+    for (const bool is_first : {true, false})
+      touch.place.turns[is_first ? 0 : 1] =
+        is_first == is_over_one ? EdgeTurn{opened + 2. * own.about, 2. * own.across} : EdgeTurn{opened, 0.};
     if (touch.limit <= 0.)
       touch.feature = EdgeTouch::Feature::beyond;
   }

@@ -110,7 +110,9 @@ namespace birdstrike
         edge.slope.setZero(); // its place does not depend on the thickness
       result.normal     = is_limited ? edge.limit_normal : Point3(edge.normal - edge.slope);
       result.is_oblique = is_limited || edge.is_oblique || !edge.slope.isZero(0.);
-      result.edge       = is_limited || side.is_on_edge_face ? edge.place : EdgePlace();
+      result.edge       = is_limited || side.is_on_edge_face || edge.is_oblique ? edge.place : EdgePlace();
+      if (!is_limited)
+        result.edge.turns[0] = edge.face_turn;
     }
   } // namespace
 
