@@ -13,7 +13,7 @@ namespace birdstrike
   {
     std::uint32_t place;              ///< in PairGeometry
     std::uint32_t near;               ///< place of the point in CandidateBlock::points
-    double        share;              ///< -, in (0, 1]: weight of a second facet, see NarrowPhase
+    double        share;              ///< -, in (0, 1]: weight of the less deep of two, see NarrowPhase
     double        penetration;        ///< m, > 0
     Point3        normal;             ///< from the surface to the point
     bool          is_oblique = false; ///< not along the point's offset from q: the force leaves a couple
@@ -52,8 +52,10 @@ namespace birdstrike
   ///
   /// *Several facets.* A point touches its closest facet, and a second one only where that is a local minimum of the
   /// distance and pushes in another direction (between two shells, in a notch). With the cosine between the two
-  /// directions falling from 0.5 to 0.2 the second share rises from 0 to 1; so a slightly folded surface never counts
-  /// twice. A third facet (inner corner of a box) is not seen.
+  /// directions falling from 0.5 to 0.2 the share of the less deep one rises from 0 to 1, U = U(max d) + share U(min
+  /// d); so a slightly folded surface never counts twice, and the potential is continuous where nearest and second
+  /// change places with different references. Where one of two ends at an edge of the other, its depth goes on there. A
+  /// third facet (inner corner of a box) is not seen.
   ///
   /// *Who is looked at.* Points closer than the larger of max g and four steps' flight of their own, but no further
   /// than one step beyond max g. Of one further away there is nothing to remember: it cannot pass the surface before it

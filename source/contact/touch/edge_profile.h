@@ -22,9 +22,9 @@ namespace birdstrike
   /// between the planes, so that shell and solid end alike.
   ///
   /// The plane stands at the edge, with the frame of the facet there, and its force acts on the edge's nodes: over a
-  /// bent face its normal is not that below the point. It turns by the mean of what the two faces of a ridge turn, so
-  /// each carries half of the force's moment, and as L/2 grows again where they open (round_share), a couple against
-  /// that.
+  /// bent face its normal is not that below the point. It turns by the mean of what the two faces of a ridge turn, and
+  /// L/2 grows again where they open (round_share): each carries half of the force, and what the depth's gradient by
+  /// the turns of its own plane, through the edge and its centre, puts on its nodes (EdgeTurn).
   ///
   /// *Reference r.* A point that comes in through that plane keeps the height it then has as its stand-off: r is what
   /// of the overlap it brings along, and only what it comes deeper carries a force. So who is held is decided by

@@ -20,9 +20,30 @@ namespace birdstrike
       return std::max(scene.range, std::min(4. * way, scene.range + way));
     }
 
+    bool has_common_node(const std::array<std::uint32_t, 4> &a, const std::array<std::uint32_t, 4> &b)
+    {
+      return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+    }
+
     bool has_passed(const PointRecord &record, const std::uint64_t call)
     {
       return record.last_call + 1 == call && (record.sides[0].is_through || record.sides[1].is_through);
+    }
+    /// A side of a hollow that ends below the point, at an edge of the nearest one: its depth goes on there. `taken`
+    /// are the remembered sides that present ones continue, or -1.
+    void take_over(const PointRecord &before, const std::array<int, 2> &taken, PointRecord::Side &nearest,
+                   TouchingPair &result)
+    {
+      const bool is_limited = nearest.depth < nearest.overlap - nearest.reference;
+      for (int k = 0; k < 2; ++k)
+        if (const PointRecord::Side &gone = before.sides[k];
+            k != taken[0] && k != taken[1] && gone.is_touching && gone.piece == nearest.piece &&
+            gone.depth > nearest.depth && !is_limited && has_common_node(gone.nodes, nearest.nodes))
+          {
+            nearest.reference  = std::max(0., nearest.overlap - gone.depth);
+            nearest.depth      = nearest.overlap - nearest.reference;
+            result.penetration = nearest.depth;
+          }
     }
   } // namespace
 
@@ -134,6 +155,7 @@ namespace birdstrike
     int taken                  = -1;
     if (touch(scene, closest, before, false, taken, first, record.sides[0]))
       first.share = 1.;
+    std::array<int, 2> continued{{taken, -1}};
     if (group.end - group.begin > 1)
       {
         const std::int64_t other =
@@ -143,11 +165,17 @@ namespace birdstrike
         if (other >= 0 &&
             touch(scene, static_cast<std::uint32_t>(other), before, is_other_sheet, taken, second, record.sides[1]))
           {
+            // the deeper one counts, whichever is nearer: where they change places they are equally deep
             const double cosine = first.share > 0. ? first.normal.normalized().dot(second.normal.normalized()) : -1.;
             const double ramp   = std::clamp((share_starts_at - cosine) / (share_starts_at - share_is_full_at), 0., 1.);
-            second.share        = ramp * ramp * (3. - 2. * ramp);
+            double      &shallower = first.penetration < second.penetration ? first.share : second.share;
+            second.share           = 1.;
+            shallower *= ramp * ramp * (3. - 2. * ramp);
           }
+        continued[1] = taken;
       }
+    if (first.share == 1. && before.last_call + 1 == scene.call && !scene.is_changed)
+      take_over(before, continued, record.sides[0], first);
     for (const TouchingPair &touched : {first, second})
       if (touched.share > 0.)
         touching.push_back(touched);
