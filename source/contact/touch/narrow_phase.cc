@@ -149,10 +149,10 @@ namespace birdstrike
     const PointRecord before = record;
     TouchingPair      first, second;
     first.near = second.near = group.near;
-    first.share = second.share = 0.;
-    record.sides[1]            = {};
-    record.last_call           = scene.call;
-    int taken                  = -1;
+    first.share = second.share = first.penetration = second.penetration = 0.;
+    record.sides[1]                                                     = {};
+    record.last_call                                                    = scene.call;
+    int taken                                                           = -1;
     if (touch(scene, closest, before, false, taken, first, record.sides[0]))
       first.share = 1.;
     std::array<int, 2> continued{{taken, -1}};

@@ -105,6 +105,56 @@ TEST(FreeEdge, NoClosedPathGainsEnergy)
   EXPECT_LT(least, 0.) << "some were in touch where they crossed";
 }
 
+// Forces on nodes at a rim are those of the potential, on facets that are distorted and warped too: -dU by differences.
+TEST(FreeEdge, ForcesOnNodesAreTheGradientOfTheEnergy)
+{
+  std::mt19937                           random(815);
+  std::uniform_real_distribution<double> any(-1., 1.);
+  ThreadPool                             pool;
+  unsigned int                           n_touching = 0;
+  for (unsigned int sample = 0; sample < 60; ++sample)
+    {
+      FreeMasses scene;
+      scene.add_patch(4, 4, 2e-3, [&](const unsigned int i, const unsigned int j) {
+        return Point3(5e-3 * i + 5e-4 * any(random), 5e-3 * j + 5e-4 * any(random), 2e-4 * any(random));
+      });
+      const double y = 0.01 + 2e-3 * any(random);
+      scene.add_point({Point3(0.024, y, 5e-4)});
+      Contact contact(without_damper());
+      scene.compute_contact(contact, 1e-7, pool);
+      const Point3 from = scene.position(0), to(0.0204 + 4e-4 * any(random), y, 1.2e-3 * any(random));
+      for (unsigned int m = 1; m <= 100; ++m)
+        {
+          scene.fly_to(0, from + m / 100. * (to - from), 1e-7);
+          scene.compute_contact(contact, 1e-7, pool);
+        }
+      for (auto &component : scene.v)
+        component[0] = 0.;
+      const auto energy = [&] {
+        scene.compute_contact(contact, 1e-7, pool);
+        return contact.report().stored_energy;
+      };
+      if (energy() == 0.)
+        continue;
+      ++n_touching;
+      const double total = scene.force_on_point(0).norm(), nudge = 1e-9;
+      const auto   force = scene.node_force;
+      for (std::size_t n = 0; n < scene.node.size(); ++n)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            double &x = scene.node[n].position[d], before = x;
+            x                  = before + nudge;
+            const double above = energy();
+            x                  = before - nudge;
+            const double below = energy();
+            x                  = before;
+            EXPECT_NEAR(force[6 * n + d], (below - above) / (2. * nudge), 1e-3 * total)
+              << "sample " << sample << ", node " << n << ", " << d;
+          }
+    }
+  EXPECT_GT(n_touching, 20u);
+}
+
 // Come through a thin plate near its rim, and out past that: the plane of the edge goes on there, and gives all back.
 TEST(FreeEdge, WhatHasComeThroughIsHeldPastTheRim)
 {
