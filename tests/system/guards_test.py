@@ -29,7 +29,7 @@ CRUSH = "Blade/Loads/Initial velocity={}*x/0.1; 0; 0"
 # What trips it, what it says, of which quantity, and what it names.
 GUARDS = {
     "energy": ([*STRIKE, "Time/Energy error limit=1e-9"], "The energy balance", "energy error", ("particle", "node")),
-    "step collapse": ([*PLATE, CRUSH.format(-800), UNGUARDED[0]], "The stable step of the blade has collapsed",
+    "step collapse": ([*PLATE, CRUSH.format(-1600), UNGUARDED[0]], "The stable step of the blade has collapsed",
                       "stable step over its first value", ("element",)),
     "runaway node": ([*PLATE, *UNGUARDED, "Blade/Mesh/Elements along span=50", "Blade/Mesh/Elements along chord=10",
                       "Blade/Loads/Pressure=if(x>0.098 && y>0.008, 1e11, 0)"], "A node has run away", "speed", ("node",)),

@@ -29,7 +29,7 @@ subsection Blade
     set Name = Al 6061-T6
   end
   subsection Loads
-    set Initial velocity = -800*x/0.1; 0; 0
+    set Initial velocity = -1600*x/0.1; 0; 0
   end
 end
 subsection Bird
@@ -48,7 +48,7 @@ end
   }
 } // namespace
 
-// A plate that is crushed along its plane at 800 m/s folds its elements to nothing: steps of 1e-11 s and less.
+// A plate that is crushed along its plane at 1600 m/s folds its elements to nothing; at 800 m/s it folds soundly.
 TEST(Collapse, EndsTheRunInWords)
 {
   const std::string message = failure_of({});
