@@ -50,10 +50,10 @@ namespace birdstrike
     Point3 moment = Point3::Zero();
     for (unsigned int k = 0; k < 4; ++k)
       moment += arms[k].cross(Point3(facets.velocity + facets.nodes[touch.facet][k] * facets.velocity_stride));
-    const Point3 spin = share * (inverse * moment).cross(touch.offset);
+    const Point3 turned_by = share * (inverse * moment), spin = turned_by.cross(touch.offset);
     if (!touch.is_edge)
       return spin;
-    double turned = 0.; // m/s, along the normal's gradient
+    double turned = turned_by.dot(touch.left_over) * squared_normal(); // m/s, along the normal's gradient
     for (unsigned int k = 0; k < 4; ++k)
       turned += touch.turn_weights[k] *
                 touch.turn_normal.dot(Point3(facets.velocity + facets.nodes[touch.facet][k] * facets.velocity_stride));

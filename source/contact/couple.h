@@ -17,8 +17,9 @@ namespace birdstrike
   /// within ten steps, at edges).
   ///
   /// At an edge (TouchRecord::is_edge) the depth itself says what the nodes get of a force along the normal, and only
-  /// what friction leaves is a couple: a facet's spin is that of its plane only while the facet is not distorted, and
-  /// forces of the one for turns of the other made 1.5 % of all energy on a crumpled foil.
+  /// what that leaves of the moment is a couple: all of friction's, and of the normal's where its turns are bounded or
+  /// the thickness slopes. A facet's spin is that of its plane only while the facet is not distorted, and forces of the
+  /// one for turns of the other made 1.5 % of all energy on a crumpled foil.
   class Couple
   {
   public:
@@ -27,7 +28,7 @@ namespace birdstrike
     /// Of the nodes, for a force F (N) on the point: N/m.
     Point3 turn(const Point3 &force) const
     {
-      return share * (inverse * touch.offset.cross(of_couple(force)));
+      return share * (inverse * (touch.offset.cross(of_couple(force)) + force.dot(touch.normal) * touch.left_over));
     }
     /// What forces at an edge have to do with the facet's turn: -turn_weights[k] tilt on node k, N.
     Point3 tilt(const Point3 &force) const

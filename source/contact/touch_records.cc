@@ -8,6 +8,16 @@ namespace birdstrike
 {
   namespace
   {
+    /// The moment that a force of 1 N along an edge's normal and its turns leave, m.
+    Point3 left_over_of(const FacetsView &facets, const TouchRecord &touch)
+    {
+      const auto x      = facet_nodes(facets, touch.facet);
+      Point3     moment = touch.offset.cross(touch.normal);
+      for (unsigned int k = 1; k < 4; ++k)
+        moment -= touch.turn_weights[k] * (x[k] - x[0]).cross(touch.turn_normal);
+      return moment / touch.normal.squaredNorm();
+    }
+
     /// What a couple changes in the relative velocity and in the forces on the nodes.
     void add_spin(const FacetsView &facets, const bool has_friction, TouchRecord &touch)
     {
@@ -71,6 +81,24 @@ namespace birdstrike
           weight = most < INFINITY ? weight * largest / most : 0.;
     }
 
+    using Touches = std::vector<TouchRecord>::iterator;
+
+    /// The touches of one point at one place: on a facet, or on both of a ridge, whose turns leave no moment together.
+    void complete(const FacetsView &facets, const bool has_friction, const Touches begin, const Touches end)
+    {
+      Point3 left_over = Point3::Zero();
+      for (Touches touch = begin; touch != end; ++touch)
+        if (touch->is_edge)
+          left_over += left_over_of(facets, *touch) / (end - begin);
+      for (Touches touch = begin; touch != end; ++touch)
+        {
+          touch->left_over = left_over;
+          touch->loads     = touch->weights;
+          if (has_friction || touch->is_oblique)
+            add_spin(facets, has_friction, *touch);
+        }
+    }
+
     /// The facets that carry a touch at an edge, by the block's numbers: the two of a ridge, each a half, as its plane
     /// turns by half of what each turns. None where the edge has become sharp since the last search.
     unsigned int find_carriers(const CandidateBlock &block, const EdgePlace &edge,
@@ -97,34 +125,29 @@ namespace birdstrike
       {
         const std::uint32_t facet = block.pair_facet[pairs.pair[touch.place]];
         TouchRecord         record;
-        record.normal       = touch.normal;
-        record.velocity     = pairs.velocity_of(touch.place);
-        record.offset       = pairs.offset_of(touch.place);
-        record.weights      = pairs.weights_of(touch.place);
-        record.penetration  = touch.penetration;
-        record.share        = touch.share;
-        record.is_oblique   = touch.is_oblique;
-        record.point        = block.points[touch.near];
-        record.facet        = block.facets.keys()[facet];
-        record.nodes        = block.facet_nodes[facet];
-        const auto complete = [&] {
-          record.loads = record.weights;
-          if (has_friction || record.is_oblique)
-            add_spin(facets, has_friction, record);
-          touches.push_back(record);
-        };
+        record.normal      = touch.normal;
+        record.velocity    = pairs.velocity_of(touch.place);
+        record.offset      = pairs.offset_of(touch.place);
+        record.weights     = pairs.weights_of(touch.place);
+        record.penetration = touch.penetration;
+        record.share       = touch.share;
+        record.is_oblique  = touch.is_oblique;
+        record.point       = block.points[touch.near];
+        record.facet       = block.facets.keys()[facet];
+        record.nodes       = block.facet_nodes[facet];
         std::array<std::uint32_t, 2> carriers;
         const unsigned int           n_carriers = find_carriers(block, touch.edge, carriers);
-        record.share /= std::max(1u, n_carriers);
+        if (n_carriers == 0)
+          touches.push_back(record);
         for (unsigned int c = 0; c < n_carriers; ++c)
           {
             record.nodes = block.facet_nodes[carriers[c]];
+            record.share = touch.share / n_carriers;
             move_to_edge(points, facets, touch.edge, block.facets.keys()[carriers[c]], record);
             turn_with_facet(facets, touch.edge, c, record);
-            complete();
+            touches.push_back(record);
           }
-        if (n_carriers == 0)
-          complete();
+        complete(facets, has_friction, touches.end() - std::max(1u, n_carriers), touches.end());
       }
   }
 } // namespace birdstrike

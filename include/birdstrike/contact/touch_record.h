@@ -18,6 +18,8 @@ namespace birdstrike
     /// turn_normal on node k, without a sum.
     Point3                turn_normal = Point3::Zero();
     std::array<double, 4> turn_weights{};
+    /// And what of its moment that leaves, over the force along the normal, m: a facet's part, of the couple.
+    Point3                left_over = Point3::Zero();
     std::array<double, 4> weights; ///< of the facet's nodes in its closest point
     std::array<double, 4> loads;   ///< sizes of their forces for a unit force: the weights, if there is no couple
     Point3                dissipative = Point3::Zero(); ///< force of damper and friction on the point, N

@@ -1,3 +1,4 @@
+#include "contact/touch/common_nodes.h"
 #include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/contact/narrow_phase.h>
 #include <birdstrike/core/closest_point.h>
@@ -20,11 +21,6 @@ namespace birdstrike
       return std::max(scene.range, std::min(4. * way, scene.range + way));
     }
 
-    bool has_common_node(const std::array<std::uint32_t, 4> &a, const std::array<std::uint32_t, 4> &b)
-    {
-      return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
-    }
-
     bool has_passed(const PointRecord &record, const std::uint64_t call)
     {
       return record.last_call + 1 == call && (record.sides[0].is_through || record.sides[1].is_through);
@@ -38,7 +34,7 @@ namespace birdstrike
       for (int k = 0; k < 2; ++k)
         if (const PointRecord::Side &gone = before.sides[k];
             k != taken[0] && k != taken[1] && gone.is_touching && gone.piece == nearest.piece &&
-            gone.depth > nearest.depth && !is_limited && has_common_node(gone.nodes, nearest.nodes))
+            gone.depth > nearest.depth && !is_limited && count_common_nodes(gone.nodes, nearest.nodes) > 0)
           {
             nearest.reference  = std::max(0., nearest.overlap - gone.depth);
             nearest.depth      = nearest.overlap - nearest.reference;
@@ -148,11 +144,14 @@ namespace birdstrike
 
     const PointRecord before = record;
     TouchingPair      first, second;
-    first.near = second.near = group.near;
-    first.share = second.share = first.penetration = second.penetration = 0.;
-    record.sides[1]                                                     = {};
-    record.last_call                                                    = scene.call;
-    int taken                                                           = -1;
+    for (TouchingPair *touched : {&first, &second})
+      {
+        touched->near  = group.near;
+        touched->share = touched->penetration = 0.;
+      }
+    record.sides[1]  = {};
+    record.last_call = scene.call;
+    int taken        = -1;
     if (touch(scene, closest, before, false, taken, first, record.sides[0]))
       first.share = 1.;
     std::array<int, 2> continued{{taken, -1}};

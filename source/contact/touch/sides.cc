@@ -1,3 +1,4 @@
+#include "contact/touch/common_nodes.h"
 #include "contact/touch/thickness_slope.h"
 #include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/contact/narrow_phase.h>
@@ -33,12 +34,6 @@ namespace birdstrike
       if (*most - *least < no_slope * (x[2] - x[0]).norm())
         return {0., 0., 0.};
       return compute_thickness_slope(x, t, weights);
-    }
-
-    std::ptrdiff_t count_common_nodes(const std::array<std::uint32_t, 4> &a, const std::array<std::uint32_t, 4> &b)
-    {
-      return std::count_if(a.begin(), a.end(),
-                           [&](const std::uint32_t node) { return std::find(b.begin(), b.end(), node) != b.end(); });
     }
 
     /// Which of the two sides the point remembers is that of this facet, or -1: the one with the most common nodes, of

@@ -155,6 +155,41 @@ TEST(FreeEdge, ForcesOnNodesAreTheGradientOfTheEnergy)
   EXPECT_GT(n_touching, 20u);
 }
 
+// Where the thickness slopes towards a rim and facets are distorted, forces have no moment together.
+TEST(FreeEdge, ForcesLeaveNoMomentWhereTheThicknessSlopes)
+{
+  std::mt19937                           random(191);
+  std::uniform_real_distribution<double> any(-1., 1.);
+  ThreadPool                             pool;
+  unsigned int                           n_touching = 0;
+  for (unsigned int sample = 0; sample < 60; ++sample)
+    {
+      FreeMasses scene;
+      scene.add_patch(4, 4, 2e-3, [&](const unsigned int i, const unsigned int j) {
+        return Point3(5e-3 * i + 5e-4 * any(random), 5e-3 * j + 5e-4 * any(random), 2e-4 * any(random));
+      });
+      for (std::size_t f = 0; f < scene.facet.size(); ++f)
+        scene.half_thickness[f] = 1e-3 + 1e-4 * static_cast<double>(f % 4);
+      const double y = 0.01 + 2e-3 * any(random);
+      scene.add_point({Point3(0.0197 + 2e-4 * any(random), y, 5e-3)});
+      Contact contact(without_damper());
+      scene.compute_contact(contact, 1e-7, pool);
+      const Point3 from = scene.position(0), to(from[0], y, 1.4e-3 + 2e-4 * any(random));
+      for (unsigned int m = 1; m <= 100; ++m)
+        {
+          scene.fly_to(0, from + m / 100. * (to - from), 1e-7);
+          scene.compute_contact(contact, 1e-7, pool);
+        }
+      const Point3 place = scene.position(0), force = scene.force_on_point(0);
+      Point3       moment = Point3::Zero();
+      for (std::size_t n = 0; n < scene.node.size(); ++n)
+        moment += (scene.node[n].position - place).cross(Point3(scene.node_force.data() + 6 * n));
+      EXPECT_LE(moment.norm(), 1e-12 * force.norm()) << sample;
+      n_touching += force.norm() > 0.;
+    }
+  EXPECT_GT(n_touching, 20u);
+}
+
 // Come through a thin plate near its rim, and out past that: the plane of the edge goes on there, and gives all back.
 TEST(FreeEdge, WhatHasComeThroughIsHeldPastTheRim)
 {
