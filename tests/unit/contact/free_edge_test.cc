@@ -31,6 +31,30 @@ namespace
     return scene;
   }
 
+  /// A plate of 20 by 20 mm whose facets are distorted and warped; `any` draws from -1 to 1.
+  template <typename Draw>
+  FreeMasses distorted_plate(const Draw &any)
+  {
+    FreeMasses scene;
+    scene.add_patch(4, 4, 2e-3, [&](const unsigned int i, const unsigned int j) {
+      const double x = 5e-4 * any(), y = 5e-4 * any(), z = 2e-4 * any();
+      return Point3(5e-3 * i + x, 5e-3 * j + y, z);
+    });
+    return scene;
+  }
+
+  /// The point straight from where it is to a place, in a hundred steps.
+  void bring(FreeMasses &scene, Contact &contact, const Point3 &to, ThreadPool &pool)
+  {
+    scene.compute_contact(contact, 1e-7, pool);
+    const Point3 from = scene.position(0);
+    for (unsigned int m = 1; m <= 100; ++m)
+      {
+        scene.fly_to(0, from + m / 100. * (to - from), 1e-7);
+        scene.compute_contact(contact, 1e-7, pool);
+      }
+  }
+
   /// Nothing is in the plate, square at its edge, by more than is allowed.
   void expect_all_outside(FreeMasses &scene, const ContactReport &report, const double allowed)
   {
@@ -49,6 +73,7 @@ namespace
     for (unsigned int n = 0; n < n_steps; ++n)
       scene.advance(contact, step, pool);
   }
+
   /// The stream behind pushes what is at the edge, rho u^2 / 2 over a spacing: held in touch, points slide round the
   /// edge through its plane, where free points would have bounced off before.
   void press(FreeMasses &scene, const Point3 &along, const double step)
@@ -114,20 +139,11 @@ TEST(FreeEdge, ForcesOnNodesAreTheGradientOfTheEnergy)
   unsigned int                           n_touching = 0;
   for (unsigned int sample = 0; sample < 60; ++sample)
     {
-      FreeMasses scene;
-      scene.add_patch(4, 4, 2e-3, [&](const unsigned int i, const unsigned int j) {
-        return Point3(5e-3 * i + 5e-4 * any(random), 5e-3 * j + 5e-4 * any(random), 2e-4 * any(random));
-      });
-      const double y = 0.01 + 2e-3 * any(random);
+      FreeMasses   scene = distorted_plate([&] { return any(random); });
+      const double y     = 0.01 + 2e-3 * any(random);
       scene.add_point({Point3(0.024, y, 5e-4)});
       Contact contact(without_damper());
-      scene.compute_contact(contact, 1e-7, pool);
-      const Point3 from = scene.position(0), to(0.0204 + 4e-4 * any(random), y, 1.2e-3 * any(random));
-      for (unsigned int m = 1; m <= 100; ++m)
-        {
-          scene.fly_to(0, from + m / 100. * (to - from), 1e-7);
-          scene.compute_contact(contact, 1e-7, pool);
-        }
+      bring(scene, contact, Point3(0.0204 + 4e-4 * any(random), y, 1.2e-3 * any(random)), pool);
       for (auto &component : scene.v)
         component[0] = 0.;
       const auto energy = [&] {
@@ -164,22 +180,13 @@ TEST(FreeEdge, ForcesLeaveNoMomentWhereTheThicknessSlopes)
   unsigned int                           n_touching = 0;
   for (unsigned int sample = 0; sample < 60; ++sample)
     {
-      FreeMasses scene;
-      scene.add_patch(4, 4, 2e-3, [&](const unsigned int i, const unsigned int j) {
-        return Point3(5e-3 * i + 5e-4 * any(random), 5e-3 * j + 5e-4 * any(random), 2e-4 * any(random));
-      });
+      FreeMasses scene = distorted_plate([&] { return any(random); });
       for (std::size_t f = 0; f < scene.facet.size(); ++f)
         scene.half_thickness[f] = 1e-3 + 1e-4 * static_cast<double>(f % 4);
       const double y = 0.01 + 2e-3 * any(random);
       scene.add_point({Point3(0.0197 + 2e-4 * any(random), y, 5e-3)});
       Contact contact(without_damper());
-      scene.compute_contact(contact, 1e-7, pool);
-      const Point3 from = scene.position(0), to(from[0], y, 1.4e-3 + 2e-4 * any(random));
-      for (unsigned int m = 1; m <= 100; ++m)
-        {
-          scene.fly_to(0, from + m / 100. * (to - from), 1e-7);
-          scene.compute_contact(contact, 1e-7, pool);
-        }
+      bring(scene, contact, Point3(scene.position(0)[0], y, 1.4e-3 + 2e-4 * any(random)), pool);
       const Point3 place = scene.position(0), force = scene.force_on_point(0);
       Point3       moment = Point3::Zero();
       for (std::size_t n = 0; n < scene.node.size(); ++n)
