@@ -184,7 +184,7 @@ namespace birdstrike
     side.was_beyond       = edge.feature == EdgeTouch::Feature::beyond;
     side.is_on_edge_face  = edge.feature == EdgeTouch::Feature::edge_face;
     const bool   can_leap = (is_next || was_limited || side.is_on_edge_face) && before.last_call + 1 == scene.call;
-    const double own_way  = 2. * velocity.norm() * scene.step + leap * before.size;
+    const double own_way  = velocity.norm() * scene.step + leap * before.size;
     settle_depth(edge, closing, can_leap ? own_way : INFINITY, was_limited && !is_elsewhere, side, result);
     result.place = place;
     return result.penetration > 0.;

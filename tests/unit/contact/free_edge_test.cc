@@ -197,6 +197,42 @@ TEST(FreeEdge, ForcesLeaveNoMomentWhereTheThicknessSlopes)
   EXPECT_GT(n_touching, 20u);
 }
 
+// Round corners of facets so warped that both edges there have their own idea of up: however depths come about, none
+// grows faster than its point flies, so that none is given energy.
+TEST(FreeEdge, DepthsGrowNoFasterThanPointsFly)
+{
+  std::mt19937                           random(400586);
+  std::uniform_real_distribution<double> any(-1., 1.);
+  ThreadPool                             pool;
+  unsigned int                           n_touching = 0;
+  const double                           way = 1e-4, step = 1e-6;
+  for (unsigned int sample = 0; sample < 1000; ++sample)
+    {
+      FreeMasses   scene;
+      const double warp = 0.3 * any(random);
+      scene.add_patch(2, 2, 3e-3, [&](const unsigned int i, const unsigned int j) {
+        return Point3(6e-3 * i, 6e-3 * j, 6e-3 * warp * i * j);
+      });
+      const Point3 corner = scene.node.back().position;
+      const Point3 through(corner + 1e-3 * Point3(0.4 + 0.4 * any(random), 0.4 * any(random), 2. * any(random)));
+      const Point3 along = Point3(any(random), any(random), any(random)).normalized();
+      scene.add_point({through - 50. * way * along});
+      Contact contact(without_damper());
+      scene.compute_contact(contact, step, pool);
+      double before = contact.report().penetration;
+      for (unsigned int m = 1; m <= 100; ++m)
+        {
+          scene.fly_to(0, through + (m - 50.) * way * along, step);
+          scene.compute_contact(contact, step, pool);
+          const double now = contact.report().penetration;
+          EXPECT_LE(now, before + way + 2e-3 * scene.spacing) << sample << ", " << m;
+          n_touching += now > 0.;
+          before = now;
+        }
+    }
+  EXPECT_GT(n_touching, 5000u);
+}
+
 // Come through a thin plate near its rim, and out past that: the plane of the edge goes on there, and gives all back.
 TEST(FreeEdge, WhatHasComeThroughIsHeldPastTheRim)
 {
