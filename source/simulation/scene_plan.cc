@@ -153,18 +153,9 @@ namespace birdstrike
     const auto waits = [](const Projectile &each) { return each.waits(); };
     if (std::ranges::none_of(birds, waits))
       return;
-    Box              box; // of the blade, now and after two steps: the next one is hardly longer than the last
     const FacetsView facets = blade->facets();
-    for (std::size_t f = 0; f < facets.n_facets; ++f)
-      for (const std::uint32_t n : facets.nodes[f])
-        {
-          const Point3 x(facets.position + 3 * n);
-          const Point3 then = x + 2. * latest.step * Point3(facets.velocity + facets.velocity_stride * n);
-          box.add(x.data(), facets.half_thickness[f]);
-          box.add(then.data(), facets.half_thickness[f]);
-        }
     for (Projectile &each : birds)
-      if (each.waits() && each.wake(facets, box, latest.step, now))
+      if (each.waits() && each.wake(facets, latest.step, now))
         largest_bird_step = std::min(largest_bird_step, each.bird->shocked_step(each.first_touch.closing_speed));
   }
 } // namespace birdstrike

@@ -80,16 +80,20 @@ namespace birdstrike
     aim        = compute_aim(*this, blade);
   }
 
-  bool Projectile::wake(const FacetsView &facets, const Box &blade, const double step, const double now)
+  bool Projectile::wake(const FacetsView &facets, const double step, const double now)
   {
-    const double way   = 2. * step;
-    Box          swept = extent;
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        swept.low[d] += std::min(0., way * parameters.velocity[d]);
-        swept.high[d] += std::max(0., way * parameters.velocity[d]);
-      }
-    if (facets.n_facets > 0 && swept.separation(blade) > reach * bird->points().spacing)
+    // what the blade reaches as the bird sees it, now and after two steps: the next one is hardly longer than the last
+    const Point3 own(parameters.velocity.data());
+    Box          blade;
+    for (std::size_t f = 0; f < facets.n_facets; ++f)
+      for (const std::uint32_t n : facets.nodes[f])
+        {
+          const Point3 x(facets.position + 3 * n);
+          const Point3 then = x + 2. * step * (Point3(facets.velocity + facets.velocity_stride * n) - own);
+          blade.add(x.data(), facets.half_thickness[f]);
+          blade.add(then.data(), facets.half_thickness[f]);
+        }
+    if (facets.n_facets > 0 && extent.separation(blade) > reach * bird->points().spacing)
       return false;
     wake(now);
     return true;

@@ -72,7 +72,7 @@ namespace birdstrike
 
     /// Waits no longer if the blade is so near, or anyway; `step` (s): the longest that the next one may be, `now` (s
     /// since the clock started). Returns whether it has been woken.
-    bool wake(const FacetsView &facets, const Box &blade, double step, double now);
+    bool wake(const FacetsView &facets, double step, double now);
     void wake(double now);
 
     void drift(double step); ///< s
