@@ -54,9 +54,9 @@ namespace birdstrike
   ///
   /// Solved is h(chi) = 1/q(chi) - 1/s_y(p + chi q) = 0, nearly linear in chi (exactly so for nu = 1/2 and perfect
   /// plasticity), by Newton from the solution for nu = 1/2 and perfect plasticity, on the side of the reference rate
-  /// where its zero lies. All lanes iterate until the last has |q/s_y - 1| < 1e-13; three steps suffice without rate
-  /// dependence, 30 are the limit. Lanes with q <= yield keep their stress. `yield` is the static flow stress at `p`
-  /// (softened), `stress` trial in, admissible out (Pa).
+  /// where its zero lies. A lane keeps chi once |q/s_y - 1| < 1e-13, so that its answer does not depend on the others;
+  /// three steps suffice without rate dependence, 30 are the limit. Lanes with q <= yield keep their stress. `yield` is
+  /// the static flow stress at `p` (softened), `stress` trial in, admissible out (Pa).
   template <class Number>
   inline PlasticIncrement<Number> plane_stress_return(const Elasticity &elasticity, const Hardening &hardening,
                                                       const Number &p, const Number &yield, const Number &softening,
@@ -87,13 +87,14 @@ namespace birdstrike
         trial.compute_stress(chi, q, dq);
         flow                  = compute_flow_stress(hardening, p, Number(chi * q), dt, softening, fast);
         const Number residual = q - flow.value;
-        if (iteration == 30 || !any(yields && (abs(residual) > 1e-13 * flow.value)))
+        const auto   open     = yields && (abs(residual) > 1e-13 * flow.value);
+        if (iteration == 30 || !any(open))
           break;
         // h = 1/q - 1/s, h' = -q'/q^2 + s' (q + chi q')/s^2
         const Number s2 = flow.value * flow.value, q2 = q * q;
         const Number step = q * flow.value * residual / (-dq * s2 + flow.slope * (q + chi * dq) * q2);
         // never more than nine tenths of the way back to zero: chi > 0
-        chi = select(yields, max(Number(chi + step), Number(0.1 * chi)), Number(0.));
+        chi = select(open, max(Number(chi + step), Number(0.1 * chi)), chi);
       }
     const Number f = Number(1.) / (Number(1.) + trial.a * chi), g = Number(1.) / (Number(1.) + trial.b * chi);
     stress[0] = select(yields, 0.5 * (sum * f + difference * g), stress[0]);

@@ -62,9 +62,9 @@ namespace birdstrike
 
   /// Solves q_trial - 3 G dp = s_y(p + dp) for the plastic strain dp of a step (Wilkins 1964; Simo & Hughes 1998, box
   /// 3.1), where q_trial (Pa) exceeds `yield`, the static flow stress at `p`. Newton's steps from perfect plasticity on
-  /// a function that is convex or straight on the side of the reference rate where its zero lies; all lanes go on until
-  /// the last has |f| < 1e-13 s_y. With linear hardening that is the second look, with a rate term at most the
-  /// eleventh; 50 are the limit.
+  /// a function that is convex or straight on the side of the reference rate where its zero lies; a lane keeps dp once
+  /// |f| < 1e-13 s_y, so that its answer does not depend on the others. With linear hardening that is the second look,
+  /// with a rate term at most the eleventh; 50 are the limit.
   template <class Number>
   inline PlasticIncrement<Number>
   compute_radial_increment(const Elasticity &elasticity, const Hardening &hardening, const Number &p,
@@ -80,10 +80,11 @@ namespace birdstrike
       {
         flow                  = compute_flow_stress(hardening, p, dp, dt, softening, fast);
         const Number residual = q_trial - three_g * dp - flow.value;
-        if (iteration == 50 || !any(yields && (abs(residual) > 1e-13 * flow.value)))
+        const auto   open     = yields && (abs(residual) > 1e-13 * flow.value);
+        if (iteration == 50 || !any(open))
           break;
         // never more than nine tenths of the way back to zero: dp > 0
-        dp = select(yields, max(Number(dp + residual / (three_g + flow.slope)), Number(0.1 * dp)), Number(0.));
+        dp = select(open, max(Number(dp + residual / (three_g + flow.slope)), Number(0.1 * dp)), dp);
       }
     return {dp, select(yields, flow.value, yield), flow.slope};
   }

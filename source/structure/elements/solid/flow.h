@@ -63,12 +63,13 @@ namespace birdstrike
           q                     = sqrt(q2);
           flow                  = compute_flow_stress(hardening, p, Number(chi * q), dt, softening, fast);
           const Number residual = q - flow.value;
-          if (iteration == 30 || !any(yields && (abs(residual) > 1e-13 * flow.value)))
+          const auto   open     = yields && (abs(residual) > 1e-13 * flow.value);
+          if (iteration == 30 || !any(open))
             break;
           // h = 1/q - 1/s, q' = -slope/q, h' = -q'/q^2 + s' (q + chi q')/s^2; never more than nine tenths back to zero
           const Number s2 = flow.value * flow.value, dq = -slope / q;
           const Number step = q * flow.value * residual / (-dq * s2 + flow.slope * (q + chi * dq) * q2);
-          chi               = select(yields, max(Number(chi + step), Number(0.1 * chi)), Number(0.));
+          chi               = select(open, max(Number(chi + step), Number(0.1 * chi)), chi);
         }
       strain       = select(yields, Number(chi * q), Number(0.));
       stress       = flow.value;
