@@ -36,6 +36,28 @@ namespace birdstrike
     return ShellGeometry<Lanes>::of_modes({x.m0, x.m1 - half * u.m1, x.m2 - half * u.m2, x.m3 - half * u.m3}, normal);
   }
 
+  /// Increments of the directors over a step, by modes.
+  [[gnu::always_inline]] inline ShellModes<Lanes> turn_directors(const ShellGeometry<Lanes> &midpoint,
+                                                                 const BatchNodes           &nodes)
+  {
+    Corners turned;
+    for (int i = 0; i < 4; ++i)
+      turned[i] = nodes.rotation[i].cross(midpoint.director[i]);
+    return ShellModes<Lanes>::of_corners(turned);
+  }
+
+  /// Its transpose: forces (N) and moments (N m) at the corners from forces f on the modes of the middle and fd on
+  /// those of the directors.
+  [[gnu::always_inline]] inline void sum_corner_forces(const ShellGeometry<Lanes> &end, const ShellModes<Lanes> &f,
+                                                       const ShellModes<Lanes> &fd, Corners (&force)[2])
+  {
+    Corners director_force;
+    f.sum_at_corners(force[0]);
+    fd.sum_at_corners(director_force);
+    for (int i = 0; i < 4; ++i)
+      force[1][i] = end.director[i].cross(director_force[i]);
+  }
+
   [[gnu::always_inline]] inline void store_corner_forces(const Corners (&force)[2],
                                                          const std::uint32_t (&corner)[4][n_lanes], Row *rows)
   {

@@ -1,6 +1,4 @@
-#include "structure/elements/shell/batch.h"
-
-#include "structure/elements/shell/full_integration.h"
+#include "structure/elements/shell/full_integration_loop.h"
 #include "structure/elements/shell/step_bound.h"
 
 #include <algorithm>
@@ -34,13 +32,8 @@ namespace birdstrike
     const auto           u        = ShellModes<Lanes>::of_corners(nodes.increment);
     const auto           midpoint = compute_midpoint(x, u, nodes.midpoint_normal);
     PlaneGeometry<Lanes> plane(midpoint, poisson);
-    Corners              director;
-    for (int i = 0; i < 4; ++i)
-      director[i] = nodes.rotation[i].cross(midpoint.director[i]);
     SectionVector<Lanes> section_of_point[n_points];
-    compute_point_strains(plane, full_integration::DirectorGradient<Lanes>(midpoint),
-                          full_integration::compute_strains(midpoint, u, ShellModes<Lanes>::of_corners(director)),
-                          section_of_point);
+    full_integration::compute_strain_increments(plane, midpoint, u, nodes, section_of_point);
 
     SectionVector<Lanes> strain[n_points]; // kept where something may fail
     if (erosion)
@@ -77,18 +70,10 @@ namespace birdstrike
     plane          = PlaneGeometry<Lanes>(end, poisson);
     batch.bound = compute_eigenvalue_bound<true>(end, thickness, batch.inverse_mass, batch.radius2, law, contraction);
     chunk.bound = max(chunk.bound, Lanes(batch.owned * batch.bound));
-    ShellModes<Lanes> f, fd;
-    Corners           force[2];
-    full_integration::compute_mode_forces(
-      end, integrate_resultants(plane, full_integration::DirectorGradient<Lanes>(end), section_of_point), f, fd);
-    f.sum_at_corners(force[0]);
-    fd.sum_at_corners(director);
-    for (int i = 0; i < 4; ++i)
-      force[1][i] = end.director[i].cross(director[i]);
+    Corners force[2];
+    full_integration::compute_corner_forces(plane, end, section_of_point, force);
     store_corner_forces(force, batch.corner, place.corner_force);
-
-    if (!all(is_finite(force, batch.bound) && (end.area > Lanes(0.)) && looks_along(nodes.normal, end.e3) &&
-             (plane.smallest_jacobian > Lanes(0.))))
+    if (!full_integration::is_sound(plane, end, nodes.normal, force, batch.bound))
       report_failure(b);
   }
 } // namespace birdstrike

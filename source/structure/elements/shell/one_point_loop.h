@@ -13,12 +13,7 @@ namespace birdstrike
                             const double hourglass_coefficient, const ShellModes<Lanes> &u, const BatchNodes &nodes)
   {
     if constexpr (physical)
-      {
-        Corners director;
-        for (int i = 0; i < 4; ++i)
-          director[i] = nodes.rotation[i].cross(midpoint.director[i]);
-        return physical_shell::compute_strains(midpoint, u, ShellModes<Lanes>::of_corners(director));
-      }
+      return physical_shell::compute_strains(midpoint, u, turn_directors(midpoint, nodes));
     else
       return BelytschkoTsay<Lanes>(midpoint, thickness, hourglass_coefficient)
         .compute_strains(nodes.increment, nodes.rotation, nodes.midpoint_normal);
@@ -33,12 +28,8 @@ namespace birdstrike
     if constexpr (physical)
       {
         ShellModes<Lanes> f, fd;
-        Corners           director_force;
         physical_shell::compute_mode_forces(end, resultants, f, fd);
-        f.sum_at_corners(force[0]);
-        fd.sum_at_corners(director_force);
-        for (int i = 0; i < 4; ++i)
-          force[1][i] = end.director[i].cross(director_force[i]);
+        sum_corner_forces(end, f, fd, force);
       }
     else
       BelytschkoTsay<Lanes>(end, stress.thickness, hourglass_coefficient)

@@ -1,6 +1,6 @@
 #include "structure/elements/shell/one_point_loop.h"
 
-#include "structure/elements/shell/full_integration.h"
+#include "structure/elements/shell/full_integration_loop.h"
 #include "structure/elements/shell/laminate/bound.h"
 
 // The loops over batches of laminated shells: as those of metals (loops.cc, full_integration.cc), with the section's
@@ -98,13 +98,8 @@ namespace birdstrike
     const auto           u        = ShellModes<Lanes>::of_corners(nodes.increment);
     const auto           midpoint = compute_midpoint(x, u, nodes.midpoint_normal);
     PlaneGeometry<Lanes> plane(midpoint, element.lateral, element.skew);
-    Corners              director;
-    for (int i = 0; i < 4; ++i)
-      director[i] = nodes.rotation[i].cross(midpoint.director[i]);
     SectionVector<Lanes> section_of_point[n_points];
-    compute_point_strains(plane, full_integration::DirectorGradient<Lanes>(midpoint),
-                          full_integration::compute_strains(midpoint, u, ShellModes<Lanes>::of_corners(director)),
-                          section_of_point);
+    full_integration::compute_strain_increments(plane, midpoint, u, nodes, section_of_point);
 
     const LaminateAxes<Lanes> middle(midpoint, element);
     LaminateState<Lanes>      old[n_points];
@@ -138,18 +133,10 @@ namespace birdstrike
     batch.bound = compute_laminate_bound<true>(end, thickness, batch.inverse_mass, batch.radius2, *laminate->law,
                                                element, axes, contraction);
     chunk.bound = max(chunk.bound, Lanes(batch.owned * batch.bound));
-    ShellModes<Lanes> f, fd;
-    Corners           force[2];
-    full_integration::compute_mode_forces(
-      end, integrate_resultants(plane, full_integration::DirectorGradient<Lanes>(end), section_of_point), f, fd);
-    f.sum_at_corners(force[0]);
-    fd.sum_at_corners(director);
-    for (int i = 0; i < 4; ++i)
-      force[1][i] = end.director[i].cross(director[i]);
+    Corners force[2];
+    full_integration::compute_corner_forces(plane, end, section_of_point, force);
     store_corner_forces(force, batch.corner, place.corner_force);
-
-    if (!all(is_finite(force, batch.bound) && (end.area > Lanes(0.)) && looks_along(nodes.normal, end.e3) &&
-             (plane.smallest_jacobian > Lanes(0.))))
+    if (!full_integration::is_sound(plane, end, nodes.normal, force, batch.bound))
       report_failure(b);
   }
 } // namespace birdstrike
