@@ -156,10 +156,25 @@ namespace birdstrike
                        n, facets.n_facets)});
     }
 
+    /// Of the diameter, or of a thinner slice.
+    double count_particles_across(const Projectile &projectile)
+    {
+      const BirdParameters &bird    = projectile.parameters;
+      const Packing        &packing = projectile.bird->packing();
+      return std::min(packing.diameter, bird.is_slice() ? packing.length : INFINITY) / bird.spacing;
+    }
+
     void check_aim(const Projectile &projectile, Warnings &warnings)
     {
       const BirdParameters &bird  = projectile.parameters;
       const double          share = projectile.first_touch.share_in_the_way;
+      if (share > 0.02 && share < 0.98)
+        warnings.push_back({"bird/cut_by_edge",
+                            fmt::format("An edge of the blade cuts the bird: impulse, deflection and plastic work come "
+                                        "near their values only with the first order of the particle spacing ({:.0f} "
+                                        "particles across section '{}'), mostly from above. An error bar comes from "
+                                        "'birdstrike converge FILE.prm --vary particles'.",
+                                        count_particles_across(projectile), bird.section)});
       if (share < 0.98)
         warnings.push_back({"bird/misses_in_part",
                             "Only " + format_share(share) + " of the mass of section '" + bird.section +
@@ -186,9 +201,8 @@ namespace birdstrike
       if (projectile.contact)
         check_aim(projectile, warnings);
       check_arrival(projectile, end_time, warnings);
-      const BirdParameters &bird    = projectile.parameters;
-      const Packing        &packing = projectile.bird->packing();
-      const double across = std::min(packing.diameter, bird.is_slice() ? packing.length : INFINITY) / bird.spacing;
+      const BirdParameters &bird   = projectile.parameters;
+      const double          across = count_particles_across(projectile);
       if (bird.shape != BirdShape::slab && across < 8.)
         warnings.push_back({"bird/coarse", fmt::format("{:.1f} particles across the bird: impulse and deflection are "
                                                        "within a percent from about ten on, where an edge cuts the "
