@@ -168,7 +168,7 @@ namespace birdstrike
     {
       const BirdParameters &bird  = projectile.parameters;
       const double          share = projectile.first_touch.share_in_the_way;
-      if (share > 0.02 && share < 0.98)
+      if (is_cut_by_edge(share))
         warnings.push_back({"bird/cut_by_edge",
                             fmt::format("An edge of the blade cuts the bird: impulse, deflection and plastic work come "
                                         "near their values only with the first order of the particle spacing ({:.0f} "

@@ -184,8 +184,7 @@ namespace birdstrike
 
     void add_mass_in_the_way(TextTable &table, const double share, const BirdParameters &bird)
     {
-      const bool is_cut        = share > 0.02 && share < 0.98,
-                 may_lie_along = bird.roll == 0. && bird.shape != BirdShape::slab;
+      const bool is_cut = is_cut_by_edge(share), may_lie_along = bird.roll == 0. && bird.shape != BirdShape::slab;
       table.add("mass in the way of the blade",
                 format_share(share) + ", by straight paths to its outline" +
                   (is_cut && may_lie_along ? "; rows of particles may lie along an edge: see Roll" : ""));
@@ -223,17 +222,32 @@ namespace birdstrike
         }
       table.add("field files, before compression, at most", format_bytes(compute_field_bytes(parameters, scene)));
     }
+
+    /// How long a particle is computed in the mean, s: it arrives, and crosses the blade at the bird's speed before it
+    /// is removed. In shipped strikes (frontal, oblique, fan-blade, large-bird) they stayed for 2.1, 1.4, 1.8, 1.1 ms.
+    double compute_bird_time(const Projectile &projectile, const Scene &scene, const double end_time)
+    {
+      const BirdParameters &bird  = projectile.parameters;
+      const StrikeAim      &aim   = projectile.aim;
+      const double          whole = std::max(end_time - bird.arrival, 0.);
+      if (!projectile.contact || !bird.retire || !(aim.speed > 0.) || std::isnan(aim.duration))
+        return whole;
+      const Box    blade = scene.compute_reach_of_blade(0., 0.);
+      const double across =
+        std::hypot(blade.high[0] - blade.low[0], blade.high[1] - blade.low[1], blade.high[2] - blade.low[2]);
+      return std::min(whole, 0.5 * aim.duration + across / aim.speed);
+    }
   } // namespace
 
   double compute_run_time(const CaseParameters &parameters, const Scene &scene)
   {
     const Schedule &schedule = scene.last_plan();
-    double          ns       = 0.; // of a step
+    double          ns       = 0.; // over the time of a step
     for (const Projectile &each : scene.birds)
-      ns += schedule.n_bird * each.bird->step_price();
+      ns += compute_bird_time(each, scene, parameters.time.end_time) * schedule.n_bird * each.bird->step_price();
     if (scene.blade)
-      ns += schedule.n_blade * scene.blade->prices().of_step;
-    return 1e-9 * ns * std::ceil(parameters.time.end_time / schedule.step);
+      ns += parameters.time.end_time * schedule.n_blade * scene.blade->prices().of_step;
+    return 1e-9 * ns / schedule.step;
   }
 
   double compute_field_bytes(const CaseParameters &parameters, const Scene &scene)

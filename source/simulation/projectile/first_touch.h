@@ -19,6 +19,12 @@ namespace birdstrike
     double share_in_the_way = 0.; ///< of the bird's mass, by straight paths from there (contact/mass_in_the_way.h)
   };
 
+  /// Whether an edge of the blade cuts a bird of which this share of the mass is in the way: more than grazes or passes.
+  constexpr bool is_cut_by_edge(const double share_in_the_way)
+  {
+    return share_in_the_way > 0.02 && share_in_the_way < 0.98;
+  }
+
   /// Moves the bird in closed form to where its first particle touches the blade as it lies at the start, along its
   /// velocity relative to the blade's node nearest to the aim point: a blade that moves as a whole is met as in its own
   /// frame. Without a stand-off of the user's, a bird that would have touched before its automatic start (at grazing

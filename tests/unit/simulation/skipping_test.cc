@@ -2,7 +2,9 @@
 
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/simulation/commands.h>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -97,6 +99,23 @@ TEST(Skipping, ABirdThatCanGiveNothingMoreIsDropped)
   EXPECT_LT(dropped.summary.number("momentum/max_relative_error"), 1e-8);
   EXPECT_LT(dropped.summary.number("energy/max_relative_error"), 5e-3);
   EXPECT_EQ(dropped.summary.number("energy/parts/bird_kinetic"), 0.);
+}
+
+// The forecast is no simulation: within a factor of 1.5 of how long particles were computed in the mean.
+TEST(Skipping, TheForecastOfTheRunTimeKnowsWhenParticlesLeave)
+{
+  const double end      = 7e-3;
+  const auto   forecast = [](const double end_time, const std::string &retires) {
+    return forecast_run_time(BIRDSTRIKE_SOURCE_DIR "/prm/quickstart.prm",
+                               {"Bird/Particle spacing=0.005", "Blade/Mesh/Elements along span=20",
+                              "Blade/Mesh/Elements along chord=6", "Bird/Retire=" + retires,
+                              fmt::format("Time/End time={:g}", end_time)});
+  };
+  const double of_blade = forecast(2. * end, "true") - forecast(end, "true"); // by then the bird has gone
+  const double share    = (forecast(end, "true") - of_blade) / (forecast(end, "false") - of_blade);
+  const Strike run      = run_coarse({fmt::format("Time/End time={:g}", end), "Time/Bird phase tolerance=0"});
+  const double all      = run.summary.number("bird/particles") * run.summary.number("steps/bird");
+  EXPECT_NEAR(std::log(share / (1. - count_of(run, "removed particles") / all)), 0., std::log(1.5));
 }
 
 TEST(Skipping, AStopAtTheTipPeakReportsWhatTheFullRunDoes)
