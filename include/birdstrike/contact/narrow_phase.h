@@ -38,8 +38,9 @@ namespace birdstrike
   /// offset g = t/2 + V^(1/3)/2,  d = g - s.
   ///
   /// *Side.* The sign is that of the closest facet's normal; where facets tie at a common edge, that of the facet seen
-  /// least edge-on (the angle-weighted pseudo-normal of Baerentzen and Aanaes 2005 decides alike at an edge). It is
-  /// remembered per point and place of the surface (the facet's nodes; elsewhere on the same piece a side gives no
+  /// least edge-on (the angle-weighted pseudo-normal of Baerentzen and Aanaes 2005 decides alike at an edge), of a
+  /// second touch too. Distances tie within 1e-9 of the range: round-off of positions 1000 m away is a tenth of it. It
+  /// is remembered per point and place of the surface (the facet's nodes; elsewhere on the same piece a side gives no
   /// depth that was not flown) while the point is near: a fast point that has come through the middle surface is pushed
   /// back to where it came from. Beyond a free edge there is no side: from there a point may pass to the other.
   ///
@@ -83,6 +84,7 @@ namespace birdstrike
   private:
     struct Group;
     void          decide(const ContactScene &scene, const Group &group, PointMemory &memory);
+    bool          is_before(std::uint32_t k, std::uint32_t best) const; // as the nearest one, or among equals
     std::uint32_t nearest(const Group &group) const;
     std::uint32_t way_in(const Group &group, const ContactScene &scene, std::uint32_t closest,
                          const PointRecord &before) const;
@@ -102,5 +104,6 @@ namespace birdstrike
     std::vector<TouchingPair> touching;
     std::size_t               n_active_points = 0;
     CandidateBlock           *block           = nullptr; // in work
+    double                    tied            = 0.;      // m, difference of equal distances
   };
 } // namespace birdstrike

@@ -11,7 +11,7 @@ namespace birdstrike
   namespace
   {
     constexpr double share_starts_at = 0.5, share_is_full_at = 0.2; // cosines between two touching directions
-    constexpr double tie           = 1e-9;                          // relative difference of equal distances
+    constexpr double tie           = 1e-9; // difference of equal distances over the range, of equal heights relative
     constexpr double looks_outward = 0.25; // cosine between a facet's normal and where a point came from
 
     /// m, from where on a point is looked at that moves by `way` in a step. Pairs are listed up to one step's way
@@ -54,6 +54,7 @@ namespace birdstrike
     touching.clear();
     n_active_points = 0;
     block           = &present;
+    tied            = tie * scene.range;
     if (present.is_new)
       keep_passed_awake(scene, memory);
     const double reach = looked_at_from(scene, std::max(present.step_motion, scene.step * present.speed));
@@ -73,18 +74,18 @@ namespace birdstrike
       }
   }
 
+  bool NarrowPhase::is_before(const std::uint32_t k, const std::uint32_t best) const
+  {
+    const double further = pairs.distance[k] - pairs.distance[best];
+    return further < -tied ||
+           (further <= tied && std::abs(pairs.height[k]) > std::abs(pairs.height[best]) * (1. + tie));
+  }
+
   std::uint32_t NarrowPhase::nearest(const Group &group) const
   {
-    double        smallest = pairs.distance[group.begin];
-    std::uint32_t best     = group.begin;
+    std::uint32_t best = group.begin;
     for (std::uint32_t k = group.begin + 1; k < group.end; ++k)
-      if (const double distance = pairs.distance[k]; distance < smallest * (1. - tie))
-        {
-          best     = k;
-          smallest = distance;
-        }
-      else if (distance <= smallest * (1. + tie) &&
-               std::abs(pairs.height[k]) > std::abs(pairs.height[best]) * (1. + tie))
+      if (is_before(k, best))
         best = k;
     return best;
   }
@@ -98,7 +99,7 @@ namespace birdstrike
     const Point3  outward(from[0], from[1], from[2]);
     std::uint32_t best = group.end;
     for (std::uint32_t k = group.begin; k < group.end; ++k)
-      if ((best == group.end || pairs.distance[k] < pairs.distance[best]) &&
+      if ((best == group.end || is_before(k, best)) &&
           compute_area_vector(facet_nodes(scene.facets, facet_of(k))).normalized().dot(outward) > looks_outward)
         best = k;
     return best == group.end ? closest : best;
@@ -114,7 +115,7 @@ namespace birdstrike
       return true;
     };
     for (std::uint32_t k = group.begin; k < group.end; ++k)
-      if (pairs.distance[k] < pairs.distance[place] * (1. - tie) && shares(scene.facets.nodes[facet_of(k)]))
+      if (pairs.distance[k] < pairs.distance[place] - tied && shares(scene.facets.nodes[facet_of(k)]))
         return false;
     return true;
   }
@@ -126,7 +127,7 @@ namespace birdstrike
     const Point3 r1   = pairs.offset_of(first);
     for (std::uint32_t k = group.begin; k < group.end; ++k)
       if (k != first && pairs.distance[k] < reach && (scene.facets.two_sided || pairs.height[k] >= 0.) &&
-          (best < 0 || pairs.distance[k] < pairs.distance[best]) &&
+          (best < 0 || is_before(k, static_cast<std::uint32_t>(best))) &&
           pairs.offset_of(k).dot(r1) < share_starts_at * pairs.distance[k] * pairs.distance[first] &&
           is_local_minimum(group, scene, k))
         best = k;
