@@ -50,17 +50,25 @@ namespace birdstrike
     return 0.75 * size;
   }
 
+  constexpr double level_below = 0.1; ///< w of round_share
+
   /// Share of the stand-off that goes on round a ridge between two faces whose normals part by `angle`: all of it below
-  /// 30 degrees, where a ridge is the facetting of a round surface, none from 90 degrees on.
+  /// 30 degrees, where a ridge is the facetting of a round surface, none from 90 degrees on. In between it is
+  /// c = cos(angle)/cos(30 degrees), but for c < w = 0.1, from 85 degrees on, c^2 (2 w - c)/w^2, which is as steep as c
+  /// in w and level in 0: edges of boxes are right angles but for round-off, which must not say whether the depth
+  /// follows the angle.
   inline double round_share(const double angle)
   {
-    return std::clamp(std::cos(angle) / std::cos(std::numbers::pi / 6.), 0., 1.);
+    const double c = std::clamp(std::cos(angle) / std::cos(std::numbers::pi / 6.), 0., 1.), w = level_below;
+    return c < w ? c * c * (2. * w - c) / (w * w) : c;
   }
 
   /// Its derivative by the angle, 1/rad.
   inline double round_share_slope(const double angle)
   {
-    const double share = round_share(angle);
-    return share > 0. && share < 1. ? -std::sin(angle) / std::cos(std::numbers::pi / 6.) : 0.;
+    const double c = std::cos(angle) / std::cos(std::numbers::pi / 6.), w = level_below;
+    if (!(c > 0. && c < 1.))
+      return 0.;
+    return (c < w ? c * (4. * w - 3. * c) / (w * w) : 1.) * -std::sin(angle) / std::cos(std::numbers::pi / 6.);
   }
 } // namespace birdstrike
