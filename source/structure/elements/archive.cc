@@ -24,6 +24,10 @@ namespace birdstrike
       nodes.archive(row, n);
       std::copy(position + 3 * n, position + 3 * n + 3, nodes.records[n].position);
     });
+    if constexpr (requires(Group & group) { group.take_up_positions(); })
+      if (archive.is_reading())
+        for (Group &group : groups)
+          group.take_up_positions();
     archive.entities("work of nodes", node_work.size(),
                      [&](Archive::Row &row, const std::size_t chunk) { row("work", node_work[chunk].value); });
   }

@@ -41,6 +41,7 @@ namespace birdstrike
     for (std::size_t e = 0; e < n_elements(); ++e)
       check_shape(e);
     build_points();
+    build_corners();
     if (section.material.failure.can_fail())
       build_erosion();
   }
@@ -140,7 +141,7 @@ namespace birdstrike
       if (section.formulation == SolidFormulation::b_bar)
         for (int p = 0; p < b_bar_solid::n_points; ++p)
           volume = std::min(volume, b_bar_solid::Jacobian<double>(b_bar_solid::Derivatives<double>(x, p)).det / 64.);
-      return volume;
+      return std::min(volume, smallest_corner(element));
     };
     const auto is_sound = [&](const std::size_t element) {
       double sum = 0.;

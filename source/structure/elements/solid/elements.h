@@ -53,7 +53,7 @@ namespace birdstrike
     double edge_mass(std::size_t element) const; ///< kg, that each node carries for it at least
 
     double elastic_energy() const;   ///< J, of the mean and of points
-    double hourglass_energy() const; ///< J, of the stabilisation
+    double hourglass_energy() const; ///< J, of the stabilisation, and at corners (corner_volume.h)
 
     SolidState state(std::size_t element) const;
     /// xx, yy, zz, xy, yz, zx (Pa) in global axes at a corner (0..7): the mean and what varies within the element.

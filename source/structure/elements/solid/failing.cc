@@ -56,10 +56,14 @@ namespace birdstrike
     own.inverted = Lanes(0.);
     if (section.material.failure.smallest_step == 0.)
       return;
-    Lanes smallest = SolidGeometry<Lanes>(x).det;
+    const SolidGeometry<Lanes> geometry(x);
+    Lanes                      smallest = geometry.det;
     if (section.formulation == SolidFormulation::b_bar)
       for (int p = 0; p < b_bar_solid::n_points; ++p)
         smallest = min(smallest, b_bar_solid::Jacobian<Lanes>(b_bar_solid::Derivatives<Lanes>(x, p)).det);
+    const corner_volume::Shares<Lanes> shares(geometry);
+    for (int i = 0; i < 8; ++i)
+      smallest = select(corner_shares[b].of[i] > Lanes(0.), min(smallest, shares.of[i]), smallest);
     const LanesMask inverted = smallest <= Lanes(0.);
     if (!any(inverted))
       return;
@@ -133,8 +137,8 @@ namespace birdstrike
     LanesMask                 collapses(false);
     if (section.material.failure.smallest_step > 0.)
       collapses = own.inverted > Lanes(0.) ||
-                  (alive && compute_frequency_bound(end, step.stiff_det, batch.inverse_mass, step.drag, law,
-                                                    section.formulation) > of_batch.allowed);
+                  (alive && max(batch.bound, compute_frequency_bound(end, step.stiff_det, batch.inverse_mass, step.drag,
+                                                                     law, section.formulation)) > of_batch.allowed);
     const LanesMask fails =
       alive && (collapses || count_failed(damage.data(), damage.size()) >= Lanes(double(erosion->n_needed)));
     if (any(fails))
@@ -153,6 +157,7 @@ namespace birdstrike
         clear(fails, force);
         clear(fails, step.pressure);
         clear(fails, batch.inverse_mass); // no vote
+        clear(fails, batch.bound);
       }
     // with what `finish` books as viscous
     own.held += 0.5 * dot(force, u) - step.plastic +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "structure/elements/elements.h"
+#include "structure/elements/solid/corner_volume.h"
 #include "structure/elements/solid/erosion.h"
 #include "structure/elements/solid/layers.h"
 #include "structure/elements/solid/nodes.h"
@@ -12,6 +13,8 @@ namespace birdstrike
   {
     Lanes rest_det;         ///< m^3, 64 times the undeformed volume
     Lanes viscous_pressure; ///< Pa
+    Lanes undistorted;      ///< up to which no corner lacks volume, see corner_volume.h
+    Lanes corner_energy;    ///< J, stored there
   };
 
   /// Force (N) on a corner or a node; the fourth number is zero.
@@ -44,6 +47,7 @@ namespace birdstrike
     void update_chunk(std::size_t chunk, double dt);
     void update_bounds_at_rest();
     void archive(Archive &archive); ///< stresses, and what failure needs of them
+    void take_up_positions();       ///< those of the nodes as they have been read
     auto changing()                 ///< see Elements::save
     {
       return std::tuple_cat(ElementGroup::changing(), std::tie(points, layers, stabilisation));
@@ -95,11 +99,21 @@ namespace birdstrike
                                                 const SolidModes<Lanes> &end);
     template <bool can_fail>
     void update_b_bar(std::size_t batch, double dt, ElementChunk &chunk);
-    void finish(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &force, const Step &step,
-                ElementChunk &chunk);
+    void hold_shape(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &u, const Step &step,
+                    double dt, SolidModes<Lanes> &force);
+    /// Sets the energy of the batch and raises its bound.
+    SolidModes<Lanes> hold_corners(std::size_t batch, const SolidModes<Lanes> &end, const SolidModes<Lanes> &u,
+                                   double dt);
+    SolidModes<Lanes> modes_of_batch(std::size_t batch) const;
+    corner_volume::Shares<Lanes>   shares_at_rest(std::size_t batch) const; ///< 0 of what has failed
+    corner_volume::Pressure<Lanes> corner_pressure(std::size_t batch, const SolidGeometry<Lanes> &geometry) const;
+    void                           build_corners();
+    double smallest_corner(std::size_t element) const; ///< m^3, the volume by the worst corner that had one at rest
+    void   finish(std::size_t batch, const SolidGeometry<Lanes> &end, const SolidModes<Lanes> &force, const Step &step,
+                  ElementChunk &chunk);
     /// The bound with scaled masses: a function of its own, for what does not happen shall cost no register.
     Lanes  compute_scaled_frequency(const SolidModes<Lanes> &modes, const Lanes &rest_det, const Lanes &inverse_mass,
-                                    const Lanes &drag, const MassFactors<Lanes> &factors) const;
+                                    const Lanes &drag, const MassFactors<Lanes> &factors, Lanes *shape = nullptr) const;
     double compute_frequency_at_rest(std::size_t element, double inverse_mass) const;
     void   build_erosion();
     /// Position at the end and increment of the corners (m): what is turned inside out becomes a cube at rest.
@@ -112,10 +126,11 @@ namespace birdstrike
                   SolidModes<Lanes> &force, Step &step);
     [[noreturn]] void report_failure(std::size_t batch) const;
 
-    SolidLaw                     law;
-    std::vector<std::uint8_t>    thickness_axis; ///< [n_elements] of solid-shells, in the mesh's cells
-    AlignedVector<Lanes>         rest_det;       ///< of B-bar: as `points`, times 512, m^3
-    AlignedVector<Stabilisation> stabilisation;  ///< [n_batches], not of B-bar
-    ThicknessPoints              rule;           ///< of solid-shells
+    SolidLaw                                    law;
+    std::vector<std::uint8_t>                   thickness_axis; ///< [n_elements] of solid-shells, in the mesh's cells
+    AlignedVector<Lanes>                        rest_det;       ///< of B-bar: as `points`, times 512, m^3
+    AlignedVector<Stabilisation>                stabilisation;  ///< [n_batches], not of B-bar
+    AlignedVector<corner_volume::Shares<Lanes>> corner_shares;  ///< [n_batches], at rest
+    ThicknessPoints                             rule;           ///< of solid-shells
   };
 } // namespace birdstrike

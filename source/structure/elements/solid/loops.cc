@@ -110,6 +110,7 @@ namespace birdstrike
       stress[c] = inverse_ratio * points[b].stress[c];
     add_pressure(step.pressure, stress);
     SolidModes<Lanes> force = compute_mode_forces(end, step.stiff_det, stress, stabilisation[b]);
+    hold_shape(b, end, u, step, dt, force);
     if constexpr (can_fail)
       release(b, end, u, force, step);
     finish(b, end, force, step, chunk);
@@ -159,9 +160,39 @@ namespace birdstrike
     const Lanes          none = select(smallest > Lanes(0.), Lanes(0.), Lanes(std::nan(""))); // reported in `finish`
     const Matrix3<Lanes> volumetric = Vector3<Lanes>::Constant(Lanes(scaled + none)).asDiagonal();
     end.add_mean_forces(volumetric, force);
+    hold_shape(b, end, u, step, dt, force);
     if constexpr (can_fail)
       release(b, end, u, force, step);
     finish(b, end, force, step, chunk);
+  }
+
+  /// The bound on the step, and what keeps corners from turning inside out.
+  [[gnu::always_inline]] inline void SolidGroup::hold_shape(const std::size_t b, const SolidGeometry<Lanes> &end,
+                                                            const SolidModes<Lanes> &u, const Step &step,
+                                                            const double dt, SolidModes<Lanes> &force)
+  {
+    Batch &batch = batches[b];
+    Lanes  distortion;
+    if (mass_factors.empty())
+      batch.bound = compute_frequency_bound(end, step.stiff_det, batch.inverse_mass, step.drag, law,
+                                            section.formulation, {}, &distortion);
+    else
+      {
+        const SolidModes<Lanes> copy = end.x; // only this goes to memory
+        batch.bound =
+          compute_scaled_frequency(copy, step.stiff_det, batch.inverse_mass, step.drag, mass_factors[b], &distortion);
+      }
+    batch.corner_energy = 0.;
+    if (any(distortion > batch.undistorted)) [[unlikely]]
+      {
+        const SolidModes<Lanes> copy = end.x, way = u, more = hold_corners(b, copy, way, dt);
+        for (int k = 0; k < 3; ++k)
+          {
+            force.linear[k] += more.linear[k];
+            force.twist[k] += more.twist[k];
+          }
+        force.last += more.last;
+      }
   }
 
   [[gnu::always_inline]] inline void SolidGroup::finish(const std::size_t b, const SolidGeometry<Lanes> &end,
@@ -169,15 +200,7 @@ namespace birdstrike
                                                         ElementChunk &chunk)
   {
     Batch &batch = batches[b];
-    if (mass_factors.empty())
-      batch.bound =
-        compute_frequency_bound(end, step.stiff_det, batch.inverse_mass, step.drag, law, section.formulation);
-    else
-      {
-        const SolidModes<Lanes> copy = end.x; // only this goes to memory
-        batch.bound = compute_scaled_frequency(copy, step.stiff_det, batch.inverse_mass, step.drag, mass_factors[b]);
-      }
-    chunk.bound = max(chunk.bound, Lanes(batch.owned * batch.bound));
+    chunk.bound  = max(chunk.bound, Lanes(batch.owned * batch.bound));
     Corners corner;
     force.sum_at_corners(corner);
     store_corner_forces(corner, batch.corner, place.corner_force);

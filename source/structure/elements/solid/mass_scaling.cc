@@ -28,20 +28,19 @@ namespace birdstrike
 
   Lanes SolidGroup::compute_scaled_frequency(const SolidModes<Lanes> &modes, const Lanes &rest_det,
                                              const Lanes &inverse_mass, const Lanes &drag,
-                                             const MassFactors<Lanes> &factors) const
+                                             const MassFactors<Lanes> &factors, Lanes *const shape) const
   {
     const SolidGeometry<Lanes> geometry(modes);
-    return compute_frequency_bound(geometry, rest_det, inverse_mass, drag, law, section.formulation, factors);
+    const Lanes                bound =
+      compute_frequency_bound(geometry, rest_det, inverse_mass, drag, law, section.formulation, factors, shape);
+    if (shape) // at least the distortion without factors
+      *shape *= factors.axis[0] * factors.axis[1] * factors.axis[2];
+    return bound;
   }
 
   Lanes SolidGroup::compute_frequency_at_rest(const std::size_t b, const MassFactors<Lanes> &factors) const
   {
-    Vector3<Lanes> x[8];
-    for (std::size_t k = 0; k < n_lanes; ++k)
-      for (int i = 0; i < 8; ++i)
-        for (int c = 0; c < 3; ++c)
-          x[i][c][k] = place.records[place.cells[element_of(b * n_lanes + k)][i]].position[c];
-    const SolidModes<Lanes> modes(x);
+    const SolidModes<Lanes> modes = modes_of_batch(b);
     Lanes                   drag;
     law.compute_viscous_pressure(Lanes(0.), SolidGeometry<Lanes>(modes).compute_height(), drag);
     return compute_scaled_frequency(modes, batches[b].rest_det, batches[b].inverse_mass, drag, factors);

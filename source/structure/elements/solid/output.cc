@@ -90,7 +90,7 @@ namespace birdstrike
   std::size_t SolidGroup::bytes() const
   {
     std::size_t sum = bytes_of_group() + bytes_of(mass_factors) + bytes_of(points) + bytes_of(layers) +
-                      bytes_of(thickness_axis) + bytes_of(rest_det) + bytes_of(stabilisation);
+                      bytes_of(thickness_axis) + bytes_of(rest_det) + bytes_of(stabilisation) + bytes_of(corner_shares);
     for (const auto &of_batch : layers)
       sum += bytes_of(of_batch);
     return sum;

@@ -45,12 +45,12 @@ namespace birdstrike
   /// step where titanium yields, 1.7 % where a thin brick has lost 5 % of its volume.
   ///
   /// `inverse_mass`: 1/(least mass that the nodes carry for the element, kg). `rest_det`
-  /// (m^3) is 64 times the volume that the moduli belong to: the undeformed one.
+  /// (m^3) is 64 times the volume that the moduli belong to: the undeformed one. `shape` gets D.
   template <class Number, class Scaling = Unscaled>
-  [[gnu::always_inline]] inline Number compute_frequency_bound(const SolidGeometry<Number> &g, const Number &rest_det,
-                                                               const Number &inverse_mass, const Number &drag,
-                                                               const SolidLaw &law, const SolidFormulation formulation,
-                                                               const Scaling &scaling = {})
+  [[gnu::always_inline]] inline Number
+  compute_frequency_bound(const SolidGeometry<Number> &g, const Number &rest_det, const Number &inverse_mass,
+                          const Number &drag, const SolidLaw &law, const SolidFormulation formulation,
+                          const Scaling &scaling = {}, Number *const shape = nullptr)
   {
     const double shear = law.elasticity.shear_modulus(), young = law.elasticity.young;
     const double lambda = std::max(0., law.elasticity.bulk_modulus() - 2. / 3. * shear);
@@ -97,6 +97,9 @@ namespace birdstrike
         for (int k = 0; k < 3; ++k)
           distortion += scaling.axis[following(k).i] * scaling.axis[following(k).j] * norm(g.x.twist[k]);
       }
+
+    if (shape)
+      *shape = distortion;
 
     const Number scale = rest_det * inverse_mass; // 64/density
     const Number a     = (lambda + 2. * shear) * first;
