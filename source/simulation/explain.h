@@ -11,8 +11,8 @@ namespace birdstrike
   /// expected steps and run time, memory and bytes on disk. Looks only: a run that was explained first is the same.
   std::string explain(const CaseParameters &parameters, const Scene &scene);
 
-  /// Expected run time on one core (s): steps of the first plan to the end, by their prices; those of the bird until its
-  /// particles should have been removed.
+  /// Expected run time on one core (s): steps of the first plan to the end, by their prices; those of the bird until
+  /// its particles should have been removed.
   double compute_run_time(const CaseParameters &parameters, const Scene &scene);
 
   /// Bytes of all field files before compression, at most.

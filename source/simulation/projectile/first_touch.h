@@ -19,7 +19,8 @@ namespace birdstrike
     double share_in_the_way = 0.; ///< of the bird's mass, by straight paths from there (contact/mass_in_the_way.h)
   };
 
-  /// Whether an edge of the blade cuts a bird of which this share of the mass is in the way: more than grazes or passes.
+  /// Whether an edge of the blade cuts a bird of which this share of the mass is in the way: more than grazes or
+  /// passes.
   constexpr bool is_cut_by_edge(const double share_in_the_way)
   {
     return share_in_the_way > 0.02 && share_in_the_way < 0.98;
