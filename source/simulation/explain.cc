@@ -224,7 +224,7 @@ namespace birdstrike
     }
 
     /// How long a particle is computed in the mean, s: it arrives, and crosses the blade at the bird's speed before it
-    /// is removed. In shipped strikes (frontal, oblique, fan-blade, large-bird) they stayed for 2.1, 1.4, 1.8, 1.1 ms.
+    /// is removed. Measured with coarse particles: frontal 2.1 ms (here 2.05), oblique 1.4 (1.2).
     double compute_bird_time(const Projectile &projectile, const Scene &scene, const double end_time)
     {
       const BirdParameters &bird  = projectile.parameters;
