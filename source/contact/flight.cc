@@ -80,14 +80,14 @@ namespace birdstrike
       }
 
       /// Where the nearest facet's edges let the point in, or past: the offset surface is inside that without edges, so
-      /// the search starts where that is touched. m, negative outside.
+      /// the search starts where that is touched. m, negative outside: where no facet is near, at least that far.
       double depth(const Point3 &p, const double half_size, Point3 &normal) const
       {
         const double margin = half_size + topology.max_half_thickness();
         const Ray    resting{p, Point3::Zero(), 0.};
         double       smallest = never, highest = 0.;
         EdgeTouch    result;
-        result.overlap = -never;
+        result.overlap = -margin;
         for (std::uint32_t f = 0; f < facets.n_facets; ++f)
           {
             if (resting.passage(boxes[f].widened(2. * margin)).is_empty())
@@ -128,7 +128,9 @@ namespace birdstrike
         const double size = ray.half_size + topology.max_half_thickness(), speed = ray.velocity.norm();
         const double tolerance = 1e-13 * (size + (ray.at(time) - ray.origin).norm());
         double       outside   = time;
-        for (unsigned int iteration = 0; iteration < 1000 && time <= last; ++iteration)
+        const double way       = speed > 0. ? speed * (last - time) / size : 0.;
+        const double n_most    = 1000. + (is_convex ? 0. : 50. * way); // steps of 0.02, and Newton's
+        for (double n = 0.; n < n_most && time <= last; ++n)
           {
             Point3       normal = Point3::Zero();
             const double gap    = -depth(ray.at(time), normal);

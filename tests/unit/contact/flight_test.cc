@@ -88,6 +88,19 @@ TEST(Flight, AnOverlapIsFoundWithItsPlace)
   EXPECT_EQ(initial_overlap(clear.points(), clear.facets()).depth, 0.);
 }
 
+// What the edge of one sheet lets past flies on, away from all facets, to another.
+TEST(Flight, PastAnEdgeItGoesOnToWhatIsBehind)
+{
+  for (const double behind : {0.005, 0.1, 2.})
+    {
+      FreeMasses scene;
+      scene.add_plate(8, 8, 2e-3, 2e-3, Point3(-0.016, 0., 0.));
+      scene.add_plate(8, 8, 2e-3, 2e-3, Point3(0., 0., -behind));
+      scene.add_point({Point3(0.9e-3, 7e-3, 0.1), Point3(0., 0., -100.)}); // within g of the edge, not in its way
+      EXPECT_NEAR(time_to_first_touch(scene.points(), scene.facets()), (0.1 + behind - g) / 100., 1e-12) << behind;
+    }
+}
+
 // A warped facet is four triangles: the gap along a path is no convex function, and Newton's step may land behind the
 // first touch. Nothing may overlap before it, whatever the path.
 TEST(Flight, NothingOverlapsBeforeTheFirstTouchOfAWarpedSurface)
