@@ -80,7 +80,8 @@ namespace birdstrike
       }
 
       /// Where the nearest facet's edges let the point in, or past: the offset surface is inside that without edges, so
-      /// the search starts where that is touched. m, negative outside: where no facet is near, at least that far.
+      /// the search starts where that is touched. m, negative outside. Of a point further than twice the margin
+      /// from all facets it is only known to be below minus the margin, which is what it gets.
       double depth(const Point3 &p, const double half_size, Point3 &normal) const
       {
         const double margin = half_size + topology.max_half_thickness();
