@@ -36,13 +36,15 @@ function(birdstrike_room name)
   target_link_libraries(birdstrike_${name} PUBLIC birdstrike_options Eigen3::Eigen ${ROOM_DEPENDS} ${ROOM_LIBRARIES})
 endfunction()
 
-# Unit tests of one room: tests/unit/<room>/*.cc become the executable <room>_tests, one CTest entry per TEST.
+# Unit tests of one room: tests/unit/<room>/*.cc become the executable <room>_tests, one CTest entry per TEST. Those that
+# READ_FILES of the source tree are told where it is; the others compile alike in every clone.
 function(birdstrike_unit_tests name)
-  cmake_parse_arguments(TESTS "" "" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TESTS "READ_FILES" "" "LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/unit/${name}/*.cc)
   add_executable(${name}_tests ${sources})
   target_link_libraries(${name}_tests PRIVATE birdstrike_${name} GTest::gtest_main ${TESTS_LIBRARIES})
-  target_compile_definitions(${name}_tests PRIVATE BIRDSTRIKE_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
-    BIRDSTRIKE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  if(TESTS_READ_FILES)
+    target_compile_definitions(${name}_tests PRIVATE BIRDSTRIKE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  endif()
   gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900)
 endfunction()

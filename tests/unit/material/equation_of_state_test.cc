@@ -23,7 +23,7 @@ namespace
 // Exact Rankine-Hugoniot states of three laws at 13 speeds, tabulated by an independent script to 6 or 5 digits.
 TEST(EquationOfState, ReproducesTheTabulatedHugoniotStates)
 {
-  std::ifstream file(BIRDSTRIKE_TEST_DATA "/hugoniot.csv");
+  std::ifstream file(BIRDSTRIKE_SOURCE_DIR "/tests/data/hugoniot.csv");
   ASSERT_TRUE(file) << "missing hugoniot.csv";
   std::string line;
   std::getline(file, line);

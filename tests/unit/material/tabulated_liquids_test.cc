@@ -63,7 +63,7 @@ namespace
 // Shocks by bisection in the closed form, in decimals (tests/verification/reference/c1_porous_hugoniot.py).
 TEST(PorousLiquid, ReproducesTheTabulatedHugoniotStates)
 {
-  std::ifstream file(BIRDSTRIKE_TEST_DATA "/hugoniot_porous.csv");
+  std::ifstream file(BIRDSTRIKE_SOURCE_DIR "/tests/data/hugoniot_porous.csv");
   ASSERT_TRUE(file) << "missing hugoniot_porous.csv";
   std::string line;
   std::getline(file, line);
