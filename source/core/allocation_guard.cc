@@ -30,6 +30,19 @@ namespace
       depths[k] = ::backtrace(stacks[k].data(), n_frames);
   }
 
+  void *allocate(const std::size_t size)
+  {
+    count_one();
+    return std::malloc(std::max<std::size_t>(size, 1));
+  }
+
+  void *allocate(const std::size_t size, const std::align_val_t alignment)
+  {
+    count_one();
+    const auto unit = static_cast<std::size_t>(alignment);
+    return std::aligned_alloc(unit, (std::max<std::size_t>(size, 1) + unit - 1) / unit * unit);
+  }
+
   void *require(void *const memory)
   {
     if (!memory)
@@ -38,18 +51,56 @@ namespace
   }
 } // namespace
 
-// The other forms of new call these two; all forms of delete call free.
+// All forms of new and delete of single objects: a sanitizer would else bring some of them, and take memory of the
+// others for a mistake. Those of arrays call these, or are the sanitizer's, every one.
 void *operator new(const std::size_t size)
 {
-  count_one();
-  return require(std::malloc(std::max<std::size_t>(size, 1)));
+  return require(allocate(size));
 }
 
 void *operator new(const std::size_t size, const std::align_val_t alignment)
 {
-  count_one();
-  const auto unit = static_cast<std::size_t>(alignment);
-  return require(std::aligned_alloc(unit, (std::max<std::size_t>(size, 1) + unit - 1) / unit * unit));
+  return require(allocate(size, alignment));
+}
+
+void *operator new(const std::size_t size, const std::nothrow_t &) noexcept
+{
+  return allocate(size);
+}
+
+void *operator new(const std::size_t size, const std::align_val_t alignment, const std::nothrow_t &) noexcept
+{
+  return allocate(size, alignment);
+}
+
+void operator delete(void *const memory) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete(void *const memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete(void *const memory, const std::nothrow_t &) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete(void *const memory, std::align_val_t, const std::nothrow_t &) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete(void *const memory, std::align_val_t) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete(void *const memory, std::size_t, std::align_val_t) noexcept
+{
+  std::free(memory);
 }
 
 namespace birdstrike

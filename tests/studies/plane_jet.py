@@ -49,6 +49,7 @@ place at which a row changes sides makes 0.01 and 0.003):
   Gradient correction false                 0.037; 0.020, and -0.030, -0.012 at 90 degrees
   Reconstruction linear                     0.025; 0.019
   a third of the pairs' dissipation         0.026; 0.018 (a changed program, 6 D/U)
+  a tenth of it; of contact's too           0.026, 0.024 (a changed program, 9 D/U)
   Formulation standard                      0.068
 """
 import argparse
