@@ -93,8 +93,12 @@ namespace birdstrike
     void add_ridge(const FacetsView &facets, std::uint32_t facet, unsigned int side);
     void spread(const FacetsView &facets, double reach);
     bool is_sharp(const FacetsView &facets, const Edge &edge) const; // now
-    void cut_rim(const FacetsView &facets, const Foot &foot, EdgeTouch &touch) const;
-    void cut_ridge(const FacetsView &facets, const Foot &foot, EdgeTouch &touch) const;
+    /// Of two edges that bound what lies around their common corner alike, as those of a plane facet do, and turn with
+    /// it otherwise: the one that the point is further beyond, and of a straight rim that of the facet itself.
+    static bool is_before(const FacetsView &facets, std::uint32_t facet, const Edge &one, const Edge &other,
+                          const Point3 &from_corner, double tied);
+    void        cut_rim(const FacetsView &facets, const Foot &foot, EdgeTouch &touch) const;
+    void        cut_ridge(const FacetsView &facets, const Foot &foot, EdgeTouch &touch) const;
 
     std::uint64_t              revision    = 0;
     double                     known_reach = -1.;

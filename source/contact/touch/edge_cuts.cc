@@ -2,6 +2,7 @@
 #include "contact/touch/edge_profile.h"
 #include <birdstrike/contact/sharp_edges.h>
 
+#include <algorithm>
 #include <cmath>
 
 // What an edge takes off the offset surface at a point.
@@ -74,6 +75,24 @@ namespace birdstrike
     }
   };
 
+  bool SharpEdges::is_before(const FacetsView &facets, const std::uint32_t facet, const Edge &one, const Edge &other,
+                             const Point3 &from_corner, const double tied)
+  {
+    const auto beyond = [&](const Edge &edge) {
+      const Point3 a = node_at(facets, edge.nodes[0]), b = node_at(facets, edge.nodes[1]);
+      double       sum = 0.;
+      for (const std::int32_t beside : edge.facets)
+        if (beside >= 0)
+          sum += from_corner.dot(edge_frame(facets, beside, a, b).outward);
+      return sum;
+    };
+    const auto bounds = [&](const Edge &edge) {
+      return std::find(edge.facets.begin(), edge.facets.end(), static_cast<std::int32_t>(facet)) != edge.facets.end();
+    };
+    const double further = beyond(one) - beyond(other);
+    return further > tied || (further >= -tied && bounds(one) && !bounds(other));
+  }
+
   bool SharpEdges::is_sharp(const FacetsView &facets, const Edge &edge) const
   {
     if (edge.facets[1] < 0)
@@ -99,7 +118,8 @@ namespace birdstrike
     if (smallest >= edge_reach(touch.size))
       return;
     const EdgeTouch smooth = touch;
-    bool            is_cut = false;
+    const double    tied   = at_it * touch.size;
+    const Edge     *taken  = nullptr;
     for (std::uint32_t n = first[facet]; n < first[facet + 1]; ++n)
       {
         const Edge &edge = edges[near[n]];
@@ -115,9 +135,13 @@ namespace birdstrike
           cut_rim(facets, foot, here);
         else
           cut_ridge(facets, foot, here);
-        if (!is_cut || here.limit < touch.limit)
-          touch = here;
-        is_cut = true;
+        const double deeper = taken ? here.limit - touch.limit : -INFINITY;
+        if (deeper < -tied ||
+            (deeper <= tied && is_before(facets, facet, edge, *taken, smooth.offset - foot.from_closest, tied)))
+          {
+            touch = here;
+            taken = &edge;
+          }
       }
   }
 
