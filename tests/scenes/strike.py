@@ -68,9 +68,9 @@ class Run:
         return " ".join(self.text.strip().split("\n\n")[-1].split())
 
     def stop(self):
-        """The message alone, without a program's tables and warnings: the last lines in which it speaks."""
+        """The message alone, without a program's progress, tables and warnings: the last lines in which it speaks."""
         lines = self.text.strip().split("\n\n")[-1].splitlines()
-        return " ".join(" ".join(l for l in lines if not l.startswith("Warning:")).split())[:300]
+        return " ".join(" ".join(l for l in lines if not l.lstrip().startswith(("Warning:", "t = "))).split())[:300]
 
 
 def start(command, folder, limit):
