@@ -43,6 +43,7 @@ namespace birdstrike
     archive("under way", under_way);
     archive("most", most, largest_fall);
     archive("reported", reported);
+    archive("lost by springs", lost);
     archive.records("touches", past, [](Archive::Row &row, Past &touch) {
       row("point", touch.id);
       row("nodes", touch.nodes);
@@ -140,8 +141,8 @@ namespace birdstrike
   {
     const auto group = archive.group("report");
     archive("force", last.force);
-    archive("energies", last.stored_energy, last.dissipation_power, last.dissipated_energy, last.staggering,
-            last.dissipation_fall);
+    archive("energies", last.stored_energy, last.dissipation_power, last.dissipated_energy, last.released_energy,
+            last.staggering, last.dissipation_fall);
     archive("largest frequency", last.largest_frequency);
     archive("touching", last.n_touching);
     archive("penetration", last.penetration, last.max_penetration, last.max_penetration_over_spacing);

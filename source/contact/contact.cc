@@ -79,8 +79,7 @@ namespace birdstrike
       note_depths(points);
     if (search.n_near() > 0)
       find_touches(scene, pool);
-    if (is_changed)
-      book_released(scene);
+    book_released(scene);
   }
 
   void Contact::add_weights(std::vector<double> &weights) const
@@ -147,7 +146,8 @@ namespace birdstrike
     for (const CandidateBlock &block : blocks)
       cost.push_back(cost.back() + block.points.size() / 8 + block.n_awake);
 
-    const auto find = [&](const std::size_t begin, const std::size_t end) {
+    const ContactLaw constants = law(scene);
+    const auto       find      = [&](const std::size_t begin, const std::size_t end) {
       NarrowPhase &narrow_phase = workspace().narrow_phase;
       for (std::size_t b = begin; b < end; ++b)
         {
@@ -157,8 +157,9 @@ namespace birdstrike
             continue;
           node_sums.clear(block);
           narrow_phase.update(scene, block, memory);
-          block_reports[b].n_tested = block.n_awake;
-          block_reports[b].n_active = narrow_phase.n_active();
+          block_reports[b].n_tested        = block.n_awake;
+          block_reports[b].n_active        = narrow_phase.n_active();
+          block_reports[b].released_energy = energy_of(narrow_phase.released(), constants);
           record_touches(narrow_phase, block, scene.points, scene.facets, parameters.friction > 0., touches[b]);
           double *weights = node_sums.mobility_of(block);
           for (const TouchRecord &touch : touches[b])
@@ -170,38 +171,6 @@ namespace birdstrike
         }
     };
     pool.parallel_for_balanced(blocks.size(), cost.back() < min_cost ? blocks.size() : 1, cost.data(), std::ref(find));
-  }
-
-  void Contact::note_depths(const PointsView &points)
-  {
-    depths_before.resize(points.n);
-    for (std::size_t i = 0; i < points.n; ++i)
-      {
-        const PointRecord &record = memory[points.id[i]];
-        depths_before[i]          = record.last_call + 1 == last.calls ? record.sides[0].depth : 0.;
-      }
-  }
-
-  /// What a depth has lost besides the way of its point, as facets failed or edges came up beside it.
-  void Contact::book_released(const ContactScene &scene)
-  {
-    const ContactLaw constants = law(scene);
-    double           sum       = 0.;
-    for (const CandidateBlock &block : search.blocks())
-      for (std::size_t i = block.begin; i < block.end; ++i)
-        {
-          const PointRecord &record = memory[scene.points.id[i]];
-          const double       way    = std::sqrt(block.point_motions_squared[i - block.begin]) + scene.nodes_motion;
-          const double       now    = record.last_call == last.calls ? record.sides[0].depth : 0.;
-          const double       due    = depths_before[i] - way;
-          if (due <= now)
-            continue;
-          const double stiffness = constants.stiffness_scale * record.modulus * record.size;
-          const double beta      = constants.hardening() / record.size;
-          sum +=
-            ContactSpring<double>(stiffness, beta, due).energy - ContactSpring<double>(stiffness, beta, now).energy;
-        }
-    dissipation.add_released(sum);
   }
 
   ContactLaw Contact::law(const ContactScene &scene) const

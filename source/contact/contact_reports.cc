@@ -32,6 +32,7 @@ namespace birdstrike
     last.stored_energy     = plane.whole(last.stored_energy);
     last.dissipation_power = plane.whole(last.dissipation_power);
     last.dissipated_energy = plane.whole(dissipation.energy());
+    last.released_energy   = plane.whole(dissipation.released());
     last.staggering        = plane.whole(dissipation.to_be_given_back());
     last.dissipation_fall  = plane.whole(dissipation.fall());
     last.n_touching        = plane.whole(last.n_touching);

@@ -43,6 +43,7 @@ namespace birdstrike
   void Dissipation::add_released(const double energy)
   {
     booked += energy;
+    lost += energy;
     most     = std::max(most, booked);
     reported = std::max(reported, booked);
   }

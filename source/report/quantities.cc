@@ -151,6 +151,8 @@ namespace birdstrike
          "Pairs of particle and facet that touch"},
         {"penetration", "", "m", [](View run) { return run.contact ? run.contact->penetration : 0.; }, "",
          "Largest penetration of a particle now"},
+        {"", "contact/released_energy", "J", [](View run) { return run.contact ? run.contact->released_energy : 0.; },
+         "lost by contact springs"},
         {"", "contact/max_penetration", "m", [](View run) { return run.observed.contact.max_penetration(); },
          "largest penetration"},
         {"", "contact/max_penetration_over_spacing", "-",

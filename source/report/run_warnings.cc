@@ -16,6 +16,7 @@ namespace birdstrike
     constexpr double much_energy_error = 0.01; ///< -, of the energy scale
     constexpr double much_hourglass    = 0.1;  ///< -, of the internal energy (usual limit: 5 to 10 %)
     constexpr double much_momentum     = 1e-4; ///< -: bookkeeping is right to round-off, friction's couple to 1e-5
+    constexpr double much_lost         = 0.01; ///< -, of the energy scale, by contact's springs
     constexpr double small_force       = 0.01; ///< of the filtered peak
     constexpr double deep              = 0.5;  ///< particle spacings
 
@@ -110,6 +111,12 @@ namespace birdstrike
         {"contact/unfinished", "The bird still pushes on the blade at the end of the run, with " +
                                  format_quantity(std::hypot(force[0], force[1], force[2]), "N") +
                                  ": impulse, momentum and all that follows are not final (Time/End time)."});
+    if (const double lost = run.contact ? run.contact->released_energy / run.balance.energy_scale() : 0.;
+        lost > much_lost)
+      warnings.push_back(
+        {"contact/released", "Contact springs lost " + format_share(lost) +
+                               " of the energy where particles came through or past a blade thinner than they are, or "
+                               "elements failed below them: smaller particles (Bird/Particle spacing) lose less."});
     if (const double depth = run.observed.contact.max_penetration_over_spacing(); depth > deep)
       warnings.push_back({"contact/penetration",
                           fmt::format("Particles went up to {:.2g} spacings into the blade: contact was too soft for "

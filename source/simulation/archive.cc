@@ -15,8 +15,8 @@ namespace birdstrike
     {
       const auto group = archive.group("gone contact");
       archive("force", report.force);
-      archive("energies", report.stored_energy, report.dissipation_power, report.dissipated_energy, report.staggering,
-              report.dissipation_fall);
+      archive("energies", report.stored_energy, report.dissipation_power, report.dissipated_energy,
+              report.released_energy, report.staggering, report.dissipation_fall);
       archive("penetration", report.penetration, report.max_penetration, report.max_penetration_over_spacing);
       archive("peak force", report.peak_force, report.peak_force_time);
       archive("work", report.calls, report.skipped, report.searches, report.reused, report.pairs_listed,

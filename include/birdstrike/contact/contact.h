@@ -99,6 +99,7 @@ namespace birdstrike
     void       find_touches(const ContactScene &scene, ThreadPool &pool);
     void       note_depths(const PointsView &points);
     void       book_released(const ContactScene &scene);
+    double     energy_of(const std::vector<ReleasedDepth> &depths, const ContactLaw &law) const; // J
     ContactLaw law(const ContactScene &scene) const;
     void choose_modulus(const PointsView &points, double step, const TouchRecord &touch, const CandidateBlock &block);
     void add_forces_of_touches(const ContactScene &scene, const Sink &sink, ThreadPool &pool,

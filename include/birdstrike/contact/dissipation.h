@@ -34,7 +34,8 @@ namespace birdstrike
   /// step only the first half is known, and what it has added too much stands until the sum of finished steps has
   /// reached it. That sum itself must not fall (law.h: dampers take); fall() tells by how much it ever did.
   ///
-  /// What springs held whose facet has gone with an element that failed, or whose depth a new edge bounds, goes too.
+  /// What springs held is lost where a depth falls by more than its point's way: with the facet of an element that has
+  /// failed, below a new edge, or where a point comes out behind a blade thinner than itself and to another facet.
   ///
   /// Where one part takes several steps within one of the other, velocities are those at the ends of contact's steps.
   class Dissipation
@@ -46,7 +47,7 @@ namespace birdstrike
     /// Takes up present forces and the first half of what they take, in half of the step (s) that has ended with them.
     void add(const PointsView &points, const FacetsView &facets, const std::vector<TouchRecord> &touches, double step);
 
-    /// Takes up energy (J, >= 0) that springs have lost with the facets they stood on.
+    /// Takes up energy (J, >= 0) that springs have lost otherwise than by the way of their points.
     void add_released(double energy);
 
     void archive(Archive &archive);
@@ -54,6 +55,10 @@ namespace birdstrike
     double energy() const ///< J, since the start
     {
       return reported;
+    }
+    double released() const ///< J, of that, what add_released() has taken up
+    {
+      return lost;
     }
     /// J, at most 0: what of energy() the second half of the present and the next forces will have given back.
     double to_be_given_back() const
@@ -80,6 +85,6 @@ namespace birdstrike
     std::vector<Past> past;
     double            booked = 0., under_way = 0.;  // J, of finished steps, and of the present one
     double            most = 0., largest_fall = 0.; // J, of `booked`
-    double            reported = 0.;                // J
+    double            reported = 0., lost = 0.;     // J
   };
 } // namespace birdstrike

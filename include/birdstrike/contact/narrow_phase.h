@@ -20,6 +20,13 @@ namespace birdstrike
     EdgePlace     edge{};             ///< where the force acts, if not at q
   };
 
+  /// A depth that has fallen by more than the way of its point, as that came to another facet or out behind an edge.
+  struct ReleasedDepth
+  {
+    std::uint32_t id;       ///< of the point
+    double        due, now; ///< m, at least what it would be, and what it is
+  };
+
   /// What the decision rests on.
   struct ContactScene
   {
@@ -72,6 +79,11 @@ namespace birdstrike
     {
       return touching;
     }
+    /// Springs held them, and their energy is lost: the depth's change is none of the point's way.
+    const std::vector<ReleasedDepth> &released() const
+    {
+      return released_depths;
+    }
     const PairGeometry &geometry() const
     {
       return pairs;
@@ -82,7 +94,12 @@ namespace birdstrike
     }
 
   private:
+    /// Of the size: what a depth may change by besides the way of the point, in a step.
+    static constexpr double leap = 1e-3;
+
     struct Group;
+    void          note_release(const ContactScene &scene, std::uint32_t point, const PointRecord &before,
+                               const PointRecord &record, double depth);
     void          decide(const ContactScene &scene, const Group &group, PointMemory &memory);
     bool          is_before(std::uint32_t k, std::uint32_t best) const; // as the nearest one, or among equals
     std::uint32_t nearest(const Group &group) const;
@@ -100,10 +117,11 @@ namespace birdstrike
       return block->facets.keys()[block->pair_facet[pairs.pair[place]]];
     }
 
-    PairGeometry              pairs;
-    std::vector<TouchingPair> touching;
-    std::size_t               n_active_points = 0;
-    CandidateBlock           *block           = nullptr; // in work
-    double                    tied            = 0.;      // m, difference of equal distances
+    PairGeometry               pairs;
+    std::vector<TouchingPair>  touching;
+    std::vector<ReleasedDepth> released_depths;
+    std::size_t                n_active_points = 0;
+    CandidateBlock            *block           = nullptr; // in work
+    double                     tied            = 0.;      // m, difference of equal distances
   };
 } // namespace birdstrike

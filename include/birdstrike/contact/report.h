@@ -13,7 +13,8 @@ namespace birdstrike
     std::array<double, 3> force{};                ///< N, on the facets
     double                stored_energy     = 0.; ///< J, of all springs
     double                dissipation_power = 0.; ///< W, of dampers and friction
-    double                dissipated_energy = 0.; ///< J, taken by them and with failed facets (dissipation.h)
+    double                dissipated_energy = 0.; ///< J, taken by them and lost by springs (dissipation.h)
+    double                released_energy   = 0.; ///< J, part of that: lost by springs
     double                staggering        = 0.; ///< J, what of it the next half step gives back
     double                dissipation_fall  = 0.; ///< J, by which its sum over finished steps ever fell: nothing
     double                largest_frequency = 0.; ///< 1/s, bound of the springs' largest angular frequency
@@ -57,6 +58,7 @@ namespace birdstrike
 
     std::array<double, 3> force{};
     double                stored_energy = 0., dissipation_power = 0., penetration = 0.;
+    double                released_energy = 0.; // J, in this call
     std::size_t           n_touching = 0, n_tested = 0, n_active = 0;
     std::vector<double>   patch_pressures;
     LargestPoint          largest_point;
@@ -65,7 +67,7 @@ namespace birdstrike
     void clear(const std::size_t n_patches)
     {
       force         = {};
-      stored_energy = dissipation_power = penetration = 0.;
+      stored_energy = dissipation_power = penetration = released_energy = 0.;
       n_touching = n_tested = n_active = 0;
       largest_point                    = {};
       patch_pressures.assign(n_patches, 0.);

@@ -49,6 +49,10 @@ namespace birdstrike
     const RelativeError &momentum_error() const;
     const RelativeError &angular_momentum_error() const;
 
+    double energy_scale() const ///< J, of the run: what errors are relative to
+    {
+      return scale;
+    }
     double contact_energy() const; ///< J, by the works of its impulses
 
     /// Where an energy error comes from (J): what stored and dissipated energies are more than the work behind them.

@@ -52,6 +52,8 @@ namespace birdstrike
   void NarrowPhase::update(const ContactScene &scene, CandidateBlock &present, PointMemory &memory)
   {
     touching.clear();
+    released_depths.clear();
+    released_depths.reserve(present.points.size()); // never within a step without a search
     n_active_points = 0;
     block           = &present;
     tied            = tie * scene.range;
@@ -176,12 +178,38 @@ namespace birdstrike
       }
     if (first.share == 1. && before.last_call + 1 == scene.call && !scene.is_changed)
       take_over(before, continued, record.sides[0], first);
+    double depth = 0.;
     for (const TouchingPair &touched : {first, second})
       if (touched.share > 0.)
-        touching.push_back(touched);
+        {
+          touching.push_back(touched);
+          depth = std::max(depth, touched.penetration);
+        }
+    if (!scene.is_changed)
+      note_release(scene, block->points[group.near], before, record, depth);
     block->has_passed[group.near] = has_passed(record, scene.call + 1);
     if (block->has_passed[group.near])
       keep_awake(group.near);
+  }
+
+  void NarrowPhase::note_release(const ContactScene &scene, const std::uint32_t point, const PointRecord &before,
+                                 const PointRecord &record, const double depth)
+  {
+    double due = std::max(before.sides[0].depth, before.sides[1].depth) - leap * before.size;
+    if (before.last_call + 1 != scene.call || due <= depth)
+      return;
+    // against any node of its facets: light ones go their own ways, and bend them
+    const auto  &v = scene.points.velocity;
+    const Point3 velocity(v[0][point], v[1][point], v[2][point]);
+    double       largest = 0.;
+    for (const auto *side : {&before.sides[0], &before.sides[1], &record.sides[0], &record.sides[1]})
+      if (side->piece >= 0)
+        for (const std::uint32_t n : side->nodes)
+          largest =
+            std::max(largest, (velocity - Point3(scene.facets.velocity + n * scene.facets.velocity_stride)).norm());
+    due -= scene.step * largest;
+    if (due > depth)
+      released_depths.push_back({scene.points.id[point], due, depth});
   }
 
   /// Its own, by the velocities of the drift, not what the search has seen it move: which points share a block, and

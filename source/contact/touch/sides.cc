@@ -15,8 +15,6 @@ namespace birdstrike
     // slopes below, of thickness that strains have changed, do no work worth their couples
     constexpr double no_slope = 1e-3;
 
-    constexpr double leap = 1e-3; // of the size: what a depth may change by besides the way of the point, in a step
-
     // below this share of the size the direction p - q is round-off, and the facet's normal takes its place
     constexpr double no_distance = 1e-6;
 

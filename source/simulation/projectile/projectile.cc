@@ -192,7 +192,7 @@ namespace birdstrike
           sum.force[d] += one.force[d];
         for (auto energy :
              {&ContactReport::stored_energy, &ContactReport::dissipation_power, &ContactReport::dissipated_energy,
-              &ContactReport::staggering, &ContactReport::dissipation_fall})
+              &ContactReport::released_energy, &ContactReport::staggering, &ContactReport::dissipation_fall})
           sum.*energy += one.*energy;
         for (auto largest : {&ContactReport::largest_frequency, &ContactReport::penetration,
                              &ContactReport::max_penetration, &ContactReport::max_penetration_over_spacing})

@@ -87,7 +87,7 @@ TEST(LightTarget, ContactMakesNoEnergyOnAnyMassAtAnySpeed)
               {
                 EXPECT_NEAR(scene.contact_work + contact.report().stored_energy + dissipated, 0., 0.05 * before);
               }
-            EXPECT_EQ(dissipated > 0., damping > 0.);
+            EXPECT_EQ(dissipated > contact.report().released_energy, damping > 0.); // facets fold below some points
             // half a spacing, where a step alone may go a tenth
             EXPECT_LT(contact.report().max_penetration_over_spacing, 0.5 + speed * step / spacing);
           }
