@@ -29,9 +29,8 @@ namespace birdstrike
 
     std::vector<std::uint32_t>           pair;             ///< of the block, ascending; padded
     AlignedVector<double>                distance;         ///< |p - q|, m
-    AlignedVector<double>                height;           ///< (p - q) . unit normal, m
+    AlignedVector<double>                height;           ///< (p - q) . unit normal, m; sign: see look_at_folds
     AlignedVector<double>                half_thickness;   ///< at q, m
-    AlignedVector<double>                inverse_mass;     ///< sum w_k^2 / m_k, 1/kg
     std::array<AlignedVector<double>, 3> offset, velocity; ///< p - q, m; of p relative to q, m/s
     std::array<AlignedVector<double>, 4> weight;           ///< q = sum w_k x_k
 
@@ -59,6 +58,10 @@ namespace birdstrike
   private:
     void load_block_nodes(const FacetsView &facets, const SurfaceTopology &topology, const CandidateBlock &block);
     void compute_batch(const PointsView &points, const CandidateBlock &block, std::size_t begin);
+
+    /// A facet that is warped so far that a triangle of its fan has turned over looks another way there than its mean
+    /// normal does: over the inside of a triangle that one's own normal says on which side a point is.
+    void look_at_folds(const CandidateBlock &block, std::size_t begin);
 
     std::size_t               n_awake = 0;
     AlignedVector<NodeRecord> nodes; // of the block, by its numbers

@@ -135,6 +135,8 @@ namespace birdstrike
           cut_rim(facets, foot, here);
         else
           cut_ridge(facets, foot, here);
+        if (here.limit + here.limit_normal.dot(smooth.offset) < -tied)
+          continue; // the closest point itself lies beyond the plane: a floor beside the wall that rises to the edge
         const double deeper = taken ? here.limit - touch.limit : -INFINITY;
         if (deeper < -tied ||
             (deeper <= tied && is_before(facets, facet, edge, *taken, smooth.offset - foot.from_closest, tied)))

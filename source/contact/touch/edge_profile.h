@@ -26,6 +26,9 @@ namespace birdstrike
   /// L/2 grows again where they open (round_share): each carries half of the force, and what the depth's gradient by
   /// the turns of its own plane, through the edge and its centre, puts on its nodes (EdgeTurn).
   ///
+  /// It bounds what lies behind it only: from a facet that stands out beyond it, as the floor beside a wall whose upper
+  /// edge is sharp, it takes nothing.
+  ///
   /// *Reference r.* A point that comes in through that plane keeps the height it then has as its stand-off: r is what
   /// of the overlap it brings along, and only what it comes deeper carries a force. So who is held is decided by
   /// whether the path meets the true outline, whatever the place of the lattice and the ratio of thickness to L: for

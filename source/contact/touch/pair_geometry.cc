@@ -3,9 +3,15 @@
 #include <birdstrike/core/simd/compress.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace birdstrike
 {
+  namespace
+  {
+    constexpr double along_normal = 0.9; // cosine from which on a facet's own normal says on which side a point is
+  }
+
   void PairGeometry::find_awake(const CandidateBlock &block, const double reach)
   {
     const double limit = reach + block.path;
@@ -39,7 +45,7 @@ namespace birdstrike
     // for all pairs of the block, awake or not: steps without a search allocate nothing
     const std::size_t n_most = block.pair_bound.size() + n_lanes;
     const auto        grow   = [&](AlignedVector<double> &array) { array.resize(std::max(array.size(), n_most)); };
-    for (auto *array : {&distance, &height, &half_thickness, &inverse_mass})
+    for (auto *array : {&distance, &height, &half_thickness})
       grow(*array);
     for (auto *arrays : {&offset, &velocity})
       for (auto &array : *arrays)
@@ -49,7 +55,10 @@ namespace birdstrike
 
     load_block_nodes(facets, topology, block);
     for (std::size_t a = 0; a < n_padded; a += n_lanes)
-      compute_batch(points, block, a);
+      {
+        compute_batch(points, block, a);
+        look_at_folds(block, a);
+      }
     for (std::size_t a = 0; a < n_awake; ++a)
       block.pair_bound[pair[a]] = distance[a] + block.path;
   }
@@ -81,15 +90,13 @@ namespace birdstrike
     store(sqrt(q.distance_squared), &distance[begin]);
     store(q.offset.dot(normal) / sqrt(normal.dot(normal)), &height[begin]);
 
-    Lanes thickness(0.), inverse(0.);
+    Lanes thickness(0.);
     for (unsigned int c = 0; c < 4; ++c)
       {
         thickness += q.weights[c] * node[c][7];
-        inverse += q.weights[c] * q.weights[c] * node[c][6];
         store(q.weights[c], &weight[c][begin]);
       }
     store(thickness, &half_thickness[begin]);
-    store(inverse, &inverse_mass[begin]);
     for (unsigned int d = 0; d < 3; ++d)
       {
         Lanes relative = gather(points.velocity[d], point.data());
@@ -97,6 +104,31 @@ namespace birdstrike
           relative -= q.weights[c] * node[c][3 + d];
         store(q.offset[d], &offset[d][begin]);
         store(relative, &velocity[d][begin]);
+      }
+  }
+
+  void PairGeometry::look_at_folds(const CandidateBlock &block, const std::size_t begin)
+  {
+    const auto least = min(min(load<Lanes>(&weight[0][begin]), load<Lanes>(&weight[1][begin])),
+                           min(load<Lanes>(&weight[2][begin]), load<Lanes>(&weight[3][begin])));
+    const auto bent  = abs(load<Lanes>(&height[begin])) < Lanes(along_normal) * load<Lanes>(&distance[begin]);
+    if (stdx::none_of(least > Lanes(0.) && bent))
+      return;
+    for (std::size_t a = begin; a < std::min(begin + n_lanes, n_awake); ++a)
+      {
+        const auto   w = weights_of(a);
+        const double m = std::min({w[0], w[1], w[2], w[3]});
+        if (m == 0. || !(std::abs(height[a]) < along_normal * distance[a]))
+          continue;
+        const auto &corner = block.facet_nodes[block.pair_facet[pair[a]]];
+        const auto  node   = [&](const unsigned int k) {
+          const auto &x = nodes[corner[k % 4]].value;
+          return Point3(x[0], x[1], x[2]);
+        };
+        const Point3 c = 0.25 * ((node(0) + node(1)) + (node(2) + node(3)));
+        for (unsigned int k = 0; k < 4; ++k)
+          if (w[k] > m && w[(k + 1) % 4] > m) // within one triangle
+            height[a] = std::copysign(height[a], offset_of(a).dot((node(k) - c).cross(node(k + 1) - c)));
       }
   }
 } // namespace birdstrike
