@@ -28,7 +28,28 @@ namespace birdstrike
       array->resize(std::max(array->size(), n));
     for (std::size_t b = 0; b < n; b += n_lanes)
       compute_batch(law, memory, target, b);
+    join_halves(target.touches);
     share_out(target, law.friction > 0.);
+  }
+
+  void BlockForces::join_halves(const std::vector<TouchRecord> &touches)
+  {
+    for (std::size_t t = 0; t < touches.size(); ++t)
+      if (touches[t].is_half)
+        {
+          const Point3 &normal  = touches[t].normal;
+          const auto    damping = [&](const std::size_t k) {
+            return (normal[0] * dissipative[0][k] + normal[1] * dissipative[1][k] + normal[2] * dissipative[2][k]) /
+                   normal.squaredNorm();
+          };
+          const double one = damping(t), other = damping(t + 1), least = std::min(one, other);
+          for (unsigned int d = 0; d < 3; ++d)
+            for (auto *array : {&forces[d], &dissipative[d]})
+              {
+                (*array)[t] += (least - one) * normal[d];
+                (*array)[t + 1] += (least - other) * normal[d];
+              }
+        }
   }
 
   void BlockForces::compute_batch(const ContactLaw &law, const PointMemory &memory, const Target &target,

@@ -32,7 +32,10 @@ namespace birdstrike
 
   private:
     void compute_batch(const ContactLaw &law, const PointMemory &memory, const Target &target, std::size_t begin);
-    void share_out(const Target &target, bool has_friction);
+    /// The two facets of a ridge turn together: the moments of their forces along the normal add up to that of the
+    /// point if they are equal. Their dampers are limited by the masses of different nodes.
+    void        join_halves(const std::vector<TouchRecord> &touches);
+    void        share_out(const Target &target, bool has_friction);
     static void add_couple(const Target &target, TouchRecord &touch, bool has_friction, const Point3 &force);
     static void add_to_patches(const Target &target, const TouchRecord &touch, const Point3 &force);
 

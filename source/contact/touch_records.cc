@@ -83,6 +83,15 @@ namespace birdstrike
 
     using Touches = std::vector<TouchRecord>::iterator;
 
+    /// The rate of a ridge's depth is the mean of what its facets make of it, whose turns are in each twice.
+    void share_rate(TouchRecord &one, TouchRecord &other)
+    {
+      const double further = 0.5 * (other.velocity - one.velocity).dot(one.normal) / one.normal.squaredNorm();
+      one.velocity += further * one.normal;
+      other.velocity -= further * one.normal;
+      one.is_half = true;
+    }
+
     /// The touches of one point at one place: on a facet, or on both of a ridge, whose turns leave no moment together.
     void complete(const FacetsView &facets, const bool has_friction, const Touches begin, const Touches end)
     {
@@ -97,6 +106,8 @@ namespace birdstrike
           if (has_friction || touch->is_oblique)
             add_spin(facets, has_friction, *touch);
         }
+      if (end - begin == 2)
+        share_rate(*begin, *(begin + 1));
     }
 
     /// The facets that carry a touch at an edge, by the block's numbers: the two of a ridge, each a half, as its plane

@@ -9,8 +9,8 @@ NEGATIVE, ENERGY, MOMENTUM, DEEP = 1e-4, 1e-2, 1e-9, 0.5
 SHARES = 1e-9  # of sums of parts: round-off
 # Pairs of the standard formulation, and of riemann's without its correction of gradients, push along the line between them: round-off,
 # of float pairs 6e-8 of the sum of m |x| |v|, of which the program's scale is a hundredth where the bird aims at the origin. Corrected
-# gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the offset of a touch a part of its couple is
-# lost (couple.h).
+# gradients do not, so that a coarse bird turns a little by itself; on facets smaller than the offset of a touch a part of its couple may
+# be lost (couple.h).
 ANGULAR, ANGULAR_OF_FLOAT, ANGULAR_OF_METHOD = 1e-9, 6e-6, 1e-2
 
 

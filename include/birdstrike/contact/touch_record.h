@@ -30,6 +30,7 @@ namespace birdstrike
 
     bool is_oblique;      ///< not along the offset: the force leaves a couple
     bool is_edge = false; ///< with the turns of an edge: of a couple only what friction leaves
+    bool is_half = false; ///< the next one is on the other facet of a ridge, with the same force along the normal
 
     std::uint32_t                point; ///< its index in PointsView
     std::uint32_t                facet; ///< its index in FacetsView

@@ -68,3 +68,35 @@ TEST(CrumpledSkin, OverAnOverturnedTriangleOfAFacetItsOwnNormalSaysWhatIsOutside
   ASSERT_LT(compute_area_vector(facet_nodes(scene.facets(), 0))[2], 0.);
   EXPECT_NEAR(lower(scene, 0.5 * size, 0.22 * size, 0.8 * g)[2], 0.2 * g * k, 1e-3 * g * k);
 }
+
+// The plane at a ridge turns with both facets: unless their dampers are equal, their forces turn the surface otherwise
+// than the point is turned.
+TEST(CrumpledSkin, DampersAtARidgeOfUnequalFacetsKeepAngularMomentum)
+{
+  FreeMasses scene;
+  scene.two_sided = false;
+  // a wall of 2.5 mm and a top sheared to 53 degrees
+  scene.add_patch(1, 2, 0., [](const unsigned int i, const unsigned int j) {
+    return Point3(8e-3 * i - (j == 2 ? 6e-3 : 0.), j == 2 ? 8e-3 : 0., j == 0 ? -2.5e-3 : 0.);
+  });
+  for (std::size_t n = 0; n < scene.node.size(); ++n)
+    scene.node[n].inverse_mass = 1e5 * double(1 + n);
+  for (const double along : {2e-3, 3e-3, 5e-3})
+    scene.add_point({Point3(along, 0.45e-3, 0.52e-3), Point3(0., -5., -50.)});
+  const auto angular_momentum = [&scene] {
+    Point3 sum(0., 0., 0.);
+    for (std::size_t i = 0; i < scene.id.size(); ++i)
+      sum += scene.mass[i] * scene.position(i).cross(scene.velocity(i));
+    for (const FreeMasses::Node &n : scene.node)
+      sum += n.position.cross(n.velocity) / n.inverse_mass;
+    return sum;
+  };
+  const Point3 before = angular_momentum();
+  Contact      contact{ContactParameters()};
+  ThreadPool   pool;
+  scene.compute_contact(contact, 1e-7, pool);
+  for (unsigned int n = 0; n < 100; ++n)
+    scene.advance(contact, 1e-7, pool);
+  EXPECT_GT(contact.report().touches, 60u);
+  EXPECT_LT((angular_momentum() - before).norm(), 1e-12 * before.norm());
+}
