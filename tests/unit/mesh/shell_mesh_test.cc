@@ -1,8 +1,8 @@
-#include "../structure/blade_case.h"
 #include "temporary_mesh.h"
 
 #include <birdstrike/core/errors.h>
 #include <birdstrike/mesh/blade_mesh.h>
+#include <birdstrike/structure/parameters.h>
 
 #include <gtest/gtest.h>
 

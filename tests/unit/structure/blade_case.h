@@ -1,9 +1,9 @@
 #pragma once
 
-#include "structure/deformable_blade.h"
+#include <birdstrike/structure/blade.h>
+#include <birdstrike/structure/parameters.h>
 
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -11,67 +11,20 @@
 namespace birdstrike::test
 {
   /// The plate of benchmark A4 (Ti-6Al-4V-like, 311.2 x 88.9 x 4.27 mm), elastic, clamped at the root.
-  inline BladeParameters elastic_plate(const unsigned int n_span, const unsigned int n_chord)
-  {
-    BladeParameters p;
-    p.mesh.n_span        = n_span;
-    p.mesh.n_chord       = n_chord;
-    p.material.density   = std::to_string(4430.);
-    p.material.young     = std::to_string(113.8e9);
-    p.material.poisson   = std::to_string(0.342);
-    p.material.hardening = "elastic";
-    return p;
-  }
-
+  BladeParameters elastic_plate(unsigned int n_span, unsigned int n_chord);
   /// The same, held nowhere.
-  inline BladeParameters free_plate(const unsigned int n_span, const unsigned int n_chord)
-  {
-    BladeParameters p  = elastic_plate(n_span, n_chord);
-    p.supports.clamped = "";
-    return p;
-  }
+  BladeParameters free_plate(unsigned int n_span, unsigned int n_chord);
 
   /// Velocity-Verlet without contact.
-  inline void advance(Blade &blade, const double dt, const unsigned int n_steps)
-  {
-    for (unsigned int step = 0; step < n_steps; ++step)
-      {
-        blade.kick_internal(0.5 * dt, HalfKick::first);
-        blade.drift(dt);
-        blade.compute_internal_forces();
-        blade.kick_internal(0.5 * dt, HalfKick::second);
-      }
-  }
+  void advance(Blade &blade, double dt, unsigned int n_steps);
 
-  /// What a blade comes to that vibrates under pressure and damping: its velocities, energies and angular momentum.
-  template <class BladeKind>
-  std::vector<double> shake(BladeParameters p, const unsigned int n_threads)
-  {
-    p.loads.initial_velocity = "0; 0; 50*(x/0.3112)^2 + 30*x*y";
-    p.loads.pressure         = "1e5*x";
-    p.loads.damping          = 10.;
-    ThreadPool pool(n_threads);
-    BladeKind  blade(p, pool);
-    advance(blade, 0.8 * blade.step_limit().value, 30);
-    const auto           nodes  = blade.nodes();
-    const EnergyReport   energy = blade.energies();
-    const MomentumReport m      = blade.momenta();
-    std::vector<double>  result(nodes.velocity, nodes.velocity + nodes.n_unknowns * nodes.n);
-    result.insert(result.end(), {energy.kinetic, energy.elastic, energy.hourglass, energy.viscous, energy.external_work,
-                                 energy.damped});
-    result.insert(result.end(), m.angular_momentum.begin(), m.angular_momentum.end());
-    return result;
-  }
+  /// What a blade, shell or solid, comes to that vibrates under pressure and damping: its velocities, energies and
+  /// angular momentum.
+  template <class AnyBlade>
+  std::vector<double> shake(BladeParameters p, unsigned int n_threads);
 
-  inline bool is_bitwise_equal(const std::vector<double> &a, const std::vector<double> &b)
-  {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-  }
+  bool is_bitwise_equal(const std::vector<double> &a, const std::vector<double> &b);
 
   /// total() - external_work - contact_work, which stays constant.
-  inline double balance(const Blade &blade)
-  {
-    const EnergyReport energy = blade.energies();
-    return energy.total() - energy.external_work - energy.contact_work;
-  }
+  double balance(const Blade &blade);
 } // namespace birdstrike::test

@@ -1,3 +1,4 @@
+#include "structure/deformable_blade.h"
 #include "structure/stress_fields.h"
 
 #include <gtest/gtest.h>

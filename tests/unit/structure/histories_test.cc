@@ -1,4 +1,5 @@
 #include "blade_case.h"
+#include "structure/deformable_blade.h"
 #include "structure/histories/strain.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/structure/make_blade.h>

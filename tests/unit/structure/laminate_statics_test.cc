@@ -1,5 +1,6 @@
 #include "../record.h"
 #include "laminate_case.h"
+#include "matrices.h"
 
 #include <gtest/gtest.h>
 
@@ -36,10 +37,10 @@ namespace
   /// Leissa 1969 without shear).
   double navier(const ABD &of, const Eigen::Matrix2d &H)
   {
-    const Matrix3<double>      &A = of.A, &B = of.B, &D = of.D;
-    Eigen::Matrix<double, 5, 5> K = Eigen::Matrix<double, 5, 5>::Zero();
-    const double                a = pi, a2 = a * a;
-    const auto                  block = [&](const Matrix3<double> &C, const int i, const int j) {
+    const Matrix3<double> &A = of.A, &B = of.B, &D = of.D;
+    Eigen::MatrixXd        K = Eigen::MatrixXd::Zero(5, 5);
+    const double           a = pi, a2 = a * a;
+    const auto             block = [&](const Matrix3<double> &C, const int i, const int j) {
       K(i, j) += a2 * (C(0, 0) + C(2, 2));
       K(i, j + 1) += a2 * (C(0, 1) + C(2, 2));
       K(i + 1, j) += a2 * (C(0, 1) + C(2, 2));
@@ -55,7 +56,7 @@ namespace
         K(3 + d, 3 + d) += H(d, d);
         K(2, 3 + d) = K(3 + d, 2) = a * H(d, d);
       }
-    return K.ldlt().solve(Eigen::Matrix<double, 5, 1>::Unit(2))[2];
+    return test::solve(K, Eigen::VectorXd::Unit(5, 2))[2];
   }
 
   /// The same of a quarter with n x n elements.
@@ -111,12 +112,12 @@ TEST(LaminateStatics, UnsymmetricStripWarpsUnderAxialForce)
             load[number(i, j)] += (i == 0 ? -1. : 1.) * (j == 0 || j == 3 ? 0.5 : 1.) * width / 3.;
         for (int d = 0; d < 6; ++d) // one node, and drilling
           held[number(0, 1) + d] = true;
-        held[number(10, 1) + 1]        = true;
-        const ABD                   of = lamination_theory(carbon(), plies, thickness);
-        Eigen::Matrix<double, 6, 6> C;
+        held[number(10, 1) + 1] = true;
+        const ABD       of      = lamination_theory(carbon(), plies, thickness);
+        Eigen::MatrixXd C(6, 6);
         C << of.A, of.B, of.B, of.D;
-        const Eigen::Matrix<double, 6, 1> s = C.inverse().col(0);
-        const Eigen::VectorXd             u = model.solve(load, held);
+        const Eigen::VectorXd s = test::solve(C, Eigen::VectorXd::Unit(6, 0));
+        const Eigen::VectorXd u = model.solve(load, held);
         // against the node that is held, with its rotation
         const Point3 origin = mesh.nodes[number(0, 1) / 6];
         const double size   = std::max({std::abs(s[3]), std::abs(s[4]), std::abs(s[5])}) * length * length;

@@ -2,6 +2,7 @@
 #include "blade_case.h"
 #include "laminate_case.h"
 
+#include "structure/deformable_blade.h"
 #include <birdstrike/structure/make_blade.h>
 
 #include <gtest/gtest.h>

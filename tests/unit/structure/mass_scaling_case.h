@@ -5,20 +5,6 @@
 namespace birdstrike::test
 {
   /// The plate of benchmark A4 in bricks, scaled as far as the plane allows.
-  inline BladeParameters scaled_plate(const unsigned int n_span, const unsigned int n_chord,
-                                      const unsigned int n_layers)
-  {
-    BladeParameters p            = elastic_plate(n_span, n_chord);
-    p.kind                       = BladeKind::solid;
-    p.mesh.n_layers              = n_layers;
-    p.mass_scaling.method        = MassScalingMethod::selective;
-    p.mass_scaling.largest_added = 10.;
-    return p;
-  }
-
-  inline BladeParameters without_viscosity(BladeParameters p)
-  {
-    p.element.linear_viscosity = p.element.quadratic_viscosity = 0.;
-    return p;
-  }
+  BladeParameters scaled_plate(unsigned int n_span, unsigned int n_chord, unsigned int n_layers);
+  BladeParameters without_viscosity(BladeParameters p);
 } // namespace birdstrike::test

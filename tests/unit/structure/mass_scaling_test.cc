@@ -82,53 +82,6 @@ namespace birdstrike
       expect_refused(2. * most.step, "dimensions in the plane");
     }
 
-    /// Lowest frequencies (Hz) of a plate of equal bricks with M_s: subspace iteration with K and M_s.
-    std::vector<double> scaled_frequencies(SolidBlade &blade, const unsigned int n_modes)
-    {
-      std::vector<Eigen::Index>         number;
-      const Eigen::SparseMatrix<double> matrix   = test::scaled_stiffness(blade, number);
-      const auto                        nodes    = blade.nodes();
-      const FieldSnapshot               snapshot = blade.snapshot();
-      const double                      k =
-        blade.mass() / double(blade.n_elements()) / 16. * (blade.census().mass_scaling.largest_factor - 1.);
-      std::vector<Eigen::Triplet<double>> entries;
-      for (std::size_t i = 0; i < 3 * nodes.n; ++i)
-        if (number[i] >= 0)
-          entries.emplace_back(number[i], number[i], 1.);
-      for (std::size_t cell = 0; cell < snapshot.cells.size(); cell += 8)
-        for (unsigned int v = 0; v < 4; ++v)
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              const std::size_t ends[2] = {3 * snapshot.cells[cell + v] + c, 3 * snapshot.cells[cell + v + 4] + c};
-              for (const std::size_t i : ends)
-                for (const std::size_t j : ends)
-                  if (number[i] >= 0 && number[j] >= 0)
-                    entries.emplace_back(number[i], number[j],
-                                         (i == j ? k : -k) / std::sqrt(nodes.mass[i] * nodes.mass[j]));
-            }
-      Eigen::SparseMatrix<double> mass(matrix.rows(), matrix.rows());
-      mass.setFromTriplets(entries.begin(), entries.end());
-      const Eigen::SparseMatrix<double> transpose = matrix.transpose(), stiffness = 0.5 * (matrix + transpose);
-      const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(stiffness);
-      Eigen::MatrixXd                                          modes(matrix.rows(), n_modes + 6);
-      for (Eigen::Index i = 0; i < modes.size(); ++i)
-        modes.data()[i] = std::sin(1. + 12.9898 * double(i % 7919) + double(i));
-      Eigen::VectorXd values;
-      for (unsigned int iteration = 0; iteration < 20; ++iteration)
-        {
-          modes = solver.solve(mass * modes);
-          modes = modes.householderQr().householderQ() * Eigen::MatrixXd::Identity(modes.rows(), modes.cols());
-          const Eigen::MatrixXd K = modes.transpose() * (stiffness * modes), M = modes.transpose() * (mass * modes);
-          const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> small(K, M);
-          modes  = modes * small.eigenvectors();
-          values = small.eigenvalues();
-        }
-      std::vector<double> frequencies;
-      for (unsigned int k_mode = 0; k_mode < n_modes; ++k_mode)
-        frequencies.push_back(std::sqrt(values[k_mode]) / (2. * M_PI));
-      return frequencies;
-    }
-
     // Benchmarks A4 and B8 (Mindlin's theory, as in SolidBlade) with the step of the plane: bending is lowered by
     // (2 pi r/L)^2/2, torsion by half of what the report says.
     TEST(MassScaling, LowersFrequenciesByWhatItSays)
@@ -138,7 +91,7 @@ namespace birdstrike
       auto       q          = p;
       q.mass_scaling.method = MassScalingMethod::off;
       SolidBlade   scaled(p, pool), plain(q, pool);
-      const auto   f = scaled_frequencies(scaled, 4), g = test::natural_frequencies(plain, 4);
+      const auto   f = test::scaled_frequencies(scaled, 4), g = test::natural_frequencies(plain, 4);
       const double added = scaled.census().mass_scaling.added_rotary_inertia;
       for (unsigned int k = 0; k < 4; ++k)
         {

@@ -1,5 +1,7 @@
 #include "oriented_strike.h"
 
+#include <gtest/gtest.h>
+
 // One blade, tapered, cambered and twisted, as three programs write it, in six orientations: what it reports is the
 // same.
 namespace birdstrike::test

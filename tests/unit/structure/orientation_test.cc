@@ -1,6 +1,7 @@
 #include "oriented_strike.h"
 
 #include <birdstrike/mesh/orientation.h>
+#include <birdstrike/structure/make_blade.h>
 
 #include <gtest/gtest.h>
 

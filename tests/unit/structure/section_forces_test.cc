@@ -1,4 +1,5 @@
 #include "blade_case.h"
+#include "structure/deformable_blade.h"
 #include "structure/histories/section_forces.h"
 
 #include <gtest/gtest.h>

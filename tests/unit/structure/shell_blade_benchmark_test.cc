@@ -2,6 +2,8 @@
 #include "blade_case.h"
 #include "frequencies.h"
 
+#include "structure/deformable_blade.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "blade_case.h"
 
+#include "structure/deformable_blade.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/structure/make_blade.h>
 

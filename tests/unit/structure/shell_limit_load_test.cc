@@ -1,6 +1,8 @@
 #include "../record.h"
 #include "blade_case.h"
 
+#include "structure/deformable_blade.h"
+
 #include <gtest/gtest.h>
 
 namespace birdstrike

@@ -11,21 +11,6 @@ using namespace solid_harness;
 
 namespace
 {
-  /// Largest eigenvalue omega^2 of the assembled elements with lumped masses.
-  double exact_eigenvalue(Model &model)
-  {
-    Eigen::MatrixXd K    = Eigen::MatrixXd(model.compute_stiffness());
-    K                    = 0.5 * (K + K.transpose()).eval();
-    const auto      mass = model.elements.compute_nodal_masses();
-    Eigen::VectorXd scale(model.n_dofs());
-    for (std::size_t d = 0; d < model.n_dofs(); ++d)
-      scale[d] = 1. / std::sqrt(mass[d / 3]);
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * K * scale.asDiagonal(),
-                                                          Eigen::EigenvaluesOnly)
-      .eigenvalues()
-      .maxCoeff();
-  }
-
   /// Exact and bounding step in units of L/c, c the speed of dilatational waves.
   struct Steps
   {

@@ -1,4 +1,5 @@
 #include "exact_step.h"
+#include "matrices.h"
 #include "solid_harness.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ namespace
           const auto      s = model.elements.corner_stress(e, i);
           Eigen::Matrix3d stress;
           stress << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-          most = std::max(most, -Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress).eigenvalues()[0]);
+          most = std::max(most, -test::symmetric_eigenvalues(stress)[0]);
         }
     return 0.5 * most / wave_modulus(model.section);
   }
@@ -179,16 +180,15 @@ TEST(SolidStepStates, CubesThatCloseInWithBulkViscosity)
                   const Eigen::VectorXd small = Eigen::VectorXd::Unit(24, d) * 1e-7;
                   K.col(d) = (make(is_viscous)->move(u - small, dt) - make(is_viscous)->move(u + small, dt)) / 2e-7;
                 }
-              return Eigen::MatrixXd(0.5 * (K + K.transpose()));
+              return test::symmetric_part(K);
             };
             const Eigen::MatrixXd K = tangent(false), C = dt * (tangent(true) - K);
             double                low = 0., high = 10.;
             for (int i = 0; i < 40; ++i) // of steps h: the largest eigenvalue of M^-1 (h^2 K + 2 h C) is to be 4
               {
-                const double h = 0.5 * (low + high);
-                (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(8. * (h * h * K + 2. * h * C)).eigenvalues()[23] > 4.
-                   ? high
-                   : low)      = h;
+                const double          h                                      = 0.5 * (low + high);
+                const Eigen::MatrixXd of_step                                = 8. * (h * h * K + 2. * h * C);
+                (test::symmetric_eigenvalues(of_step)[23] > 4. ? high : low) = h;
               }
             model->move(u, dt);
             const double ratio = model->elements.largest_stable_step() / low;
@@ -228,19 +228,8 @@ TEST(SolidStepStates, MassScaledBricksThatDeform)
             for (int k = 0; k < 400; ++k)
               model.move(u / 400., 1e3);
             model.move(-1e-3 * u, 1e3);
-            const Eigen::MatrixXd             K = exact_step::compute_tangent(model.elements, model.position);
-            Eigen::MatrixXd                   A(K.rows(), K.cols());
-            const Eigen::LLT<Eigen::MatrixXd> inverse(M);
-            for (Eigen::Index c = 0; c < A.cols(); ++c)
-              for (int d = 0; d < 3; ++d)
-                {
-                  Eigen::VectorXd of_axis(n);
-                  for (std::size_t i = 0; i < n; ++i)
-                    of_axis[i] = K(3 * i + d, c);
-                  of_axis = inverse.solve(of_axis);
-                  for (std::size_t i = 0; i < n; ++i)
-                    A(3 * i + d, c) = of_axis[i];
-                }
+            const Eigen::MatrixXd A =
+              test::divide_components(exact_step::compute_tangent(model.elements, model.position), M);
             const double ratio =
               model.elements.largest_stable_step() / exact_step::compute_step(A, Eigen::VectorXd::Ones(A.rows()));
             EXPECT_LE(ratio, 1. + share_of_stress(model)) << height << " " << shear << " " << stretch;

@@ -1,6 +1,7 @@
 #include "../record.h"
 #include "blade_case.h"
 
+#include "structure/deformable_blade.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/structure/make_blade.h>

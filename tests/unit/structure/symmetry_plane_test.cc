@@ -2,6 +2,7 @@
 #include "blade_case.h"
 #include "frequencies.h"
 
+#include "structure/deformable_blade.h"
 #include "structure/rigid_plate.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/mesh/blade_mesh.h>
