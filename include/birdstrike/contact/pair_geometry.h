@@ -57,7 +57,8 @@ namespace birdstrike
 
   private:
     void load_block_nodes(const FacetsView &facets, const SurfaceTopology &topology, const CandidateBlock &block);
-    void compute_batch(const PointsView &points, const CandidateBlock &block, std::size_t begin);
+    /// Whether a point of the batch is over the inside of a facet that is bent there.
+    bool compute_batch(const PointsView &points, const CandidateBlock &block, std::size_t begin);
 
     /// A facet that is warped so far that a triangle of its fan has turned over looks another way there than its mean
     /// normal does: over the inside of a triangle that one's own normal says on which side a point is.

@@ -55,15 +55,13 @@ namespace birdstrike
 
     load_block_nodes(facets, topology, block);
     for (std::size_t a = 0; a < n_padded; a += n_lanes)
-      {
-        compute_batch(points, block, a);
+      if (compute_batch(points, block, a))
         look_at_folds(block, a);
-      }
     for (std::size_t a = 0; a < n_awake; ++a)
       block.pair_bound[pair[a]] = distance[a] + block.path;
   }
 
-  void PairGeometry::compute_batch(const PointsView &points, const CandidateBlock &block, const std::size_t begin)
+  bool PairGeometry::compute_batch(const PointsView &points, const CandidateBlock &block, const std::size_t begin)
   {
     std::array<std::array<std::uint32_t, n_lanes>, 4> corner;
     std::array<std::uint32_t, n_lanes>                point;
@@ -87,8 +85,9 @@ namespace birdstrike
                            gather(points.position[2], point.data()));
     const auto           q      = compute_closest_point(p, x);
     const Vector3<Lanes> normal = compute_area_vector(x);
-    store(sqrt(q.distance_squared), &distance[begin]);
-    store(q.offset.dot(normal) / sqrt(normal.dot(normal)), &height[begin]);
+    const Lanes          far = sqrt(q.distance_squared), above = q.offset.dot(normal) / sqrt(normal.dot(normal));
+    store(far, &distance[begin]);
+    store(above, &height[begin]);
 
     Lanes thickness(0.);
     for (unsigned int c = 0; c < 4; ++c)
@@ -105,15 +104,12 @@ namespace birdstrike
         store(q.offset[d], &offset[d][begin]);
         store(relative, &velocity[d][begin]);
       }
+    const Lanes least = min(min(q.weights[0], q.weights[1]), min(q.weights[2], q.weights[3]));
+    return stdx::any_of(least > Lanes(0.) && abs(above) < Lanes(along_normal) * far);
   }
 
   void PairGeometry::look_at_folds(const CandidateBlock &block, const std::size_t begin)
   {
-    const auto least = min(min(load<Lanes>(&weight[0][begin]), load<Lanes>(&weight[1][begin])),
-                           min(load<Lanes>(&weight[2][begin]), load<Lanes>(&weight[3][begin])));
-    const auto bent  = abs(load<Lanes>(&height[begin])) < Lanes(along_normal) * load<Lanes>(&distance[begin]);
-    if (stdx::none_of(least > Lanes(0.) && bent))
-      return;
     for (std::size_t a = begin; a < std::min(begin + n_lanes, n_awake); ++a)
       {
         const auto   w = weights_of(a);
