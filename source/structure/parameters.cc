@@ -13,7 +13,7 @@ namespace birdstrike
   {
     using namespace dealii::Patterns;
 
-    const double tiny = 1e-12; ///< smallest length and mass that is told from zero
+    const double tiny = 1e-12, lightest = 1e-30; ///< smallest length (m) and mass (kg) that are told from zero
 
     /// Three numbers as a comma list.
     void declare_vector(dealii::ParameterHandler &prm, const std::string &entry, std::array<double, 3> &member,
@@ -198,7 +198,7 @@ namespace birdstrike
       prm.add_parameter("Half thickness", p.half_thickness, "Material on either side of the surface. [m]", Double(0.));
       declare_choice(prm, "Motion", p.motion, rigid_motions(),
                      "Whether the surface is fixed or free to move along its normal. [-]");
-      prm.add_parameter("Mass", p.mass, "Mass of the free surface. [kg]", Double(tiny));
+      prm.add_parameter("Mass", p.mass, "Mass of the free surface. [kg]", Double(lightest));
       prm.leave_subsection();
     }
   } // namespace

@@ -197,3 +197,38 @@ TEST(LightTarget, SeveralContactsShareTheMassesOfTheNodesThatTheyTouch)
         EXPECT_NEAR(whole.node_force[j], expected[j], 1e-11 * largest);
     }
 }
+
+// Facets smaller than the points, so light that the springs are made softer: at a plane of symmetry, where nodes have
+// half of their mass, as in the whole.
+TEST(LightTarget, AHalfIsAsStiffAsTheWholeAtThePlaneOfSymmetry)
+{
+  constexpr double cell = 0.5 * spacing, areal_mass = 0.2;
+  const auto       strike = [](const bool is_half) {
+    FreeMasses     scene;
+    constexpr auto n = 4U;
+    scene.add_plate(n, is_half ? n : 2 * n, cell, 0., {0., is_half ? 0. : -cell * n, 0.});
+    for (FreeMasses::Node &node : scene.node)
+      node.inverse_mass = (is_half && node.position[1] == 0. ? 2. : 1.) / (areal_mass * cell * cell);
+    if (is_half)
+      for (unsigned int i = 0; i < n; ++i)
+        scene.neighbor[i][0] = FacetsView::symmetry_edge;
+    scene.plane   = SymmetryPlane(is_half);
+    scene.spacing = spacing;
+    for (const double side : {1., -1.})
+      if (side > 0. || !is_half)
+        scene.add_point({Point3(2.2 * cell, 0.4 * cell * side, 0.51 * spacing), Point3(0., 0., -10.),
+                         density * spacing * spacing * spacing, density, sound_speed});
+    ContactParameters parameters;
+    parameters.damping_scale = 0.;
+    Contact    contact(parameters);
+    ThreadPool pool;
+    scene.compute_contact(contact, 5e-7, pool);
+    for (std::size_t i = 0; i < scene.id.size(); ++i)
+      scene.fly_to(i, scene.position(i) - Point3(0., 0., 0.03 * spacing), 5e-7);
+    scene.compute_contact(contact, 5e-7, pool);
+    return scene.force_on_point(0);
+  };
+  const Point3 whole = strike(false), half = strike(true);
+  EXPECT_GT(whole[2], 0.);
+  EXPECT_LT((whole - half).norm(), 1e-10 * whole.norm());
+}
