@@ -1,5 +1,6 @@
 #include "bird/strength.h"
 #include <birdstrike/bird/bird.h>
+#include <birdstrike/bird/mirror_images.h>
 
 #include <algorithm>
 #include <cmath>
@@ -138,6 +139,8 @@ namespace birdstrike
           }
       });
     });
+    if (packed.plane.exists())
+      take_image_of_those_beyond(particles);
   }
 
   void Bird::update_neighbor_list()

@@ -19,4 +19,28 @@ namespace birdstrike
   {
     return 2. * grid.lower_corner(1) + (cy + other_cy) * grid.edge() < 2. * grid.edge();
   }
+
+  void take_image_of_those_beyond(Particles &particles)
+  {
+    const auto negate = [](auto &column, const std::size_t p) {
+      if (!column.empty())
+        column[p] = -column[p];
+    };
+    for (std::size_t p = 0; p < particles.size(); ++p)
+      if (particles.x[1][p] < 0.)
+        {
+          for (auto *vector : {&particles.x, &particles.v, &particles.force, &particles.predicting_force})
+            negate((*vector)[1], p);
+          for (auto *tensor : {&particles.stress, &particles.velocity_gradient, &particles.predicting_velocity_gradient,
+                               &particles.earlier_velocity_gradient})
+            for (const int odd : {3, 5}) // xy, yz
+              negate((*tensor)[odd], p);
+          for (auto *tensor : {&particles.correction, &particles.shear_correction})
+            for (const int odd : {3, 5})
+              negate((*tensor)[odd], p);
+          for (auto *axial : {&particles.spin, &particles.predicting_spin, &particles.earlier_spin})
+            for (const int odd : {0, 2})
+              negate((*axial)[odd], p);
+        }
+  }
 } // namespace birdstrike

@@ -15,7 +15,6 @@ import placing
 # side: where its twin differs by more, so must the scene itself from one nudged by so little (TIE).
 ROUND_OFF, SINGLE_PEAK = 2e-3, 2e-2
 TIE = 2.
-WHOLE = 1e-2  # a half model, whose particles and nodes at the plane are other ones
 LENGTHS = ("Bird/Particle spacing", "Bird/Aim point", "Blade/Mesh/Length", "Blade/Mesh/Chord", "Blade/Thickness/Value",
            "Blade/Mesh/Profile/Root radius", "Blade/Rigid/Length", "Blade/Rigid/Width", "Blade/Rigid/Half thickness", "Time/End time", "Blade/Probes")
 MASSES = ("Bird/Mass", "Blade/Rigid/Mass")
@@ -139,8 +138,7 @@ def compare_twin(name, twin, factor, scene, first, draw, run):
         return [], 0.  # particles in the plane of symmetry, as a half has none: another bird
     if second.code != 0:
         return [f"twin {name}: exit {second.code}: {second.stop()}"], math.inf
-    tolerance = WHOLE if name == "whole" else ROUND_OFF
-    faults, largest = difference(name, first, second, factor, tolerance)
+    faults, largest = difference(name, first, second, factor)
     if not faults:
         return faults, largest
     change = peak = 0.
@@ -150,7 +148,7 @@ def compare_twin(name, twin, factor, scene, first, draw, run):
             if result.code == 0:
                 change = max(change, difference(name, second, result, 1.)[1])
                 peak = max(peak, abs(result["contact/peak_force"] / second["contact/peak_force"] - 1.))
-    return difference(name, first, second, factor, tolerance + TIE * change, SINGLE_PEAK + TIE * peak)
+    return difference(name, first, second, factor, ROUND_OFF + TIE * change, SINGLE_PEAK + TIE * peak)
 
 
 def placed_figures(result, closing_energy):

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/bird/cell_grid.h>
+#include <birdstrike/bird/particles.h>
 #include <birdstrike/core/aligned_vector.h>
 #include <birdstrike/core/function_ref.h>
 
@@ -39,4 +40,9 @@ namespace birdstrike
   private:
     AlignedVector<std::uint32_t> sources, before;
   };
+
+  /// A particle that comes through the plane meets its image on the way: of the whole, which cannot tell one from the
+  /// other, the image is then that on this side. Without it half a blade, which ends at the plane, would not be below
+  /// the particle.
+  void take_image_of_those_beyond(Particles &particles);
 } // namespace birdstrike
