@@ -76,18 +76,24 @@ namespace birdstrike
       double touch(const Ray &ray, const std::size_t f, const TimeSpan &interval) const
       {
         return enter(ray, interval.first, interval.last, is_flat[f],
-                     [&](const Point3 &p, Point3 &normal) { return overlap(p, f, ray.half_size, normal); });
+                     [&](const Point3 &p, Point3 &normal, double &clear) {
+                       const double depth = overlap(p, f, ray.half_size, normal);
+                       clear              = -depth;
+                       return depth;
+                     });
       }
 
       /// Where the nearest facet's edges let the point in, or past: the offset surface is inside that without edges, so
       /// the search starts where that is touched. m, negative outside. Of a point further than twice the margin
-      /// from all facets it is only known to be below minus the margin, which is what it gets.
-      double depth(const Point3 &p, const double half_size, Point3 &normal) const
+      /// from all facets it is only known to be below minus the margin, which is what it gets. `clear`: how far it is
+      /// from the surface without edges, m; the planes at edges come and go with the facets below the point.
+      double depth(const Point3 &p, const double half_size, Point3 &normal, double &clear) const
       {
         const double margin = half_size + topology.max_half_thickness();
         const Ray    resting{p, Point3::Zero(), 0.};
         double       smallest = never, highest = 0.;
-        EdgeTouch    result;
+        clear = margin;
+        EdgeTouch result;
         result.overlap = -margin;
         for (std::uint32_t f = 0; f < facets.n_facets; ++f)
           {
@@ -105,6 +111,7 @@ namespace birdstrike
             for (unsigned int k = 0; k < 4; ++k)
               thickness += closest.weights[k] * topology.half_thickness(facets.nodes[f][k]);
             const Point3 outward = distance > 0. ? Point3(closest.offset / distance) : Point3::Zero();
+            clear                = distance - half_size - thickness;
             result               = {closest.offset,
                                     distance,
                                     thickness,
@@ -120,9 +127,9 @@ namespace birdstrike
         return std::min(result.limit, result.overlap);
       }
 
-      /// When the ray first comes where `depth(place, normal)` is positive, from a time at which it is outside on, or
-      /// never. Newton's step, exact on planes; where it oversteps, bisection. What is around a convex body does not
-      /// come back once it is left behind.
+      /// When the ray first comes where `depth(place, normal, clear)` is positive, from a time at which it is outside
+      /// on, or never. Newton's step, exact on planes; where it oversteps, bisection. What is around a convex body does
+      /// not come back once it is left behind.
       template <class Depth>
       double enter(const Ray &ray, double time, const double last, const bool is_convex, const Depth &depth) const
       {
@@ -134,7 +141,8 @@ namespace birdstrike
         for (double n = 0.; n < n_most && time <= last; ++n)
           {
             Point3       normal = Point3::Zero();
-            const double gap    = -depth(ray.at(time), normal);
+            double       clear  = 0.;
+            const double gap    = -depth(ray.at(time), normal, clear);
             if (gap <= tolerance)
               return gap >= -tolerance || outside == time ? time : bisect(ray, outside, time, depth);
             outside              = time;
@@ -142,7 +150,7 @@ namespace birdstrike
             if (closing <= 0. && is_convex)
               return never;
             const double newton = closing > 0. ? gap / closing : never;
-            time += is_convex ? newton : std::min(newton, std::max(gap, 0.02 * size) / speed);
+            time += is_convex ? newton : std::min(newton, std::max(clear, 0.02 * size) / speed);
           }
         return never;
       }
@@ -153,8 +161,9 @@ namespace birdstrike
         for (unsigned int iteration = 0; iteration < 60; ++iteration)
           {
             const double middle = 0.5 * (outside + inside);
+            double       clear;
             Point3       normal;
-            (depth(ray.at(middle), normal) > 0. ? inside : outside) = middle;
+            (depth(ray.at(middle), normal, clear) > 0. ? inside : outside) = middle;
           }
         return inside;
       }
@@ -173,7 +182,9 @@ namespace birdstrike
             if (interval.first <= interval.last)
               first = std::min(first, touch(ray, f, interval));
           }
-        const auto beside_edges = [&](const Point3 &p, Point3 &normal) { return depth(p, ray.half_size, normal); };
+        const auto beside_edges = [&](const Point3 &p, Point3 &normal, double &clear) {
+          return depth(p, ray.half_size, normal, clear);
+        };
         return first < limit ? std::min(limit, enter(ray, first, std::min(whole.last, limit), false, beside_edges))
                              : limit;
       }
@@ -184,8 +195,9 @@ namespace birdstrike
         const double margin = ray.half_size + topology.max_half_thickness();
         if (resting.passage(all.widened(margin)).is_empty())
           return {};
+        double       clear;
         Point3       normal;
-        const double found = depth(ray.origin, ray.half_size, normal);
+        const double found = depth(ray.origin, ray.half_size, normal, clear);
         return found > 0. ? Overlap{found, id, ray.origin} : Overlap{};
       }
 
