@@ -258,6 +258,37 @@ namespace
         return exit_code(ExitCode::internal_error);
       }
   }
+
+  /// The whole program, of which a comparison or a study makes one more for each of its runs.
+  int run_program(int argc, char **argv)
+  {
+    ::prctl(PR_SET_NAME, "birdstrike"); // for ps and pkill: the runs of a comparison are started by another name
+    CLI::App              app{"Bird strike on aircraft-engine blades", "birdstrike"};
+    Requests              requests;
+    std::function<void()> action;
+    declare_commands(app, requests, action);
+    try
+      {
+        app.parse(argc, argv);
+      }
+    catch (const CLI::ParseError &error)
+      {
+        const bool is_asked = app.exit(error) == 0; // --help and --version
+        return exit_code(is_asked ? ExitCode::done : ExitCode::bad_input);
+      }
+    std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
+    if (!birdstrike::is_started_by_launcher())
+      dealii::MultithreadInfo::set_thread_limit(1);
+    else if (mpi.emplace(argc, argv, 1u); dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      birdstrike::set_console_level("off"); // one rank speaks for all
+    const int code = run_guarded(action);
+    if (const bool is_for_the_screen = app.got_subcommand("explain") || app.got_subcommand("validate") ||
+                                       app.got_subcommand("columns") || app.got_subcommand("parameters");
+        !is_for_the_screen || code != 0 || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0))
+      return code;
+    std::fputs("Cannot write to standard output: is the disk full?\n", stderr);
+    return exit_code(ExitCode::internal_error);
+  }
 } // namespace
 
 int main(int argc, char *argv[])
@@ -268,30 +299,6 @@ int main(int argc, char *argv[])
         ::close(descriptor);
         break;
       }
-  ::prctl(PR_SET_NAME, "birdstrike"); // for ps and pkill: the runs of a comparison are started by another name
-  CLI::App              app{"Bird strike on aircraft-engine blades", "birdstrike"};
-  Requests              requests;
-  std::function<void()> action;
-  declare_commands(app, requests, action);
-  try
-    {
-      app.parse(argc, argv);
-    }
-  catch (const CLI::ParseError &error)
-    {
-      const bool is_asked = app.exit(error) == 0; // --help and --version
-      return exit_code(is_asked ? ExitCode::done : ExitCode::bad_input);
-    }
-  std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
-  if (!birdstrike::is_started_by_launcher())
-    dealii::MultithreadInfo::set_thread_limit(1);
-  else if (mpi.emplace(argc, argv, 1u); dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
-    birdstrike::set_console_level("off"); // one rank speaks for all
-  const int code = run_guarded(action);
-  if (const bool is_for_the_screen = app.got_subcommand("explain") || app.got_subcommand("validate") ||
-                                     app.got_subcommand("columns") || app.got_subcommand("parameters");
-      !is_for_the_screen || code != 0 || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0))
-    return code;
-  std::fputs("Cannot write to standard output: is the disk full?\n", stderr);
-  return exit_code(ExitCode::internal_error);
+  birdstrike::begin_children_at(run_program);
+  return run_program(argc, argv);
 }

@@ -1,3 +1,5 @@
+#include "core/child_signals.h"
+#include "core/program_copy.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/program.h>
 
@@ -7,7 +9,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
@@ -23,52 +24,6 @@ namespace birdstrike
 {
   namespace
   {
-    // What a signal handler may touch: atomics without locks.
-    std::array<std::atomic<int>, most_children> children{};
-    std::atomic<int>                            received{0};
-    static_assert(std::atomic<int>::is_always_lock_free);
-
-    void hand_on(const int signal)
-    {
-      const int error = errno;
-      received        = signal;
-      for (const std::atomic<int> &child : children)
-        if (const int pid = child; pid > 0)
-          ::kill(pid, signal);
-      errno = error;
-    }
-
-    /// Signals of the terminal and of a batch system go to the children while this lives; those that this process was
-    /// told to ignore (a job in the background) stay ignored.
-    class SignalsForChildren
-    {
-    public:
-      SignalsForChildren()
-      {
-        received                = 0;
-        struct sigaction action = {};
-        action.sa_handler       = hand_on;
-        action.sa_flags         = SA_RESTART;
-        for (std::size_t k = 0; k < signals.size(); ++k)
-          {
-            ::sigaction(signals[k], nullptr, &before[k]);
-            if (before[k].sa_handler != SIG_IGN)
-              ::sigaction(signals[k], &action, nullptr);
-          }
-      }
-      ~SignalsForChildren()
-      {
-        for (std::size_t k = 0; k < signals.size(); ++k)
-          ::sigaction(signals[k], &before[k], nullptr);
-      }
-      SignalsForChildren(const SignalsForChildren &)            = delete;
-      SignalsForChildren &operator=(const SignalsForChildren &) = delete;
-
-    private:
-      static constexpr std::array<int, 2> signals{{SIGINT, SIGTERM}};
-      struct sigaction                    before[2];
-    };
-
     /// Standard output and error of a child, read to their end.
     class Pipe
     {
@@ -114,15 +69,6 @@ namespace birdstrike
       std::array<int, 2> ends{};
     };
 
-    std::vector<char *> pointers_to(std::vector<std::string> &texts)
-    {
-      std::vector<char *> pointers;
-      for (std::string &text : texts)
-        pointers.push_back(text.data());
-      pointers.push_back(nullptr);
-      return pointers;
-    }
-
     std::vector<std::string> environment_without_launcher()
     {
       std::vector<std::string> kept;
@@ -140,6 +86,8 @@ namespace birdstrike
     /// Returns the error number of the attempt, 0 if the child runs.
     int spawn(const ChildRequest &request, const Pipe &pipe, pid_t &pid)
     {
+      if (can_copy_program(request))
+        return copy_program(request, pipe.writing_end(), pid);
       std::vector<std::string>   arguments = request.arguments, variables = environment_without_launcher();
       posix_spawn_file_actions_t actions;
       posix_spawn_file_actions_init(&actions);

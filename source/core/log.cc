@@ -7,9 +7,10 @@
 
 namespace birdstrike
 {
-  spdlog::logger &log()
+  namespace
   {
-    static const std::shared_ptr<spdlog::logger> logger = [] {
+    std::shared_ptr<spdlog::logger> make_logger()
+    {
       auto console = std::make_shared<spdlog::sinks::stdout_color_sink_mt>();
       auto made    = std::make_shared<spdlog::logger>("birdstrike", console);
       made->set_pattern("%^%v%$");
@@ -17,8 +18,23 @@ namespace birdstrike
       made->flush_on(spdlog::level::info); // a run that is killed has said what it has said
       made->sinks().front()->set_level(spdlog::level::info);
       return made;
-    }();
-    return *logger;
+    }
+
+    std::shared_ptr<spdlog::logger> &the_logger()
+    {
+      static std::shared_ptr<spdlog::logger> logger = make_logger();
+      return logger;
+    }
+  } // namespace
+
+  spdlog::logger &log()
+  {
+    return *the_logger();
+  }
+
+  void reset_log()
+  {
+    the_logger() = make_logger();
   }
 
   void log_to_file(const std::string &path, const bool is_continued)

@@ -17,6 +17,9 @@ namespace birdstrike
   /// opened.
   void log_to_file(const std::string &path, bool is_continued = false);
 
+  /// A log as at the start of the program: the console, as it is now, and no file.
+  void reset_log();
+
   /// Lowest severity shown on the console: "trace", "info", "warning", "error", "off".
   void set_console_level(const std::string &level);
 } // namespace birdstrike

@@ -1,13 +1,20 @@
 #include <birdstrike/core/child_process.h>
+#include <birdstrike/core/log.h>
 #include <birdstrike/core/program.h>
 
 #include <gtest/gtest.h>
+#include <spdlog/logger.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <future>
+#include <iostream>
 #include <map>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "../io/scratch_folder.h"
@@ -47,6 +54,70 @@ TEST(ChildProcess, StartsTheRunningProgramAgain)
   const auto result = run_child({{"another name", "--gtest_list_tests"}, "", true, birdstrike::this_program});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.output.find("StartsTheRunningProgramAgain"), std::string::npos);
+}
+
+namespace
+{
+  std::string said_before; // by the parent: a program that is loaded again does not know it
+
+  int tell(const int n, char **arguments)
+  {
+    for (int k = 0; k < n; ++k)
+      std::printf("%s|", arguments[k]);
+    std::printf("%s|", said_before.c_str());
+    std::fflush(stdout);
+    std::cerr << std::filesystem::current_path().string();
+    birdstrike::log().info("|logged");
+    if (n > 1 && std::string(arguments[1]) == "throw")
+      throw std::runtime_error("thrown");
+    return 5;
+  }
+} // namespace
+
+TEST(ChildProcess, BeginsInACopyOfThisProcess)
+{
+  said_before = "here";
+  birdstrike::begin_children_at(tell);
+  std::printf("waits to be written ");
+  const auto result = run_child({{"name", "a b"}, "/", true, birdstrike::this_program});
+  EXPECT_EQ(result.exit_code, 5);
+  EXPECT_EQ(result.output, "name|a b|here|/|logged\n"); // no colours
+  EXPECT_EQ(run_child({{"name", "throw"}, "", true, birdstrike::this_program}).exit_code, 127);
+
+  // several, of which one is another program
+  std::map<std::size_t, int> codes;
+  run_children({{{"one"}, "", true, birdstrike::this_program},
+                {{"sh", "-c", "exit 7"}, "", true},
+                {{"two"}, "", true, birdstrike::this_program}},
+               2, [&](const std::size_t k, const birdstrike::ChildResult &ended) { codes[k] = ended.exit_code; });
+  EXPECT_EQ(codes, (std::map<std::size_t, int>{{0, 5}, {1, 7}, {2, 5}}));
+
+  // as a rank of a job it is loaded again
+  ::setenv("PMI_RANK", "0", 1);
+  const auto loaded = run_child({{"name", "--gtest_list_tests"}, "", true, birdstrike::this_program});
+  ::unsetenv("PMI_RANK");
+  EXPECT_NE(loaded.output.find("BeginsInACopyOfThisProcess"), std::string::npos);
+
+  // so it is where there is another thread
+  std::promise<void> end;
+  std::thread        other([&] { end.get_future().wait(); });
+  EXPECT_EQ(run_child({{"name", "--gtest_list_tests"}, "", true, birdstrike::this_program}).exit_code, 0);
+  end.set_value();
+  other.join();
+  birdstrike::begin_children_at(nullptr);
+}
+
+TEST(ChildProcess, SignalsEndACopyAsTheyEndAnyProgram)
+{
+  birdstrike::begin_children_at([](int, char **) {
+    ::kill(::getppid(), SIGTERM); // handed on to this child, in which it acts by default
+    ::sleep(20);
+    return 0;
+  });
+  const auto result = run_child({{"name"}, "", true, birdstrike::this_program});
+  birdstrike::begin_children_at(nullptr);
+  EXPECT_EQ(result.exit_code, 128 + SIGTERM);
+  EXPECT_EQ(result.stopped_by, SIGTERM);
 }
 
 TEST(ChildProcess, NamesTheSignalThatEndedIt)
