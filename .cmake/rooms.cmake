@@ -37,7 +37,8 @@ function(birdstrike_room name)
 endfunction()
 
 # Unit tests of one room: tests/unit/<room>/*.cc become the executable <room>_tests, one CTest entry per TEST. Those that
-# READ_FILES of the source tree are told where it is; the others compile alike in every clone.
+# READ_FILES of the source tree are told where it is; the others compile alike in every clone. Nine tenths of a test's
+# compilation are headers: several files at a time read them once.
 function(birdstrike_unit_tests name)
   cmake_parse_arguments(TESTS "READ_FILES" "" "LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/unit/${name}/*.cc)
@@ -45,6 +46,12 @@ function(birdstrike_unit_tests name)
   target_link_libraries(${name}_tests PRIVATE birdstrike_${name} GTest::gtest_main ${TESTS_LIBRARIES})
   if(TESTS_READ_FILES)
     target_compile_definitions(${name}_tests PRIVATE BIRDSTRIKE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  endif()
+  if(BIRDSTRIKE_UNITY_TESTS)
+    set_target_properties(${name}_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # it takes a batch's files for headers, whose fixtures should have a name
+      target_compile_options(${name}_tests PRIVATE -Wno-subobject-linkage)
+    endif()
   endif()
   gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900)
 endfunction()

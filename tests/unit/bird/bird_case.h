@@ -5,7 +5,7 @@
 #include <functional>
 
 /// What the bird's tests share: small birds and a free step.
-namespace birdstrike::testing
+namespace birdstrike::test
 {
   /// A column of N layers of six by six particles, periodic across, for plane waves along z.
   inline BirdParameters column(const std::size_t n_layers, const double spacing)
@@ -43,4 +43,4 @@ namespace birdstrike::testing
       }
     return n_steps;
   }
-} // namespace birdstrike::testing
+} // namespace birdstrike::test

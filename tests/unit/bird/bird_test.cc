@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 using namespace birdstrike;
-using namespace birdstrike::testing;
+using namespace birdstrike::test;
 
 namespace
 {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 using namespace birdstrike;
-using namespace birdstrike::testing;
+using namespace birdstrike::test;
 
 /// Plane sound waves of wave number k along an axis of a cubic lattice under the pressure P, standard particles without
 /// viscosity (Morris 1996, here with sums over the lattice in space):
@@ -15,12 +15,12 @@ using namespace birdstrike::testing;
 /// In tension the shortest waves grow (Swegle 1995), where pressures may be negative.
 namespace
 {
-  constexpr double dx = 1e-3, density = 950., sound_speed = 1500.;
+  constexpr double dx = 1e-3, rho_0 = 950., sound_speed = 1500.;
 
   /// w^2 (1/s^2) of the cubic spline W = (1 - 1.5 q^2 + 0.75 q^3)/(pi h^3), 0.25 (2 - q)^3/(pi h^3) beyond q = r/h = 1.
   double compute_dispersion(const double h, const double k, const double mu)
   {
-    const double rho = density * (1. + mu), m = density * dx * dx * dx, P = density * sound_speed * sound_speed * mu;
+    const double rho = rho_0 * (1. + mu), m = rho_0 * dx * dx * dx, P = rho_0 * sound_speed * sound_speed * mu;
     const int    n = int(2. * h / dx) + 1;
     double       S = 0., C = 0.;
     for (int i = -n; i <= n; ++i)
@@ -49,7 +49,7 @@ namespace
   {
     BirdParameters parameters  = column(n_layers, dx);
     parameters.is_periodic     = {{true, true, true}};
-    parameters.density         = density;
+    parameters.density         = rho_0;
     parameters.formulation     = ParticleFormulation::standard;
     parameters.smoothing_ratio = smoothing_ratio;
     parameters.slab_lengths[0] = parameters.slab_lengths[1] = 8. * dx; // two ranges of 2 h
@@ -58,7 +58,7 @@ namespace
     parameters.courant_number          = 0.1;
     EosParameters eos;
     eos.type         = EosType::linear;
-    eos.bulk_modulus = density * sound_speed * sound_speed;
+    eos.bulk_modulus = rho_0 * sound_speed * sound_speed;
     ThreadPool   pool(2);
     Bird         bird(parameters, eos, pool);
     const double k = number / dx, v0 = 1e-6;

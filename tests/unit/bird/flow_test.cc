@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 using namespace birdstrike;
-using namespace birdstrike::testing;
+using namespace birdstrike::test;
 
 /// Plane flows of a liquid with exact solutions: a drop in a central field, a square that spins, the vortex of Gresho.
 /// Two dimensions are six layers that repeat themselves along z.

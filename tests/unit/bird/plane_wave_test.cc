@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 using namespace birdstrike;
-using namespace birdstrike::testing;
+using namespace birdstrike::test;
 
 namespace
 {

@@ -7,7 +7,7 @@
 #include <memory>
 
 using namespace birdstrike;
-using namespace birdstrike::testing;
+using namespace birdstrike::test;
 
 // Spray that crosses the plane of symmetry: of the whole, a particle and its image change places; half of it keeps what
 // is then on its side.

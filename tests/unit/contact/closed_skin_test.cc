@@ -7,20 +7,13 @@
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
+using birdstrike::test::h;
+using birdstrike::test::k;
+using birdstrike::test::without_damper;
 
 /// The skin of a solid: closed, one-sided, with edges and side faces narrower than a point.
 namespace
 {
-  constexpr double g = 0.5e-3; // offset of a 1 mm point from a skin
-  constexpr double k = 1e6;    // N/m, rho c^2 V^(1/3) of these points
-
-  ContactParameters without_damper()
-  {
-    ContactParameters parameters;
-    parameters.damping_scale = 0.;
-    return parameters;
-  }
-
   /// Neighbours across the edges that two facets share.
   void connect(FreeMasses &scene)
   {
@@ -92,16 +85,16 @@ TEST(ClosedSkin, OutOverAnEdgeTheForceEndsAtThePlaneThatHalvesIt)
     for (const double y : {0.0071, 0.01, 0.0133}) // the middle one on a line of nodes
       {
         FreeMasses scene = box(0.02, thickness, 4);
-        scene.add_point({Point3(0.019, y, thickness + 2. * g)});
+        scene.add_point({Point3(0.019, y, thickness + 2. * h)});
         Contact    contact(without_damper());
         ThreadPool pool;
         scene.compute_contact(contact, 1e-7, pool);
-        for (double s = -1e-3; s < g; s += 2e-5)
+        for (double s = -1e-3; s < h; s += 2e-5)
           {
-            scene.place(0, Point3(0.02 + s, y, thickness + 0.8 * g));
+            scene.place(0, Point3(0.02 + s, y, thickness + 0.8 * h));
             scene.compute_contact(contact, 1e-7, pool);
-            const double bevel = std::max(0., -(s + 0.8 * g) * std::sqrt(0.5));
-            ASSERT_NEAR(scene.force_on_point(0).norm(), k * std::min(0.2 * g, bevel), 1e-6 * k * g) << s;
+            const double bevel = std::max(0., -(s + 0.8 * h) * std::sqrt(0.5));
+            ASSERT_NEAR(scene.force_on_point(0).norm(), k * std::min(0.2 * h, bevel), 1e-6 * k * h) << s;
           }
       }
 }
@@ -117,7 +110,7 @@ TEST(ClosedSkin, BeyondACornerNothingIsInTheWay)
     for (double b = 0.05; b < 0.5 * std::numbers::pi; b += 0.05)
       {
         const Point3 direction(std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b));
-        scene.place(0, Point3(0.02, 0.02, 0.5e-3) + 0.7 * g * direction);
+        scene.place(0, Point3(0.02, 0.02, 0.5e-3) + 0.7 * h * direction);
         scene.compute_contact(contact, 1e-7, pool);
         ASSERT_EQ(scene.force_on_point(0).norm(), 0.) << direction;
       }
@@ -134,11 +127,11 @@ TEST(ClosedSkin, FastPointsAreStoppedOutside)
     for (const double y : {0., 0.01, 0.0133, 0.02})
       for (const double side : {1., -1.})
         scene.add_point(
-          {Point3(x, y, 0.5 * thickness + (0.5 * thickness + 1.05 * g) * side), Point3(0., 0., -speed * side)});
+          {Point3(x, y, 0.5 * thickness + (0.5 * thickness + 1.05 * h) * side), Point3(0., 0., -speed * side)});
   for (const double y : {-1e-4, 0., 0.003, 0.005, 0.011, 0.02})
     for (const double z : {-0.2e-3, 0., 0.1e-3, 0.25e-3, 0.5e-3, 0.7e-3})
       for (const double side : {1., -1.})
-        scene.add_point({Point3(0.5 * length + (0.5 * length + 1.05 * g) * side, y, z), Point3(-speed * side, 0., 0.)});
+        scene.add_point({Point3(0.5 * length + (0.5 * length + 1.05 * h) * side, y, z), Point3(-speed * side, 0., 0.)});
   Contact      contact{ContactParameters()};
   ThreadPool   pool;
   const double step = 0.4 * 1.3e-3 / (1000. + 1.2 * speed);
@@ -164,7 +157,7 @@ TEST(ClosedSkin, PassingPointsGainNoEnergy)
     {
       const double      up = n % 2 == 0 ? 1. : -1.;
       FreeMasses::Point point;
-      point.position = Point3(0.02 + (1.45 + 0.002 * n) * g, 0.0012 + 8e-5 * n, 0.5 * thickness - 2.5 * g * up);
+      point.position = Point3(0.02 + (1.45 + 0.002 * n) * h, 0.0012 + 8e-5 * n, 0.5 * thickness - 2.5 * h * up);
       point.velocity = Point3(-100., 20., 200. * up);
       scene.add_point(point);
     }
@@ -192,16 +185,16 @@ TEST(ClosedSkin, APointThatCameThroughIsPushedBackToWhereItCameFrom)
         const auto at    = [&](const double d) {
           return Point3(0.0071, 0.0133, 0.5 * thickness + (0.5 * thickness - d) * side);
         };
-        scene.add_point({at(-2. * g), Point3(0., 0., -100. * side)});
+        scene.add_point({at(-2. * h), Point3(0., 0., -100. * side)});
         Contact    contact(without_damper());
         ThreadPool pool;
         scene.compute_contact(contact, 1e-7, pool);
-        for (const double d : {-0.5 * g, depth, depth})
+        for (const double d : {-0.5 * h, depth, depth})
           {
             scene.fly_to(0, at(d), 1e-7);
             scene.compute_contact(contact, 1e-7, pool);
             EXPECT_EQ(contact.report().n_touching, 1u);
-            EXPECT_NEAR(scene.force_on_point(0)[2] * side, k * (g + d), 1e-9 * k) << depth;
+            EXPECT_NEAR(scene.force_on_point(0)[2] * side, k * (h + d), 1e-9 * k) << depth;
           }
       }
 }
@@ -245,7 +238,7 @@ TEST(ClosedSkin, ARidgeThatTurnsAndOpensMakesNoEnergy)
           stored = std::max(stored, contact.report().stored_energy);
           made   = std::max(made, std::abs(scene.contact_work + contact.report().stored_energy));
         }
-      EXPECT_GT(stored, 0.02 * k * g * g) << s;
+      EXPECT_GT(stored, 0.02 * k * h * h) << s;
       EXPECT_LT(made, 0.02 * stored) << s;
     }
 }
@@ -257,7 +250,7 @@ TEST(ClosedSkin, WhatSpringsLoseWherePointsComeThroughARimIsTold)
   constexpr double length = 0.02, thickness = 0.2e-3, speed = 500.;
   FreeMasses       scene = box(length, thickness, 4);
   for (unsigned int i = 0; i < 8; ++i)
-    scene.add_point({Point3(length - 0.1 * g * i, 0.0011 * (i + 4), thickness + 1.02 * g), Point3(0., 0., -speed)});
+    scene.add_point({Point3(length - 0.1 * h * i, 0.0011 * (i + 4), thickness + 1.02 * h), Point3(0., 0., -speed)});
   Contact    contact(without_damper());
   ThreadPool pool;
   scene.compute_contact(contact, 1e-9, pool);

@@ -8,16 +8,12 @@
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
+using birdstrike::test::g;
+using birdstrike::test::plate_of_four;
+using birdstrike::test::without_damper;
 
 namespace
 {
-  ContactParameters without_damper()
-  {
-    ContactParameters parameters;
-    parameters.damping_scale = 0.;
-    return parameters;
-  }
-
   /// D1: 10 g at 100 m/s against a free facet of 30 g; rho c^2 V^(1/3) = 1e8 N/m. They touch at the start.
   FreeMasses two_masses()
   {
@@ -54,15 +50,6 @@ namespace
     while (contact.report().n_touching > 0 && time < 1e-3);
     return {-scene.v[2][0], -scene.node[0].velocity[2], time, 0.010 * (scene.v[2][0] + 100.)};
   }
-
-  /// Two by two cells of 10 mm, 2 mm thick, fixed, middle node at (10, 10) mm; offset g = 1.5 mm for 1 mm points.
-  FreeMasses plate_of_four()
-  {
-    FreeMasses scene;
-    scene.add_plate(2, 2, 0.01, 2e-3);
-    return scene;
-  }
-  constexpr double g = 1.5e-3;
 } // namespace
 
 // What is beyond the plane is as much again: forces on parts are those of the half, the report is of the whole.

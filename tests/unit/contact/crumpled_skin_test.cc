@@ -6,24 +6,23 @@
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
+using birdstrike::test::h;
+using birdstrike::test::k;
 
 /// One-sided surfaces as soft bricks leave them: terraces of facets smaller than a point, facets that are folded.
 namespace
 {
-  constexpr double g = 0.5e-3; // offset of a 1 mm point from a skin
-  constexpr double k = 1e6;    // N/m, rho c^2 V^(1/3) of these points
-
-  /// The force on the only point, lowered from 1.6 g to a height (m) over (x, y, 0).
+  /// The force on the only point, lowered from 1.6 h to a height (m) over (x, y, 0).
   Point3 lower(FreeMasses &scene, const double x, const double y, const double height)
   {
     ContactParameters parameters;
     parameters.damping_scale = 0.;
     scene.two_sided          = false;
-    scene.add_point({Point3(x, y, 1.6 * g)});
+    scene.add_point({Point3(x, y, 1.6 * h)});
     Contact    contact(parameters);
     ThreadPool pool;
     scene.compute_contact(contact, 1e-7, pool);
-    for (double z = 1.6 * g; z > height; z -= 1e-6)
+    for (double z = 1.6 * h; z > height; z -= 1e-6)
       {
         scene.fly_to(0, Point3(x, y, z), 1e-7);
         scene.compute_contact(contact, 1e-7, pool);
@@ -48,9 +47,9 @@ TEST(CrumpledSkin, AFloorBesideAWallHoldsBeyondThePlaneOfTheWallsEdge)
         const double x        = (static_cast<int>(i) - n_floor - (is_floor ? 0 : 1)) * facet;
         return Point3(x, j * facet, is_floor ? 0. : rise);
       });
-      const Point3 force = lower(scene, -from_wall, 10.3 * facet, 0.8 * g);
-      EXPECT_NEAR(force[2], 0.2 * g * k, 1e-3 * g * k) << from_wall;
-      EXPECT_NEAR(force[0], 0., 1e-3 * g * k) << from_wall;
+      const Point3 force = lower(scene, -from_wall, 10.3 * facet, 0.8 * h);
+      EXPECT_NEAR(force[2], 0.2 * h * k, 1e-3 * h * k) << from_wall;
+      EXPECT_NEAR(force[0], 0., 1e-3 * h * k) << from_wall;
     }
 }
 
@@ -66,7 +65,7 @@ TEST(CrumpledSkin, OverAnOverturnedTriangleOfAFacetItsOwnNormalSaysWhatIsOutside
     return Point3(size * x[0], size * x[1], size * x[2]);
   });
   ASSERT_LT(compute_area_vector(facet_nodes(scene.facets(), 0))[2], 0.);
-  EXPECT_NEAR(lower(scene, 0.5 * size, 0.22 * size, 0.8 * g)[2], 0.2 * g * k, 1e-3 * g * k);
+  EXPECT_NEAR(lower(scene, 0.5 * size, 0.22 * size, 0.8 * h)[2], 0.2 * h * k, 1e-3 * h * k);
 }
 
 // The plane at a ridge turns with both facets: unless their dampers are equal, their forces turn the surface otherwise

@@ -9,11 +9,10 @@
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
+using birdstrike::test::g;
 
 namespace
 {
-  constexpr double g = 1.5e-3; // offset of a 1 mm point from a plate of 2 mm
-
   double flight(const Point3 &from, const Point3 &velocity)
   {
     FreeMasses scene;

@@ -7,18 +7,12 @@
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
+using birdstrike::test::without_damper;
 
 /// Points between the leaves of one folded sheet: each leaf is met, and remembered, for itself.
 namespace
 {
-  constexpr double gap = 1.4e-3; // between middle surfaces of 1 mm: a point of 1 mm is held by both
-
-  ContactParameters without_damper()
-  {
-    ContactParameters parameters;
-    parameters.damping_scale = 0.;
-    return parameters;
-  }
+  constexpr double clearance = 1.4e-3; // between middle surfaces of 1 mm: a point of 1 mm is held by both
 
   /// A sheet of 1 mm, folded about x = -10 mm, its facets a quarter of a point. The upper leaf ends at x = 0, the lower
   /// one at 1 mm.
@@ -29,8 +23,9 @@ namespace
     scene.add_patch(2 * n + 2, 4, 1e-3, [](const unsigned int i, const unsigned int j) {
       const double y = 2.5e-3 * j;
       if (i <= n)
-        return Point3(-1e-2 * i / n, y, gap);
-      return i == n + 1 ? Point3(-1e-2 - 0.5 * gap, y, 0.5 * gap) : Point3(-1e-2 + 1.1e-2 * (i - n - 2) / n, y, 0.);
+        return Point3(-1e-2 * i / n, y, clearance);
+      return i == n + 1 ? Point3(-1e-2 - 0.5 * clearance, y, 0.5 * clearance)
+                        : Point3(-1e-2 + 1.1e-2 * (i - n - 2) / n, y, 0.);
     });
     return scene;
   }
@@ -69,9 +64,9 @@ TEST(FoldedTarget, NoClosedPathBetweenTheLeavesGainsEnergy)
   double                                 least = 0.;
   for (unsigned int loop = 0; loop < 30; ++loop)
     {
-      std::vector<Point3> corner{Point3(5e-3, 0.0047, 0.5 * gap)};
+      std::vector<Point3> corner{Point3(5e-3, 0.0047, 0.5 * clearance)};
       for (unsigned int n = 0; n < 12; ++n)
-        corner.push_back(Point3(-4e-3 + 6e-3 * between(random), 0.0047, gap * (0.35 + 0.3 * between(random))));
+        corner.push_back(Point3(-4e-3 + 6e-3 * between(random), 0.0047, clearance * (0.35 + 0.3 * between(random))));
       const double work = work_along(scene, contact, corner);
       // a force of up to 300 N ends at once where a leaf is lost: half a step, 1.5 um, of the trapezoidal rule
       EXPECT_LT(work, 300. * 1.5e-6) << loop;

@@ -7,20 +7,13 @@
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
+using birdstrike::test::g;
+using birdstrike::test::k;
+using birdstrike::test::without_damper;
 
 /// The rim of a shell: whatever goes round it, over it, or is cut by it stays out of the plate, and gains nothing.
 namespace
 {
-  constexpr double g = 1.5e-3; // offset of a 1 mm point from a plate of 2 mm
-  constexpr double k = 1e6;    // N/m, rho c^2 V^(1/3) of these points
-
-  ContactParameters without_damper()
-  {
-    ContactParameters parameters;
-    parameters.damping_scale = 0.;
-    return parameters;
-  }
-
   /// 20 by 20 mm, warped by a tenth of its thickness as a bent blade is; the free edge x = 0.02 stays straight.
   FreeMasses plate()
   {

@@ -9,6 +9,17 @@
 
 namespace birdstrike::test
 {
+  inline constexpr double g = 1.5e-3; // offset of a 1 mm point from a plate of 2 mm
+  inline constexpr double h = 0.5e-3; // offset of a 1 mm point from a skin
+  inline constexpr double k = 1e6;    // N/m, rho c^2 V^(1/3) of a 1 mm point
+
+  inline ContactParameters without_damper()
+  {
+    ContactParameters parameters;
+    parameters.damping_scale = 0.;
+    return parameters;
+  }
+
   /// Free points and free (or held) nodes without internal forces, advanced by velocity-Verlet; books contact works and
   /// the kinetic energy of neighbouring half steps, so that a linear spring closes the balance exactly.
   struct FreeMasses
@@ -234,4 +245,12 @@ namespace birdstrike::test
         node[n].velocity = kick_one(node[n].velocity, force_on_node(n), node[n].inverse_mass);
     }
   };
+
+  /// Two by two cells of 10 mm, 2 mm thick, fixed, middle node at (10, 10) mm.
+  inline FreeMasses plate_of_four()
+  {
+    FreeMasses scene;
+    scene.add_plate(2, 2, 0.01, 2e-3);
+    return scene;
+  }
 } // namespace birdstrike::test

@@ -6,25 +6,12 @@
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
+using birdstrike::test::g;
+using birdstrike::test::plate_of_four;
+using birdstrike::test::without_damper;
 
 namespace
 {
-  constexpr double g = 1.5e-3; // offset of a 1 mm point from a plate of 2 mm
-
-  ContactParameters without_damper()
-  {
-    ContactParameters parameters;
-    parameters.damping_scale = 0.;
-    return parameters;
-  }
-
-  FreeMasses plate_of_four()
-  {
-    FreeMasses scene;
-    scene.add_plate(2, 2, 0.01, 2e-3);
-    return scene;
-  }
-
   /// Forces along a path of one point at rest; the first place of the path must be out of touch.
   std::vector<Point3> sweep(FreeMasses &scene, const std::vector<Point3> &path)
   {

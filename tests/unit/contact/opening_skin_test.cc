@@ -8,13 +8,13 @@
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
+using birdstrike::test::h;
+using birdstrike::test::k;
 
 /// The skin of a solid of which cells fail: faces vanish under points, and others appear on nodes that were inside.
 namespace
 {
-  constexpr double g    = 0.5e-3; // offset of a 1 mm point from a skin
-  constexpr double k    = 1e6;    // N/m, rho c^2 V^(1/3) of these points
-  constexpr double step = 1e-7, edge = 2e-3;
+  constexpr double step = 1e-7, side = 2e-3;
 
   using Cell = std::array<unsigned int, 3>;
 
@@ -32,7 +32,7 @@ namespace
       for (unsigned int z = 0; z <= 2; ++z)
         for (unsigned int y = 0; y <= 3; ++y)
           for (unsigned int x = 0; x <= 3; ++x)
-            scene.node.push_back({Point3(edge * x, edge * y, edge * z - edge)});
+            scene.node.push_back({Point3(side * x, side * y, side * z - side)});
       for (unsigned int z = 0; z < 2; ++z)
         for (unsigned int y = 0; y < 3; ++y)
           for (unsigned int x = 0; x < 3; ++x)
@@ -100,7 +100,7 @@ namespace
     {
       if (scene.id.empty())
         scene.add_point({position});
-      for (double z = 2e-3 + 2. * g; z > position[2]; z -= 0.05e-3)
+      for (double z = 2e-3 + 2. * h; z > position[2]; z -= 0.05e-3)
         force_at({position[0], position[1], z});
       return force_at(position);
     }
@@ -117,14 +117,14 @@ TEST(OpeningSkin, WhereACellFailsTheForceIsNoLargerThanBefore)
         {
           Body         body;
           const Point3 before = body.come_down_to({x, y, z});
-          EXPECT_NEAR(before[2], k * (2e-3 + g - z), 1e-6 * k * g);
+          EXPECT_NEAR(before[2], k * (2e-3 + h - z), 1e-6 * k * h);
           body.fail(middle);
           const Point3 after = body.force_at({x, y, z});
           for (unsigned int d = 0; d < 3; ++d) // of two walls each pushes no more than the skin did
             EXPECT_LE(std::abs(after[d]), before.norm() * (1. + 1e-9)) << x << ' ' << y << ' ' << z;
           const double from_wall = std::hypot(std::min(x - 2e-3, 4e-3 - x), std::max(z - 2e-3, 0.));
           const double from_next = std::hypot(std::min(y - 2e-3, 4e-3 - y), std::max(z - 2e-3, 0.));
-          EXPECT_TRUE(after.norm() == 0. || std::min(from_wall, from_next) < g)
+          EXPECT_TRUE(after.norm() == 0. || std::min(from_wall, from_next) < h)
             << "floor out of reach: walls alone push";
         }
 }
@@ -138,14 +138,14 @@ TEST(OpeningSkin, FloorAndWallsOfTheHoleAreSkin)
   for (double z = 1.8e-3; z > 0.3e-3; z -= 0.05e-3)
     body.force_at({3e-3, 3e-3, z});
   const Point3 floor = body.force_at({3e-3, 3e-3, 0.3e-3});
-  EXPECT_LT((floor - Point3(0., 0., k * 0.2e-3)).norm(), 1e-6 * k * g) << "all of its nodes were inside";
+  EXPECT_LT((floor - Point3(0., 0., k * 0.2e-3)).norm(), 1e-6 * k * h) << "all of its nodes were inside";
   for (double x = 3e-3; x > 2.4e-3; x -= 0.05e-3)
     body.force_at({x, 3e-3, 1e-3});
   const Point3 wall = body.force_at({2.4e-3, 3e-3, 1e-3});
-  EXPECT_LT((wall - Point3(k * 0.1e-3, 0., 0.)).norm(), 1e-6 * k * g);
+  EXPECT_LT((wall - Point3(k * 0.1e-3, 0., 0.)).norm(), 1e-6 * k * h);
   // and on through the floor, when that fails too
   body.fail({1, 1, 0});
-  for (double z = 1e-3; z > -2e-3 - 2. * g; z -= 0.05e-3)
+  for (double z = 1e-3; z > -2e-3 - 2. * h; z -= 0.05e-3)
     EXPECT_EQ(body.force_at({3e-3, 3e-3, z}).norm(), 0.) << z;
 }
 

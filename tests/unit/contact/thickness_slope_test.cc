@@ -9,6 +9,7 @@
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
+using birdstrike::test::without_damper;
 
 namespace
 {
@@ -19,13 +20,6 @@ namespace
     for (unsigned int k = 0; k < 4; ++k)
       sum += q.weights[k] * t[k];
     return sum;
-  }
-
-  ContactParameters without_damper()
-  {
-    ContactParameters parameters;
-    parameters.damping_scale = 0.;
-    return parameters;
   }
 
   /// 40 by 20 mm, 2 mm thick at x = 0 and 6 mm at the other end: each face 1 : 20 to the middle surface.

@@ -4,11 +4,12 @@
 
 using namespace birdstrike;
 using birdstrike::test::FreeMasses;
+using birdstrike::test::g;
 
 /// Facets go (their elements have failed) while points touch them or others.
 namespace
 {
-  constexpr double step = 1e-7, g = 1.5e-3; // offset of a 1 mm point from a plate of 2 mm
+  constexpr double dt = 1e-7; // s
 
   /// Three facets of 5 mm in a row along x.
   FreeMasses strip()
@@ -31,7 +32,7 @@ namespace
     Point3 force_at(const Point3 &position)
     {
       scene.place(0, position);
-      scene.compute_contact(contact, step, pool);
+      scene.compute_contact(contact, dt, pool);
       return scene.force_on_point(0);
     }
   };
@@ -45,7 +46,7 @@ TEST(VanishingFacet, APointRemembersItsSideOfWhatIsLeft)
     {
       Calls calls(strip());
       calls.scene.add_point({Point3(2.5e-3, 2.5e-3, 1.4e-3), Point3(0., 0., -500.)});
-      for (double z = 1.4e-3; z > -0.2e-3; z -= 500. * step)
+      for (double z = 1.4e-3; z > -0.2e-3; z -= 500. * dt)
         calls.force_at({2.5e-3, 2.5e-3, z});
       EXPECT_GT(calls.force_at({2.5e-3, 2.5e-3, -0.2e-3})[2], 0.);
       if (vanishes)
@@ -162,16 +163,16 @@ TEST(VanishingFacet, WhatItsSpringHeldIsBookedAsDissipated)
   for (const double z : {1.6e-3, 1.1e-3, 1.1e-3})
     {
       scene.place(0, Point3(7.5e-3, 2.5e-3, z));
-      scene.compute_contact(contact, step, pool);
+      scene.compute_contact(contact, dt, pool);
     }
   const double held = contact.report().stored_energy;
   EXPECT_NEAR(held, 0.5 * 1e6 * 0.4e-3 * 0.4e-3, 1e-9);
   EXPECT_EQ(contact.report().dissipated_energy, 0.);
   scene.remove_facet(1);
-  scene.compute_contact(contact, step, pool);
+  scene.compute_contact(contact, dt, pool);
   EXPECT_EQ(contact.report().stored_energy, 0.);
   EXPECT_NEAR(contact.report().dissipated_energy, held, 1e-12);
   scene.remove_facet(1);
-  scene.compute_contact(contact, step, pool);
+  scene.compute_contact(contact, dt, pool);
   EXPECT_NEAR(contact.report().dissipated_energy, held, 1e-12) << "once";
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "expect_parts.h"
 #include "scratch_folder.h"
 
 using namespace birdstrike;
@@ -30,12 +31,6 @@ namespace
         return error.what();
       }
     return "accepted";
-  }
-
-  void expect_parts(const std::string &message, const std::vector<std::string> &parts)
-  {
-    for (const std::string &part : parts)
-      EXPECT_NE(message.find(part), std::string::npos) << "no \"" << part << "\" in:\n" << message;
   }
 } // namespace
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "expect_parts.h"
 #include "scratch_folder.h"
 #include "small_parameters.h"
 
@@ -30,12 +31,6 @@ namespace
       }
     ADD_FAILURE() << "accepted:\n" << text;
     return "";
-  }
-
-  void expect_parts(const std::string &message, const std::vector<std::string> &parts)
-  {
-    for (const std::string &part : parts)
-      EXPECT_NE(message.find(part), std::string::npos) << "no \"" << part << "\" in:\n" << message;
   }
 } // namespace
 

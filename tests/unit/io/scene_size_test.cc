@@ -36,7 +36,8 @@ namespace
       EXPECT_EQ(size.n_elements, 0.) << where;
   }
 
-  std::string refusal(const std::string &file, const std::vector<std::string> &overrides, const double available)
+  std::string refusal_for_memory(const std::string &file, const std::vector<std::string> &overrides,
+                                 const double available)
   {
     CaseParameters parameters;
     parameters.read(file, overrides);
@@ -93,22 +94,22 @@ TEST(SceneSize, CountsParticlesOfEveryShapeAndPackingWithinAShareOfTheirOutermos
 TEST(SceneSize, RefusesWhatMemoryCannotHoldAndNamesTheEntries)
 {
   const std::string frontal = BIRDSTRIKE_SOURCE_DIR "/prm/frontal.prm";
-  EXPECT_EQ(refusal(frontal, {}, 1e9), "");
-  const std::string bird = refusal(frontal, {}, 1e6);
+  EXPECT_EQ(refusal_for_memory(frontal, {}, 1e9), "");
+  const std::string bird = refusal_for_memory(frontal, {}, 1e6);
   EXPECT_NE(bird.find("Bird/Particle spacing = 0.0025 m"), std::string::npos) << bird;
   EXPECT_NE(bird.find("Bird/Density = 950 kg/m^3"), std::string::npos) << bird;
-  const std::string blade = refusal(frontal, {"Blade/Mesh/Elements along span=300"}, 1e7);
+  const std::string blade = refusal_for_memory(frontal, {"Blade/Mesh/Elements along span=300"}, 1e7);
   EXPECT_NE(blade.find("Elements along chord = 18"), std::string::npos) << blade;
 }
 
 TEST(SceneSize, AdvisesASpacingThatFits)
 {
   const std::string frontal = BIRDSTRIKE_SOURCE_DIR "/prm/frontal.prm";
-  const std::string text    = refusal(frontal, {}, 1e7);
+  const std::string text    = refusal_for_memory(frontal, {}, 1e7);
   const std::size_t at      = text.rfind("spacing to ");
   ASSERT_NE(at, std::string::npos) << text;
   const std::string spacing = text.substr(at + 11, text.find(" m or", at) - at - 11);
-  EXPECT_EQ(refusal(frontal, {"Bird/Particle spacing=" + spacing}, 1e7), "");
+  EXPECT_EQ(refusal_for_memory(frontal, {"Bird/Particle spacing=" + spacing}, 1e7), "");
 }
 
 TEST(SceneSize, ReadingRefusesAtOnceWhatNoMachineHolds)

@@ -9,7 +9,7 @@ using namespace birdstrike;
 
 namespace
 {
-  std::string refusal(const std::string &override_text, const std::string &another = "Case/Name=case")
+  std::string refusal_of_half(const std::string &override_text, const std::string &another = "Case/Name=case")
   {
     const ScratchFolder scratch;
     CaseParameters      parameters;
@@ -53,7 +53,7 @@ TEST(SymmetryPlane, RefusesWhatIsNotItsOwnMirrorImage)
                                     {"Blade/Mesh/Elements along chord=7", "Blade/Mesh"},
                                     {"Blade/Probes=a: 0.2 -0.01 0", "Probes"}})
     {
-      const std::string message = refusal(text);
+      const std::string message = refusal_of_half(text);
       EXPECT_NE(message.find(entry), std::string::npos) << text << ": " << message;
       EXPECT_NE(message.find("symmetric"), std::string::npos) << text << ": " << message;
     }
@@ -62,19 +62,20 @@ TEST(SymmetryPlane, RefusesWhatIsNotItsOwnMirrorImage)
 TEST(SymmetryPlane, RefusesAThicknessOfASectionThatIsNotItsOwnMirrorImage)
 {
   const std::string ids = "Blade/Section 2/Material ids=1";
-  EXPECT_EQ(refusal("Blade/Section 2/Thickness=0.004 + y^2", ids), "");
-  EXPECT_EQ(refusal("Blade/Section 2/Thickness=0.004 + 0.01*y"), "") << "not in use";
-  EXPECT_NE(refusal("Blade/Section 2/Thickness=0.004 + 0.01*y", ids).find("Section 2/Thickness is not symmetric"),
-            std::string::npos);
+  EXPECT_EQ(refusal_of_half("Blade/Section 2/Thickness=0.004 + y^2", ids), "");
+  EXPECT_EQ(refusal_of_half("Blade/Section 2/Thickness=0.004 + 0.01*y"), "") << "not in use";
+  EXPECT_NE(
+    refusal_of_half("Blade/Section 2/Thickness=0.004 + 0.01*y", ids).find("Section 2/Thickness is not symmetric"),
+    std::string::npos);
 }
 
 TEST(SymmetryPlane, RefusesAProfileOfThicknessThatIsNotItsOwnMirrorImage)
 {
   const std::string maximum = "Blade/Thickness/Maximum=0.004 - 0.001*s";
-  EXPECT_EQ(refusal(maximum), "");
+  EXPECT_EQ(refusal_of_half(maximum), "");
   for (const char *text : {"Blade/Thickness/Leading edge=0.5", "Blade/Thickness/Maximum station=0.4"})
     {
-      const std::string message = refusal(text, maximum);
+      const std::string message = refusal_of_half(text, maximum);
       EXPECT_NE(message.find("Thickness/Maximum station"), std::string::npos) << text << ": " << message;
     }
 }

@@ -40,7 +40,7 @@ namespace
     return std::stod(read(path, typed));
   }
 
-  std::string refusal(const std::string &path, const std::string &typed)
+  std::string refusal_of_number(const std::string &path, const std::string &typed)
   {
     try
       {
@@ -112,7 +112,7 @@ TEST(TypedNumbers, ListsHaveAUnitForEachNumberOrOneForAll)
 {
   EXPECT_EQ(read("Bird/Aim point", "217.84 mm, 0, 1 cm"), "0.21784, 0, 0.01");
   EXPECT_EQ(read("Bird/Aim point", "217.84, 0, 10 mm"), "0.21784, 0, 0.01");
-  EXPECT_NE(refusal("Bird/Aim point", "217.84 mm, 5, 0").find("'5' has no unit"), std::string::npos);
+  EXPECT_NE(refusal_of_number("Bird/Aim point", "217.84 mm, 5, 0").find("'5' has no unit"), std::string::npos);
   EXPECT_DOUBLE_EQ(value("Blade/Rigid/Centre", "2*25 mm, 0, 0"), 0.05);
 }
 
@@ -130,12 +130,12 @@ TEST(TypedNumbers, TextsAreReadPieceByPieceAndFormulasLeftAlone)
 
 TEST(TypedNumbers, WrongUnitsAreRefusedInWords)
 {
-  const std::string mass = refusal("Bird/Mass", "3 mm");
+  const std::string mass = refusal_of_number("Bird/Mass", "3 mm");
   EXPECT_NE(mass.find("here: 'Mass' = '3 mm': 'mm' is a unit of something else"), std::string::npos) << mass;
   EXPECT_NE(mass.find("Unit of this entry: kg; units that it takes: kg, g, mg, t, lb, oz."), std::string::npos) << mass;
-  EXPECT_NE(refusal("Bird/Mass", "3 stone").find("the unit 'stone' is not known"), std::string::npos);
-  EXPECT_NE(refusal("Bird/Mass", "0,1").find("a decimal comma"), std::string::npos);
-  EXPECT_NE(refusal("Blade/Loads/Initial spin", "0; 50 Hz; 0").find("something else"), std::string::npos);
-  EXPECT_NE(refusal("Blade/Material/Yield stress", "880 mm").find("something else"), std::string::npos);
-  EXPECT_NE(refusal("Bird/Length over diameter", "2 m").find("a plain number"), std::string::npos);
+  EXPECT_NE(refusal_of_number("Bird/Mass", "3 stone").find("the unit 'stone' is not known"), std::string::npos);
+  EXPECT_NE(refusal_of_number("Bird/Mass", "0,1").find("a decimal comma"), std::string::npos);
+  EXPECT_NE(refusal_of_number("Blade/Loads/Initial spin", "0; 50 Hz; 0").find("something else"), std::string::npos);
+  EXPECT_NE(refusal_of_number("Blade/Material/Yield stress", "880 mm").find("something else"), std::string::npos);
+  EXPECT_NE(refusal_of_number("Bird/Length over diameter", "2 m").find("a plain number"), std::string::npos);
 }

@@ -9,7 +9,7 @@ using birdstrike::VariedEntry;
 
 namespace
 {
-  std::string refusal(const std::string &text)
+  std::string refusal_of_range(const std::string &text)
   {
     try
       {
@@ -71,7 +71,7 @@ TEST(VariedEntry, RefusesInWords)
                                                         {"Bird/Mass=1:2:1e9", "at most 10000"},
                                                         {"Bird/Mass=1:1:3", "occurs twice"},
                                                         {"Bird/Shape=a:b:2", "cannot be"}})
-    EXPECT_NE(refusal(text).find(word), std::string::npos) << text << ": " << refusal(text);
+    EXPECT_NE(refusal_of_range(text).find(word), std::string::npos) << text << ": " << refusal_of_range(text);
 }
 
 TEST(VariedEntry, MayRepeatInPairs)

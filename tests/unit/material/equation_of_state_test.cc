@@ -12,7 +12,7 @@ using namespace birdstrike;
 
 namespace
 {
-  EquationOfState make(const std::string &type)
+  EquationOfState make_liquid(const std::string &type)
   {
     EosParameters parameters;
     parameters.type = eos_types().at(type);
@@ -35,7 +35,7 @@ TEST(EquationOfState, ReproducesTheTabulatedHugoniotStates)
       std::string        law;
       double             v, ratio, p_mpa, shock, shock_lab, c1;
       row >> law >> v >> ratio >> p_mpa >> shock >> shock_lab >> c1;
-      const EquationOfState eos   = make(law);
+      const EquationOfState eos   = make_liquid(law);
       const HugoniotState   state = eos.hugoniot(v);
       // half a unit of the table's last digit
       EXPECT_NEAR(state.density_ratio, ratio, 6e-7) << line;
@@ -50,7 +50,7 @@ TEST(EquationOfState, ReproducesTheTabulatedHugoniotStates)
 // By construction of the law, U_s = c0 + k v exactly.
 TEST(EquationOfState, LinearShockLawReturnsItsOwnLine)
 {
-  const EquationOfState eos = make("us-up");
+  const EquationOfState eos = make_liquid("us-up");
   for (const double v : {10., 177.4, 500.})
     {
       EXPECT_NEAR(eos.hugoniot(v).shock_speed, 1482.9 + 2. * v, 1e-8 * 1482.9);
@@ -62,7 +62,7 @@ TEST(EquationOfState, LanesAgreeWithDoublesAndSoundSpeedIsTheSlope)
 {
   for (const char *type : {"linear", "murnaghan", "polynomial", "us-up"})
     {
-      const EquationOfState eos = make(type);
+      const EquationOfState eos = make_liquid(type);
       const Lanes           mu([](const auto k) { return -0.02 + 0.0371 * k; });
       const Lanes           p = eos.pressure(mu), c2 = eos.sound_speed_squared(mu, p);
       for (std::size_t k = 0; k < n_lanes; ++k)
@@ -79,12 +79,12 @@ TEST(EquationOfState, LanesAgreeWithDoublesAndSoundSpeedIsTheSlope)
 // rho0 c0^2 mu must keep all digits at mu = 1e-12, where (1 + mu)^gamma - 1 would keep four.
 TEST(EquationOfState, MurnaghanKeepsItsDigitsNearZero)
 {
-  EXPECT_NEAR(make("murnaghan").pressure(1e-12), 128e6 * 7.98 * 1e-12, 1e-14);
+  EXPECT_NEAR(make_liquid("murnaghan").pressure(1e-12), 128e6 * 7.98 * 1e-12, 1e-14);
 }
 
 TEST(EquationOfState, RefusesAnUnknownLawAndASofteningOne)
 {
-  EXPECT_THROW(make("magic"), std::out_of_range);
+  EXPECT_THROW(make_liquid("magic"), std::out_of_range);
   EosParameters parameters;
   parameters.type        = EosType::us_up;
   parameters.shock_slope = 0.1;
@@ -100,7 +100,7 @@ TEST(EquationOfState, EnergyIsTheIntegralOfItsPressure)
       {
         if (type == "us-up" && mu > 0.5)
           continue; // near the pole, mu = 1 at k = 2, Simpson's rule needs more
-        const EquationOfState eos = make(type);
+        const EquationOfState eos = make_liquid(type);
         const int             n   = 2000;
         double                sum = 0.;
         for (int k = 0; k <= n; ++k)
@@ -119,6 +119,7 @@ TEST(EquationOfState, EnergyOfAMurnaghanLawWithExponentOneIsTheLinearOne)
   parameters.murnaghan_exponent = 1.;
   parameters.murnaghan_modulus  = parameters.bulk_modulus;
   const EquationOfState murnaghan(parameters, 950.);
-  EXPECT_NEAR(murnaghan.energy(0.1) / make("linear").energy(0.1), 1., 1e-12);
-  EXPECT_NEAR(make("linear").energy(1e-3) / (0.5 * 2.2e9 / 950. * 1e-6), 1., 2e-3) << "K mu^2/2 to first order in mu";
+  EXPECT_NEAR(murnaghan.energy(0.1) / make_liquid("linear").energy(0.1), 1., 1e-12);
+  EXPECT_NEAR(make_liquid("linear").energy(1e-3) / (0.5 * 2.2e9 / 950. * 1e-6), 1., 2e-3)
+    << "K mu^2/2 to first order in mu";
 }

@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "titanium.h"
+
 using namespace birdstrike;
+using birdstrike::test::titanium;
 
 namespace
 {
-  const Elasticity titanium{113.8e9, 0.342};
-
   struct State
   {
     double stress[3] = {0., 0., 0.}, p = 0., yield = 0.;
@@ -54,7 +55,8 @@ namespace
     return state;
   }
 
-  Hardening make(const HardeningLaw law, const double modulus, const double exponent = 1., const double strain = 1.)
+  Hardening make_hardening(const HardeningLaw law, const double modulus, const double exponent = 1.,
+                           const double strain = 1.)
   {
     Hardening h;
     h.law      = law;
@@ -69,7 +71,7 @@ namespace
 TEST(PlaneStressReturn, UniaxialStressWithLinearHardening)
 {
   // closed form: E_t = E H/(E + H), e = 0.05; one step or fifty: the path is proportional but for the elastic part
-  const State s = pull(make(HardeningLaw::linear, 1.2e9), 0.05, 50);
+  const State s = pull(make_hardening(HardeningLaw::linear, 1.2e9), 0.05, 50);
   EXPECT_NEAR(s.stress[0], 930.191304e6, 930e6 * 1e-6);
   EXPECT_NEAR(s.p, 0.04182609, 0.04182609e-6 * 2.);
 }
@@ -77,7 +79,7 @@ TEST(PlaneStressReturn, UniaxialStressWithLinearHardening)
 TEST(PlaneStressReturn, ShearYieldsAtVonMises)
 {
   State s;
-  apply(s, make(HardeningLaw::perfect, 0.), {0., 0., 0.1});
+  apply(s, make_hardening(HardeningLaw::perfect, 0.), {0., 0., 0.1});
   EXPECT_NEAR(s.stress[2], 508.068e6, 1e3);
   EXPECT_EQ(s.stress[0], 0.);
 }
@@ -85,9 +87,10 @@ TEST(PlaneStressReturn, ShearYieldsAtVonMises)
 TEST(PlaneStressReturn, TheStateLiesOnEveryCurve)
 {
   // whatever the increment, a single return must satisfy the implicit equations: yield and normality
-  const std::array<Hardening, 5> laws{make(HardeningLaw::perfect, 0.), make(HardeningLaw::linear, 1.2e9),
-                                      make(HardeningLaw::swift, 0., 0.2, 0.01), make(HardeningLaw::voce, 200e6, 15.),
-                                      make(HardeningLaw::johnson_cook, 331e6, 0.34)};
+  const std::array<Hardening, 5> laws{
+    make_hardening(HardeningLaw::perfect, 0.), make_hardening(HardeningLaw::linear, 1.2e9),
+    make_hardening(HardeningLaw::swift, 0., 0.2, 0.01), make_hardening(HardeningLaw::voce, 200e6, 15.),
+    make_hardening(HardeningLaw::johnson_cook, 331e6, 0.34)};
   for (Hardening h : laws)
     for (const double rate_factor : {0., 0.014})
       for (const double size : {0.008, 0.02, 0.3})
@@ -115,7 +118,7 @@ TEST(PlaneStressReturn, TheStateLiesOnEveryCurve)
 
 TEST(PlaneStressReturn, LiesOnACurveWithCowperAndSymonds)
 {
-  Hardening h        = make(HardeningLaw::curve, 0.);
+  Hardening h        = make_hardening(HardeningLaw::curve, 0.);
   h.curve.segments   = {{{0., 0.005, 0.}, {0.005, 0.02, 3e9}, {0.025, 0.1, 2e8}}};
   h.curve.n_segments = 3;
   for (const double rate : {0., 40.4, 1e5})
@@ -139,7 +142,7 @@ TEST(PlaneStressReturn, LiesOnACurveWithCowperAndSymonds)
 
 TEST(PlaneStressReturn, JohnsonCookRateIsThatOfTheStep)
 {
-  Hardening h   = make(HardeningLaw::johnson_cook, 331e6, 0.34);
+  Hardening h   = make_hardening(HardeningLaw::johnson_cook, 331e6, 0.34);
   h.rate_factor = 0.012;
   const State s = pull(h, 0.1, 20, 1e-6); // 5e3 /s
   // in the last step nearly all strain is plastic: rate = (de - ds/E)/dt
@@ -150,7 +153,7 @@ TEST(PlaneStressReturn, JohnsonCookRateIsThatOfTheStep)
 TEST(PlaneStressReturn, SteadyFlowHasTheStressOfItsRate)
 {
   // in steady shear all strain is plastic, at rates below and above the reference
-  Hardening h     = make(HardeningLaw::perfect, 0.);
+  Hardening h     = make_hardening(HardeningLaw::perfect, 0.);
   h.rate_factor   = 0.014;
   const double dt = 1e-7;
   for (const double rate : {0.3, 0.9, 1., 1.5, 10., 1e2, 1e3, 1e4, 1e5})
@@ -171,7 +174,7 @@ TEST(PlaneStressReturn, SteadyFlowHasTheStressOfItsRate)
 
 TEST(PlaneStressReturn, LanesAgreeWithDoubles)
 {
-  const Hardening h = make(HardeningLaw::swift, 0., 0.2, 0.01);
+  const Hardening h = make_hardening(HardeningLaw::swift, 0., 0.2, 0.01);
   Lanes           s[3];
   double          e[3][n_lanes];
   for (std::size_t k = 0; k < n_lanes; ++k)

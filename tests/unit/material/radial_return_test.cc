@@ -4,12 +4,14 @@
 
 #include <cmath>
 
+#include "titanium.h"
+
 using namespace birdstrike;
+using birdstrike::test::titanium;
 
 namespace
 {
-  const Elasticity titanium{113.8e9, 0.342};
-  const Hardening  perfect; // 880 MPa
+  const Hardening perfect; // 880 MPa
 
   struct Point
   {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 // Expectations are those of the Abaqus Keywords Reference Guide.
-namespace birdstrike
+namespace birdstrike::abaqus_file_test
 {
   namespace
   {
@@ -154,4 +154,4 @@ namespace birdstrike
           {nodes + squares + "*NSET, NSET=a\nb\n", "the set 'b' has not been defined before"}})
       EXPECT_NE(complaint(text).find(words), std::string::npos) << words << "\n" << complaint(text);
   }
-} // namespace birdstrike
+} // namespace birdstrike::abaqus_file_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace birdstrike
+namespace birdstrike::blade_generator_test
 {
   namespace
   {
@@ -288,4 +288,4 @@ namespace birdstrike
         "without volume");
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::blade_generator_test

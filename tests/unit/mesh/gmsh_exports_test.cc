@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 // The same plate and body in every format that Gmsh itself writes (tests/data/gmsh), groups by their names.
-namespace birdstrike
+namespace birdstrike::gmsh_exports_test
 {
   namespace
   {
@@ -85,4 +85,4 @@ namespace birdstrike
                                    "leading_edge, root, tip, trailing_edge; or give an id, a whole number.");
       }
   }
-} // namespace birdstrike
+} // namespace birdstrike::gmsh_exports_test

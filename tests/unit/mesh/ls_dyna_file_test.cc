@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 // Expectations are those of the LS-DYNA Keyword User's Manual, Volume I.
-namespace birdstrike
+namespace birdstrike::ls_dyna_file_test
 {
   namespace
   {
@@ -140,4 +140,4 @@ namespace birdstrike
       EXPECT_NE(said.find(words), std::string::npos) << words << "\n" << said;
     EXPECT_EQ(shell("*ELEMENT_SHELL_BETA_OFFSET\n1,1,1,2,3,4\n0,0,0,0,45\n0.0\n\n"), "") << "a blank line";
   }
-} // namespace birdstrike
+} // namespace birdstrike::ls_dyna_file_test

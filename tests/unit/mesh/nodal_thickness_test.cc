@@ -9,7 +9,7 @@
 #include <sstream>
 
 // Thickness of shells from a file: by the profile along the chord, by a table, by the file itself.
-namespace birdstrike
+namespace birdstrike::nodal_thickness_test
 {
   namespace
   {
@@ -186,4 +186,4 @@ namespace birdstrike
       EXPECT_NEAR(t, 0.00427, 1e-15);
     EXPECT_NE(complaint(from_file(p, some)).find("element 1 has a thickness at some corners only"), std::string::npos);
   }
-} // namespace birdstrike
+} // namespace birdstrike::nodal_thickness_test

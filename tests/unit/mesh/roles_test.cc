@@ -2,7 +2,7 @@
 
 #include <birdstrike/mesh/roles.h>
 
-namespace birdstrike
+namespace birdstrike::roles_test
 {
   using namespace solid_mesh_harness;
 
@@ -58,4 +58,4 @@ namespace birdstrike
     expect_near(clamped.root.normal, -Point3::UnitZ());
     EXPECT_FALSE(BladeRoles(mesh, {}, {}, Point3::Zero()).root.is_present());
   }
-} // namespace birdstrike
+} // namespace birdstrike::roles_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace birdstrike
+namespace birdstrike::shell_mesh_test
 {
   namespace
   {
@@ -175,4 +175,4 @@ namespace birdstrike
       EXPECT_EQ(std::count(mesh.neighbors[1].begin(), mesh.neighbors[1].end(), 0), 1);
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::shell_mesh_test

@@ -4,7 +4,7 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/mesh/blade_mesh.h>
 
-namespace birdstrike
+namespace birdstrike::solid_mesh_file_test
 {
   using namespace solid_mesh_harness;
   using test::TemporaryMesh;
@@ -211,4 +211,4 @@ namespace birdstrike
       EXPECT_EQ(complaint(nodes, two_legs), "");
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::solid_mesh_file_test

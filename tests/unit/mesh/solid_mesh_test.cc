@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-namespace birdstrike
+namespace birdstrike::solid_mesh_test
 {
   using namespace solid_mesh_harness;
 
@@ -175,4 +175,4 @@ namespace birdstrike
     // it.
     // Four cells on two legs that stand across the corner: the legs are joined above, but share an edge below.
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::solid_mesh_test

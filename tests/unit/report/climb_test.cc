@@ -19,7 +19,7 @@ namespace
                                         {"Contact", "impulse (norm)", "N s", {16.}, {}}};
 
   /// f = 1 + c h^p on sizes that shrink by 1.5.
-  ClimbAxis of_power(const double p, const double c, const std::size_t n)
+  ClimbAxis axis_of_power(const double p, const double c, const std::size_t n)
   {
     ClimbAxis axis{"bird", {}, {}};
     for (std::size_t k = 0; k < n; ++k)
@@ -58,7 +58,7 @@ TEST(Climb, ErrorsOfALadderThatConvergesHoldTheTruth)
 {
   for (const double p : {1., 2.})
     {
-      const ClimbAxis           axis   = of_power(p, 0.1, 4);
+      const ClimbAxis           axis   = axis_of_power(p, 0.1, 4);
       const std::vector<double> errors = axis.errors();
       EXPECT_TRUE(axis.is_trusted(1e-9));
       for (std::size_t k = 0; k < 4; ++k)
@@ -81,7 +81,7 @@ TEST(Climb, TrustsSwingsOnlyWhereTheyAreSmall)
 
 TEST(Climb, ChoosesTheCoarsestMeshForEachBirdAndNeverBothAtTheirCoarsest)
 {
-  const ClimbAxis bird = of_power(2., 0.1, 4), mesh = of_power(1., 0.1, 4);
+  const ClimbAxis bird = axis_of_power(2., 0.1, 4), mesh = axis_of_power(1., 0.1, 4);
   for (const ClimbChoice &choice : find_choices(bird, mesh, 0.15))
     {
       EXPECT_GE(choice.bird, 1u);

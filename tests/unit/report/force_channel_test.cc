@@ -10,12 +10,12 @@ using namespace birdstrike;
 
 namespace
 {
-  using Curve = std::function<double(double)>; // N over s
+  using ForceCurve = std::function<double(double)>; // N over s
 
   constexpr double pi = std::numbers::pi;
 
   /// Of a force along x, recorded in steps of `step` s until `end`.
-  FilteredForce filter(const Curve &force, const double end, const double step, const double channel_class = 1000.)
+  FilteredForce filter(const ForceCurve &force, const double end, const double step, const double channel_class = 1000.)
   {
     ForceChannel channel(channel_class);
     const auto   n = std::lround(end / step);

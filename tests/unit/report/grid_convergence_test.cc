@@ -26,7 +26,7 @@ namespace
   }
 
   /// f = 3 + c h^p on grids that need not grow by one ratio.
-  GridConvergence of_power(const double p, const double c, const std::vector<double> &h)
+  GridConvergence estimate_of_power(const double p, const double c, const std::vector<double> &h)
   {
     std::vector<double> f;
     for (const double size : h)
@@ -71,7 +71,7 @@ TEST(GridConvergence, FindsTheOrderAndTheLimitOfAPower)
   for (const double p : {0.6, 1., 1.5, 2.})
     for (const auto &h : {std::vector{1., 2., 4.}, std::vector{1., 1.3, 2.1}, std::vector{0.7, 1., 1.2, 1.9}})
       {
-        const GridConvergence made = of_power(p, -0.05, h);
+        const GridConvergence made = estimate_of_power(p, -0.05, h);
         EXPECT_EQ(made.trend, Trend::asymptotic) << p;
         EXPECT_NEAR(made.order, p, 1e-8) << "round-off over changes of a hundredth";
         EXPECT_NEAR(made.extrapolated, 3., 1e-9);
@@ -81,10 +81,10 @@ TEST(GridConvergence, FindsTheOrderAndTheLimitOfAPower)
 
 TEST(GridConvergence, TrustsNoOrderThatTheMethodHasNot)
 {
-  const GridConvergence fast = of_power(4., 0.01, {1., 2., 4.});
+  const GridConvergence fast = estimate_of_power(4., 0.01, {1., 2., 4.});
   EXPECT_EQ(fast.trend, Trend::not_asymptotic);
   EXPECT_NEAR(fast.bar, 3. * 0.15 / 3., 1e-9) << "3 |f2 - f1|/(2^2 - 1)";
-  const GridConvergence slow = of_power(0.2, 0.01, {1., 2., 4.});
+  const GridConvergence slow = estimate_of_power(0.2, 0.01, {1., 2., 4.});
   EXPECT_EQ(slow.trend, Trend::not_asymptotic);
   EXPECT_GT(slow.bar, 0.01) << "what is left to go";
 }

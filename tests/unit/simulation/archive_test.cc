@@ -18,8 +18,6 @@ using namespace birdstrike::test;
 // shows.
 namespace
 {
-  using Overrides = std::vector<std::string>;
-
   struct Running
   {
     CaseParameters              parameters;
@@ -76,12 +74,6 @@ namespace
     for (const std::uint64_t value : quantity.whole)
       most = std::max(most, static_cast<double>(value));
     return most;
-  }
-
-  Overrides with(Overrides one, const Overrides &more)
-  {
-    one.insert(one.end(), more.begin(), more.end());
-    return one;
   }
 
   std::string shipped(const std::string &name)

@@ -8,7 +8,7 @@ using namespace birdstrike;
 
 namespace
 {
-  std::string failure_of(const std::vector<std::string> &overrides)
+  std::string failure_of_crushing(const std::vector<std::string> &overrides)
   {
     const char *crush = R"(
 subsection Time
@@ -51,7 +51,7 @@ end
 // A plate that is crushed along its plane at 1600 m/s folds its elements to nothing; at 800 m/s it folds soundly.
 TEST(Collapse, EndsTheRunInWords)
 {
-  const std::string message = failure_of({});
+  const std::string message = failure_of_crushing({});
   for (const char *part :
        {"stable step of the blade", "Time/Smallest step", "element", "t = ", "Blade/Material/Failure"})
     EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
@@ -59,6 +59,6 @@ TEST(Collapse, EndsTheRunInWords)
 
 TEST(Collapse, TheLimitIsTheUsers)
 {
-  const std::string message = failure_of({"Time/Smallest step=0.5"});
+  const std::string message = failure_of_crushing({"Time/Smallest step=0.5"});
   EXPECT_NE(message.find("Time/Smallest step 0.5"), std::string::npos) << message;
 }

@@ -19,7 +19,7 @@ namespace
     return run_shipped("fan-blade.prm", more);
   }
 
-  std::string refusal(const std::vector<std::string> &overrides)
+  std::string refusal_of_fan(const std::vector<std::string> &overrides)
   {
     try
       {
@@ -75,13 +75,15 @@ TEST(FanBlade, SeveralStepsOfTheBladeAgreeWithOne)
 
 TEST(FanBlade, RefusesWhatIsOfTheOtherKind)
 {
-  EXPECT_NE(refusal({"Blade/Kind=solid", "Blade/Element/Formulation=Belytschko-Tsay"})
+  EXPECT_NE(refusal_of_fan({"Blade/Kind=solid", "Blade/Element/Formulation=Belytschko-Tsay"})
               .find("Blade/Element/Formulation: 'Belytschko-Tsay' is no element of a solid"),
             std::string::npos);
-  EXPECT_NE(
-    refusal({"Blade/Element/Formulation=B-bar"}).find("Blade/Element/Formulation: 'B-bar' is no element of a shell"),
-    std::string::npos);
-  EXPECT_NE(refusal({"Blade/Kind=solid", "Blade/Mesh/Layers=0"}).find("'Layers' cannot be '0'"), std::string::npos);
-  EXPECT_NE(refusal({"Blade/Kind=solid", "Blade/Thickness/Trailing edge=0"}).find("Blade/Thickness/Trailing edge"),
+  EXPECT_NE(refusal_of_fan({"Blade/Element/Formulation=B-bar"})
+              .find("Blade/Element/Formulation: 'B-bar' is no element of a shell"),
             std::string::npos);
+  EXPECT_NE(refusal_of_fan({"Blade/Kind=solid", "Blade/Mesh/Layers=0"}).find("'Layers' cannot be '0'"),
+            std::string::npos);
+  EXPECT_NE(
+    refusal_of_fan({"Blade/Kind=solid", "Blade/Thickness/Trailing edge=0"}).find("Blade/Thickness/Trailing edge"),
+    std::string::npos);
 }

@@ -33,7 +33,7 @@ namespace
   constexpr double depth_of_bricks = 0.1e-3;
 
   /// Runs the strike and looks every ten steps whether anything goes through anything.
-  Outcome run(const bool is_solid, const std::vector<std::string> &overrides = {})
+  Outcome run_folded(const bool is_solid, const std::vector<std::string> &overrides = {})
   {
     std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-fold-XXXXXX").string();
     const std::filesystem::path folder  = mkdtemp(pattern.data());
@@ -87,8 +87,8 @@ namespace
 
 TEST_P(FoldedBlade, LegsPassThroughOneAnotherOnlyWithoutSelfContact)
 {
-  EXPECT_GT(run(GetParam(), {"Contact/Self-contact=false"}).crossings, 10U);
-  const Outcome folded = run(GetParam());
+  EXPECT_GT(run_folded(GetParam(), {"Contact/Self-contact=false"}).crossings, 10U);
+  const Outcome folded = run_folded(GetParam());
   EXPECT_EQ(folded.crossings, 0U);
   EXPECT_GT(folded.touches, 100U);
   EXPECT_LT(folded.deepest, 0.1 * thickness); // as the law promises for 150 m/s: 2.2 steps' flight, 0.2 mm
@@ -103,8 +103,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, FoldedBlade, ::testing::Bool(),
 
 TEST(SelfContactInAStrike, IsTheSameForAnyNumberOfThreads)
 {
-  const Outcome one   = run(false, {"Time/End time=0.3e-3"}),
-                three = run(false, {"Time/End time=0.3e-3", "Time/Threads=3"});
+  const Outcome one   = run_folded(false, {"Time/End time=0.3e-3"}),
+                three = run_folded(false, {"Time/End time=0.3e-3", "Time/Threads=3"});
   EXPECT_GT(one.touches, 0U);
   EXPECT_EQ(one.momentum, three.momentum);
   EXPECT_EQ(one.dissipated, three.dissipated);

@@ -15,12 +15,12 @@ namespace
   // 11.9 km/s
   constexpr double slow = 4e3, fast = 13e3;
 
-  struct Case
+  struct FrontalCase
   {
     CaseParameters         parameters;
     std::unique_ptr<Scene> scene;
 
-    explicit Case(std::vector<std::string> overrides = {})
+    explicit FrontalCase(std::vector<std::string> overrides = {})
     {
       overrides.insert(overrides.end(), {"Bird/Particle spacing=8 mm", "Blade/Mesh/Elements along span=12",
                                          "Blade/Mesh/Elements along chord=4"});
@@ -57,8 +57,8 @@ namespace
 
 TEST(Guards, StopARunawayNode)
 {
-  const Case   frontal;
-  const Guards guards(frontal.parameters, *frontal.scene);
+  const FrontalCase frontal;
+  const Guards      guards(frontal.parameters, *frontal.scene);
   EXPECT_NO_THROW(guards.check_motion(*frontal.scene, 0.));
   frontal.set_node(40, slow);
   EXPECT_NO_THROW(guards.check_motion(*frontal.scene, 0.)) << "slower than waves in titanium";
@@ -76,8 +76,8 @@ TEST(Guards, StopANodeWhoseMotionIsNoNumber)
 {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
     {
-      const Case   frontal;
-      const Guards guards(frontal.parameters, *frontal.scene);
+      const FrontalCase frontal;
+      const Guards      guards(frontal.parameters, *frontal.scene);
       frontal.set_node(40, bad);
       const FailureFacts facts = failure_of([&] { guards.check_motion(*frontal.scene, 0.); });
       EXPECT_EQ(facts.what, "The motion of a node is no number") << bad;
@@ -88,8 +88,8 @@ TEST(Guards, StopANodeWhoseMotionIsNoNumber)
 
 TEST(Guards, StopARunawayParticle)
 {
-  const Case   frontal;
-  const Guards guards(frontal.parameters, *frontal.scene);
+  const FrontalCase frontal;
+  const Guards      guards(frontal.parameters, *frontal.scene);
   frontal.set_particle(17, slow);
   EXPECT_NO_THROW(guards.check_motion(*frontal.scene, 0.));
   frontal.set_particle(17, fast);
@@ -103,8 +103,8 @@ TEST(Guards, StopARunawayParticle)
 // Loads may bring a blade from rest to any speed: its own energy says so.
 TEST(Guards, FollowABladeThatLoadsMakeFast)
 {
-  const Case   frontal;
-  const Guards guards(frontal.parameters, *frontal.scene);
+  const FrontalCase frontal;
+  const Guards      guards(frontal.parameters, *frontal.scene);
   frontal.set_node(40, fast);
   const double mean = 0.5 * fast;
   EXPECT_NO_THROW(guards.check_motion(*frontal.scene, 0.5 * frontal.scene->blade->mass() * mean * mean));
@@ -113,9 +113,9 @@ TEST(Guards, FollowABladeThatLoadsMakeFast)
 // Springs of a millionth of the liquid's stiffness and no damper hold nothing back.
 TEST(Guards, StopAParticleThatComesThroughTheBlade)
 {
-  Case       frontal({"Contact/Stiffness scale=1e-6", "Contact/Damping scale=0"});
-  BirdStrike strike(frontal.parameters, *frontal.scene);
-  const auto facts = failure_of([&] { strike.run(); });
+  FrontalCase frontal({"Contact/Stiffness scale=1e-6", "Contact/Damping scale=0"});
+  BirdStrike  strike(frontal.parameters, *frontal.scene);
+  const auto  facts = failure_of([&] { strike.run(); });
   EXPECT_EQ(facts.what, "A particle is stuck in the blade, or has come through it");
   EXPECT_STREQ(facts.where.kind, "particle");
   EXPECT_GT(facts.value, facts.limit);
@@ -127,8 +127,8 @@ TEST(Guards, StopAParticleThatComesThroughTheBlade)
 
 TEST(Guards, RefuseACheckpointOfALostState)
 {
-  const Case frontal;
-  BirdStrike strike(frontal.parameters, *frontal.scene);
+  const FrontalCase frontal;
+  BirdStrike        strike(frontal.parameters, *frontal.scene);
   strike.start();
   EXPECT_NO_THROW(strike.require_sound_state());
   frontal.set_node(40, fast);
@@ -138,9 +138,9 @@ TEST(Guards, RefuseACheckpointOfALostState)
 // The balance knows no entity: what moves fastest is named.
 TEST(Guards, NameTheFastestWhereTheEnergyIsLost)
 {
-  Case       frontal({"Time/Energy error limit=1e-9"});
-  BirdStrike strike(frontal.parameters, *frontal.scene);
-  const auto facts = failure_of([&] { strike.run(); });
+  FrontalCase frontal({"Time/Energy error limit=1e-9"});
+  BirdStrike  strike(frontal.parameters, *frontal.scene);
+  const auto  facts = failure_of([&] { strike.run(); });
   EXPECT_EQ(facts.quantity, "energy error");
   EXPECT_NE(facts.role.find("the fastest"), std::string::npos);
   EXPECT_NE(facts.where.kind, nullptr);

@@ -98,27 +98,27 @@ namespace
     EXPECT_EQ(std::memcmp(unseen.data(), seen.data(), unseen.size() * sizeof(double)), 0);
   }
 
-  const std::string coarse = "Bird/Particle spacing=0.006";
+  const std::string coarse_particles = "Bird/Particle spacing=0.006";
 } // namespace
 
 TEST(Looking, LeavesAStrikeOnShellsAsItIs)
 {
-  expect_same("quickstart.prm", {coarse});
+  expect_same("quickstart.prm", {coarse_particles});
 }
 
 TEST(Looking, LeavesAStrikeOnScaledBricksAsItIs)
 {
   expect_same("quickstart.prm",
-              {coarse, "Blade/Kind=solid", "Blade/Mesh/Elements along span=14", "Blade/Mesh/Elements along chord=4",
-               "Blade/Mesh/Layers=2", "Blade/Mass scaling/Method=selective"});
+              {coarse_particles, "Blade/Kind=solid", "Blade/Mesh/Elements along span=14",
+               "Blade/Mesh/Elements along chord=4", "Blade/Mesh/Layers=2", "Blade/Mass scaling/Method=selective"});
 }
 
 TEST(Looking, LeavesAFreeBirdAsItIs)
 {
-  expect_same("bird-free.prm", {coarse});
+  expect_same("bird-free.prm", {coarse_particles});
 }
 
 TEST(Looking, LeavesAStrikeOnARigidPlateAsItIs)
 {
-  expect_same("rigid-plate.prm", {coarse});
+  expect_same("rigid-plate.prm", {coarse_particles});
 }

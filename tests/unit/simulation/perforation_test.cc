@@ -10,11 +10,10 @@ using namespace birdstrike::test;
 
 namespace
 {
-  const std::vector<std::string> coarse{"Bird/Particle spacing=0.004", "Blade/Mesh/Elements along span=30",
-                                        "Blade/Mesh/Elements along chord=30", "Time/End time=0.3e-3"};
-
-  Strike run_coarse(std::vector<std::string> more = {})
+  Strike run_perforation(std::vector<std::string> more = {})
   {
+    const std::vector<std::string> coarse{"Bird/Particle spacing=0.004", "Blade/Mesh/Elements along span=30",
+                                          "Blade/Mesh/Elements along chord=30", "Time/End time=0.3e-3"};
     more.insert(more.begin(), coarse.begin(), coarse.end());
     return run_shipped("perforation.prm", more);
   }
@@ -22,7 +21,7 @@ namespace
 
 TEST(Perforation, TheBirdGoesThroughAndTheBalanceHolds)
 {
-  const Strike  run     = run_coarse();
+  const Strike  run     = run_perforation();
   const Summary summary = run.summary;
   EXPECT_EQ(summary.text("end/reason"), "end time reached");
   EXPECT_LT(summary.number("energy/max_relative_error"), 5e-3); // coupled gate
@@ -46,7 +45,7 @@ TEST(Perforation, TheBirdGoesThroughAndTheBalanceHolds)
 
 TEST(Perforation, IsBitwiseTheSameForOneAndTwoThreads)
 {
-  const Strike one = run_coarse({"Time/Threads=1"}), two = run_coarse({"Time/Threads=2"});
+  const Strike one = run_perforation({"Time/Threads=1"}), two = run_perforation({"Time/Threads=2"});
   EXPECT_EQ(one.curves, two.curves);
 }
 
@@ -58,7 +57,7 @@ TEST(Perforation, HalfOfItTellsOfTheWhole)
                                        "Blade/Mesh/Elements along chord=40", "Time/End time=0.15e-3"};
   std::vector<std::string>       halved = finer;
   halved.push_back("Case/Symmetry plane=y");
-  const Summary whole = run_coarse(finer).summary, half = run_coarse(halved).summary;
+  const Summary whole = run_perforation(finer).summary, half = run_perforation(halved).summary;
   EXPECT_GT(whole.number("failed/elements"), 20u);
   EXPECT_NEAR(double(half.number("failed/elements")) / whole.number("failed/elements"), 1., 0.1);
   EXPECT_NEAR(half.number("failed/mass") / whole.number("failed/mass"), 1., 0.1);
@@ -71,7 +70,7 @@ TEST(Perforation, BricksLetTheBirdThroughAndTheBalanceHolds)
 {
   for (const std::string layers : {"1", "2"})
     {
-      const Strike  run     = run_coarse({"Blade/Kind=solid", "Blade/Mesh/Layers=" + layers, "Time/End time=0.15e-3"});
+      const Strike  run = run_perforation({"Blade/Kind=solid", "Blade/Mesh/Layers=" + layers, "Time/End time=0.15e-3"});
       const Summary summary = run.summary;
       EXPECT_EQ(summary.text("end/reason"), "end time reached");
       EXPECT_LT(summary.number("energy/max_relative_error"), 5e-3); // coupled gate
@@ -95,9 +94,9 @@ TEST(Perforation, OfBricksIsBitwiseTheSameForOneAndTwoThreads)
   const std::vector<std::string> bricks{"Blade/Kind=solid", "Blade/Mesh/Layers=2", "Time/End time=0.12e-3"};
   auto                           more = bricks;
   more.push_back("Time/Threads=1");
-  const Strike one = run_coarse(more);
+  const Strike one = run_perforation(more);
   more.back()      = "Time/Threads=2";
-  const Strike two = run_coarse(more);
+  const Strike two = run_perforation(more);
   EXPECT_GT(one.summary.number("failed/elements"), 0u);
   EXPECT_EQ(one.curves, two.curves);
 }

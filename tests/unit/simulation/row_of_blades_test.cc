@@ -14,8 +14,6 @@ using namespace birdstrike::test;
 
 namespace
 {
-  using Overrides = std::vector<std::string>;
-
   const std::string fan   = BIRDSTRIKE_SOURCE_DIR "/prm/fan-row.prm";
   const double      pitch = 2. * std::numbers::pi / 22.;
 

@@ -14,16 +14,8 @@ using namespace birdstrike::test;
 
 namespace
 {
-  using Overrides = std::vector<std::string>;
-
-  Overrides with(Overrides one, const Overrides &more)
-  {
-    one.insert(one.end(), more.begin(), more.end());
-    return one;
-  }
-
-  const Overrides coarse{"Bird/Particle spacing=0.006", "Blade/Mesh/Elements along span=20",
-                         "Blade/Mesh/Elements along chord=6", "Output/History interval=0"};
+  const Overrides coarse_birds{"Bird/Particle spacing=0.006", "Blade/Mesh/Elements along span=20",
+                               "Blade/Mesh/Elements along chord=6", "Output/History interval=0"};
 
   const std::string rigid_plate = "subsection Blade\n set Kind = rigid\n subsection Rigid\n"
                                   "  set Length = 1\n set Width = 1\n end\nend\n"
@@ -84,7 +76,7 @@ TEST(SeveralBirds, AreNamedWhereOneMovesByNoNumber)
 {
   CaseParameters parameters;
   parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/frontal.prm",
-                  with(coarse, {"Bird 2/Enabled=true", "Bird 2/Aim point=0.1, 0, 0", "Bird 2/Mass=0.02"}));
+                  with(coarse_birds, {"Bird 2/Enabled=true", "Bird 2/Aim point=0.1, 0, 0", "Bird 2/Mass=0.02"}));
   Scene        scene(parameters);
   const Guards guards(parameters, scene);
   EXPECT_THROW(scene.birds.front().bird->set_state([](Point3 &, Point3 &v, double &) { v[0] = NAN; }),
@@ -95,7 +87,7 @@ TEST(SeveralBirds, AreNamedWhereOneMovesByNoNumber)
 // A bird that comes after the end is not there: not a bit of what happens before hangs on it.
 TEST(SeveralBirds, NoBitHangsOnOneThatWaits)
 {
-  const Overrides short_run = with(coarse, {"Time/End time=0.2 ms"});
+  const Overrides short_run = with(coarse_birds, {"Time/End time=0.2 ms"});
   const Strike    alone     = run_shipped("frontal.prm", short_run);
   const Strike    both =
     run_shipped("frontal.prm",
@@ -110,9 +102,10 @@ TEST(SeveralBirds, NoBitHangsOnOneThatWaits)
 TEST(SeveralBirds, ArriveWhenTheyAreDue)
 {
   const Strike strike = run_shipped(
-    "frontal.prm", with(coarse, {"Blade/Thickness/Value=0.04", "Time/End time=0.35 ms", "Bird 2/Enabled=true",
-                                 "Bird 2/Arrival time=0.15 ms", "Bird 2/Aim point=0.06, 0, 0", "Bird 3/Enabled=true",
-                                 "Bird 3/Arrival time=0.25 ms", "Bird 3/Mass=0.02", "Bird 3/Aim point=0.13, 0.02, 0"}));
+    "frontal.prm",
+    with(coarse_birds, {"Blade/Thickness/Value=0.04", "Time/End time=0.35 ms", "Bird 2/Enabled=true",
+                        "Bird 2/Arrival time=0.15 ms", "Bird 2/Aim point=0.06, 0, 0", "Bird 3/Enabled=true",
+                        "Bird 3/Arrival time=0.25 ms", "Bird 3/Mass=0.02", "Bird 3/Aim point=0.13, 0.02, 0"}));
   const double step = 2e-6;
   EXPECT_NEAR(begin_of(strike, "bird_2_impulse_z"), 0.15e-3, step);
   EXPECT_NEAR(begin_of(strike, "bird_3_impulse_z"), 0.25e-3, step + 0.5e-3 / 177.4);
@@ -165,7 +158,7 @@ TEST(SeveralBirds, ShowTheirParticlesInOneField)
 {
   CaseParameters parameters;
   parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/frontal.prm",
-                  with(coarse, {"Bird 2/Enabled=true", "Bird 2/Aim point=0.1, 0, 0", "Bird 2/Mass=0.02"}));
+                  with(coarse_birds, {"Bird 2/Enabled=true", "Bird 2/Aim point=0.1, 0, 0", "Bird 2/Mass=0.02"}));
   Scene          scene(parameters);
   BirdStrike     strike(parameters, scene);
   const Observed observed;
@@ -186,7 +179,7 @@ TEST(SeveralBirds, ShowTheirParticlesInOneField)
 TEST(SeveralBirds, AreRefusedInOneAnother)
 {
   CaseParameters parameters;
-  parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/frontal.prm", with(coarse, {"Bird 2/Enabled=true"}));
+  parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/frontal.prm", with(coarse_birds, {"Bird 2/Enabled=true"}));
   try
     {
       Scene scene(parameters);

@@ -17,7 +17,7 @@ using namespace birdstrike::test;
 /// What a scene does not need is not computed: counted, not timed.
 namespace
 {
-  Strike run_coarse(std::vector<std::string> more, const std::string &file = "quickstart.prm")
+  Strike run_coarsely(std::vector<std::string> more, const std::string &file = "quickstart.prm")
   {
     more.insert(more.begin(), {"Bird/Particle spacing=0.005", "Blade/Mesh/Elements along span=20",
                                "Blade/Mesh/Elements along chord=6"});
@@ -51,8 +51,8 @@ TEST(Skipping, ABladeAloneHasNoParticles)
 
 TEST(Skipping, TheFlightBeforeFirstTouchIsNotComputed)
 {
-  const Strike near = run_coarse({"Time/End time=20e-6", "Bird/Stand-off=0.05"}),
-               far  = run_coarse({"Time/End time=20e-6", "Bird/Stand-off=0.5"});
+  const Strike near = run_coarsely({"Time/End time=20e-6", "Bird/Stand-off=0.05"}),
+               far  = run_coarsely({"Time/End time=20e-6", "Bird/Stand-off=0.5"});
   EXPECT_EQ(near.summary.number("steps/bird"), far.summary.number("steps/bird"));
   EXPECT_NEAR(count_of(far, "flight before first touch") - count_of(near, "flight before first touch"), 0.45 / 177.4,
               1e-12);
@@ -61,7 +61,7 @@ TEST(Skipping, TheFlightBeforeFirstTouchIsNotComputed)
 TEST(Skipping, RetiredParticlesTakeNoSteps)
 {
   const Strike run =
-    run_coarse({"Time/End time=1.4e-3", "Output/History interval=0", "Time/Multirate=false"}, "oblique.prm");
+    run_coarsely({"Time/End time=1.4e-3", "Output/History interval=0", "Time/Multirate=false"}, "oblique.prm");
   const auto &n = run.curves.at("particles");
   ASSERT_EQ(n.size(), run.summary.number("steps/bird") + 1) << "one row before the first step and one after each";
   const double present = std::accumulate(n.begin(), n.end() - 1, 0.);
@@ -89,8 +89,8 @@ TEST(Skipping, ContactRestsWhileBoxesAreApart)
 
 TEST(Skipping, ABirdThatCanGiveNothingMoreIsDropped)
 {
-  const Strike kept    = run_coarse({"Time/End time=7e-3", "Time/Bird phase tolerance=0"}),
-               dropped = run_coarse({"Time/End time=7e-3", "Time/Bird phase tolerance=1e-3"});
+  const Strike kept    = run_coarsely({"Time/End time=7e-3", "Time/Bird phase tolerance=0"}),
+               dropped = run_coarsely({"Time/End time=7e-3", "Time/Bird phase tolerance=1e-3"});
   EXPECT_GT(count_of(dropped, "bird and contact after the bird's phase"), 0.1 * kept.summary.number("steps/bird"));
   EXPECT_LT(dropped.summary.number("steps/bird"), 0.9 * kept.summary.number("steps/bird"));
   EXPECT_NEAR(dropped.summary.number("contact/impulse/2") / kept.summary.number("contact/impulse/2"), 1., 1e-3);
@@ -113,15 +113,15 @@ TEST(Skipping, TheForecastOfTheRunTimeKnowsWhenParticlesLeave)
   };
   const double of_blade = forecast(2. * end, "true") - forecast(end, "true"); // by then the bird has gone
   const double share    = (forecast(end, "true") - of_blade) / (forecast(end, "false") - of_blade);
-  const Strike run      = run_coarse({fmt::format("Time/End time={:g}", end), "Time/Bird phase tolerance=0"});
+  const Strike run      = run_coarsely({fmt::format("Time/End time={:g}", end), "Time/Bird phase tolerance=0"});
   const double all      = run.summary.number("bird/particles") * run.summary.number("steps/bird");
   EXPECT_NEAR(std::log(share / (1. - count_of(run, "removed particles") / all)), 0., std::log(1.5));
 }
 
 TEST(Skipping, AStopAtTheTipPeakReportsWhatTheFullRunDoes)
 {
-  const Strike full  = run_coarse({"Time/End time=16e-3"}),
-               early = run_coarse({"Time/End time=16e-3", "Time/Stop at tip peak=true"});
+  const Strike full  = run_coarsely({"Time/End time=16e-3"}),
+               early = run_coarsely({"Time/End time=16e-3", "Time/Stop at tip peak=true"});
   EXPECT_EQ(early.summary.text("end/reason"), "tip peak passed");
   EXPECT_EQ(early.summary.number("tip/peak"), full.summary.number("tip/peak"));
   EXPECT_EQ(early.summary.number("tip/peak_time"), full.summary.number("tip/peak_time"));

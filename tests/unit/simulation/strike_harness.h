@@ -22,7 +22,14 @@
 /// Runs a case given as prm text, or a shipped case with overrides, and keeps its summary and its curves.
 namespace birdstrike::test
 {
-  using Curves = std::map<std::string, std::vector<double>>;
+  using Curves    = std::map<std::string, std::vector<double>>;
+  using Overrides = std::vector<std::string>;
+
+  inline Overrides with(Overrides one, const Overrides &more)
+  {
+    one.insert(one.end(), more.begin(), more.end());
+    return one;
+  }
 
   inline Curves read_curves(const std::filesystem::path &file)
   {

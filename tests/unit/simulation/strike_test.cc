@@ -9,11 +9,10 @@ using namespace birdstrike::test;
 
 namespace
 {
-  const std::vector<std::string> coarse{"Bird/Particle spacing=0.005", "Blade/Mesh/Elements along span=20",
-                                        "Blade/Mesh/Elements along chord=6", "Time/End time=1e-3"};
-
   Strike run_coarse(std::vector<std::string> more = {}, const std::string &file = "quickstart.prm")
   {
+    const std::vector<std::string> coarse{"Bird/Particle spacing=0.005", "Blade/Mesh/Elements along span=20",
+                                          "Blade/Mesh/Elements along chord=6", "Time/End time=1e-3"};
     more.insert(more.begin(), coarse.begin(), coarse.end());
     return run_shipped(file, more);
   }

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace birdstrike
+namespace birdstrike::bird_load_test
 {
   namespace
   {
@@ -115,4 +115,4 @@ namespace birdstrike
           }
       }
   }
-} // namespace birdstrike
+} // namespace birdstrike::bird_load_test

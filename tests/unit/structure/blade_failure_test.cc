@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace birdstrike
+namespace birdstrike::blade_failure_test
 {
   namespace
   {
@@ -217,4 +217,4 @@ namespace birdstrike
       EXPECT_EQ(half.failure().n_partly, failure.n_partly);
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::blade_failure_test

@@ -7,7 +7,7 @@
 
 #include "blade_case.h"
 
-namespace birdstrike
+namespace birdstrike::blade_fields_test
 {
   namespace
   {
@@ -110,4 +110,4 @@ namespace birdstrike
       EXPECT_NEAR(momentum_rate / force, 1., 1e-9); // the masses of the mesh are integrated, not rounded to these
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::blade_fields_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace birdstrike
+namespace birdstrike::driven_support_test
 {
   namespace
   {
@@ -117,4 +117,4 @@ namespace birdstrike
     p.supports.driven     = "1: uz = t";
     EXPECT_THROW(make_blade(p, pool), InputError);
   }
-} // namespace birdstrike
+} // namespace birdstrike::driven_support_test

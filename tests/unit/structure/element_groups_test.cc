@@ -8,7 +8,7 @@
 #include <cstring>
 
 // Elements of several sections: groups of one class.
-namespace birdstrike
+namespace birdstrike::element_groups_test
 {
   namespace
   {
@@ -128,4 +128,4 @@ namespace birdstrike
         InputError);
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::element_groups_test

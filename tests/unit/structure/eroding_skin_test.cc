@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace birdstrike
+namespace birdstrike::eroding_skin_test
 {
   namespace
   {
@@ -140,4 +140,4 @@ namespace birdstrike
       EXPECT_EQ(n_symmetry, 2u * 4u);
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::eroding_skin_test

@@ -12,7 +12,7 @@
 #include <numbers>
 
 // Histories of nodes, elements and gauges.
-namespace birdstrike
+namespace birdstrike::histories_test
 {
   namespace
   {
@@ -253,4 +253,4 @@ namespace birdstrike
       EXPECT_TRUE(test::is_bitwise_equal(run(false), run(true)));
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::histories_test

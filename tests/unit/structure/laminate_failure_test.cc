@@ -8,196 +8,199 @@
 
 #include <gtest/gtest.h>
 
-using namespace laminate_case;
-
-// Chang and Chang's failure of plies: where it begins, what is left, and that its energy is booked.
-namespace
+namespace laminate_failure_test
 {
-  Ply brittle()
-  {
-    Ply ply      = carbon();
-    ply.strength = {2e9, 1.2e9, 50e6, 200e6, 80e6, 0.};
-    return ply;
-  }
+  using namespace laminate_case;
 
-  ShellSection brittle_section(const std::vector<double> &angles, const ShellFormulation formulation,
-                               const unsigned int n_steps = 20)
+  // Chang and Chang's failure of plies: where it begins, what is left, and that its energy is booked.
+  namespace
   {
-    ShellSection section;
-    section.formulation           = formulation;
-    auto laminate                 = std::make_shared<Laminate>(brittle(), equal_plies(angles), Point3::UnitX());
-    laminate->n_degradation_steps = n_steps;
-    section.laminate              = laminate;
-    return section;
-  }
-
-  /// What a square of 10 mm, 1 mm thick, does as its sides are moved: mean force per width (N/m) along the first or, in
-  /// shear, across it.
-  struct Square
-  {
-    Model           model;
-    double          work = 0.;
-    Eigen::VectorXd force;
-
-    explicit Square(const ShellSection &section)
-      : model(make_grid(1, 1, [](const double x, const double y) { return Point3(0.01 * x, 0.01 * y, 0.); }), 1e-3,
-              section)
-      , force(Eigen::VectorXd::Zero(24))
+    Ply brittle()
     {
+      Ply ply      = carbon();
+      ply.strength = {2e9, 1.2e9, 50e6, 200e6, 80e6, 0.};
+      return ply;
     }
 
-    /// Engineering strains of one step.
-    void strain(const double xx, const double yy, const double xy)
+    ShellSection brittle_section(const std::vector<double> &angles, const ShellFormulation formulation,
+                                 const unsigned int n_steps = 20)
     {
-      Eigen::VectorXd u = Eigen::VectorXd::Zero(24);
-      for (std::size_t n = 0; n < 4; ++n)
-        {
-          const Point3 &x = model.mesh.nodes[n];
-          u[6 * n]        = xx * x[0] + 0.5 * xy * x[1];
-          u[6 * n + 1]    = yy * x[1] + 0.5 * xy * x[0];
-        }
-      const Eigen::VectorXd next = model.move(u, 1e-6);
-      work -= 0.5 * (force + next).dot(u);
-      force = next;
+      ShellSection section;
+      section.formulation           = formulation;
+      auto laminate                 = std::make_shared<Laminate>(brittle(), equal_plies(angles), Point3::UnitX());
+      laminate->n_degradation_steps = n_steps;
+      section.laminate              = laminate;
+      return section;
     }
-    std::array<double, 3> stress() const ///< mean, Pa, in the element's frame, along x
-    {
-      auto s = model.elements.state(0).membrane_force;
-      for (double &n : s)
-        n /= 1e-3;
-      return s;
-    }
-    double booked() const
-    {
-      return model.elements.elastic_energy() + model.elements.hourglass_energy() + model.elements.plastic_work() +
-             model.elements.eroded_energy();
-    }
-  };
 
-  enum Mode
-  {
-    fibre_tension,
-    fibre_compression,
-    matrix_tension,
-    matrix_compression
-  };
-} // namespace
+    /// What a square of 10 mm, 1 mm thick, does as its sides are moved: mean force per width (N/m) along the first or,
+    /// in shear, across it.
+    struct Square
+    {
+      Model           model;
+      double          work = 0.;
+      Eigen::VectorXd force;
 
-// Each mode in a stress of its own: the largest stress is the strength, to the strain of a step. Shear is opened a
-// little: a sheared square contracts to second order, which would count as compression.
-TEST(LaminateFailure, BeginsAtTheStrengths)
-{
-  struct Case
-  {
-    Mode   mode;
-    double xx, yy, xy;
-    int    component;
-    double strength;
-  };
-  const double nu = 0.3, nu_21 = 0.3 * 9. / 138.;
-  for (const auto formulation : covariant_formulations)
-    for (const Case &of :
-         {Case{fibre_tension, 1., -nu, 0., 0, 2e9}, Case{fibre_compression, -1., nu, 0., 0, -1.2e9},
-          Case{matrix_tension, -nu_21, 1., 0., 1, 50e6}, Case{matrix_compression, nu_21, -1., 0., 1, -200e6},
-          Case{matrix_tension, 0., 0.01, 1., 2, 80e6}})
+      explicit Square(const ShellSection &section)
+        : model(make_grid(1, 1, [](const double x, const double y) { return Point3(0.01 * x, 0.01 * y, 0.); }), 1e-3,
+                section)
+        , force(Eigen::VectorXd::Zero(24))
       {
-        Square       square(brittle_section({0.}, formulation));
-        const double step = 2e-5;
-        double       peak = 0.;
-        for (int k = 0; k < 1500 && square.model.elements.failed_shares(0)[of.mode] == 0.; ++k)
-          {
-            square.strain(step * of.xx, step * of.yy, step * of.xy);
-            if (square.model.elements.failed_shares(0)[of.mode] == 0.)
-              peak = square.stress()[of.component];
-          }
-        // resultants are those of the deformed area: up to 2 % strain
-        EXPECT_NEAR(peak / of.strength, 1., 0.025) << name_of(formulation) << of.mode;
-        const auto shares = square.model.elements.failed_shares(0);
-        for (int m = 0; m < 4; ++m)
-          EXPECT_EQ(shares[m], m == of.mode ? 1. : 0.) << name_of(formulation) << of.mode << m;
       }
-}
 
-// Torn fibres leave nothing, and the element goes; crushed fibres leave the matrix until they count as failed; a
-// cracked matrix leaves the fibres. All that the forces have done is booked.
-TEST(LaminateFailure, BooksWhatPliesRelease)
-{
-  for (const auto formulation : covariant_formulations)
-    for (const std::vector<double> &angles : {std::vector<double>{0.}, {0., 90.}, {0., 45., -45., 90.}})
-      for (const auto &[xx, yy, xy] : {std::tuple(1., 0., 0.), {-1., 0., 0.}, {0.3, 0.2, 1.}, {0., 1., 0.}})
+      /// Engineering strains of one step.
+      void strain(const double xx, const double yy, const double xy)
+      {
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(24);
+        for (std::size_t n = 0; n < 4; ++n)
+          {
+            const Point3 &x = model.mesh.nodes[n];
+            u[6 * n]        = xx * x[0] + 0.5 * xy * x[1];
+            u[6 * n + 1]    = yy * x[1] + 0.5 * xy * x[0];
+          }
+        const Eigen::VectorXd next = model.move(u, 1e-6);
+        work -= 0.5 * (force + next).dot(u);
+        force = next;
+      }
+      std::array<double, 3> stress() const ///< mean, Pa, in the element's frame, along x
+      {
+        auto s = model.elements.state(0).membrane_force;
+        for (double &n : s)
+          n /= 1e-3;
+        return s;
+      }
+      double booked() const
+      {
+        return model.elements.elastic_energy() + model.elements.hourglass_energy() + model.elements.plastic_work() +
+               model.elements.eroded_energy();
+      }
+    };
+
+    enum Mode
+    {
+      fibre_tension,
+      fibre_compression,
+      matrix_tension,
+      matrix_compression
+    };
+  } // namespace
+
+  // Each mode in a stress of its own: the largest stress is the strength, to the strain of a step. Shear is opened a
+  // little: a sheared square contracts to second order, which would count as compression.
+  TEST(LaminateFailure, BeginsAtTheStrengths)
+  {
+    struct Case
+    {
+      Mode   mode;
+      double xx, yy, xy;
+      int    component;
+      double strength;
+    };
+    const double nu = 0.3, nu_21 = 0.3 * 9. / 138.;
+    for (const auto formulation : covariant_formulations)
+      for (const Case &of :
+           {Case{fibre_tension, 1., -nu, 0., 0, 2e9}, Case{fibre_compression, -1., nu, 0., 0, -1.2e9},
+            Case{matrix_tension, -nu_21, 1., 0., 1, 50e6}, Case{matrix_compression, nu_21, -1., 0., 1, -200e6},
+            Case{matrix_tension, 0., 0.01, 1., 2, 80e6}})
         {
-          Square square(brittle_section(angles, formulation));
-          double largest = 0.;
-          for (int k = 0; k < 3000 && square.model.elements.n_failed() == 0; ++k)
+          Square       square(brittle_section({0.}, formulation));
+          const double step = 2e-5;
+          double       peak = 0.;
+          for (int k = 0; k < 1500 && square.model.elements.failed_shares(0)[of.mode] == 0.; ++k)
             {
-              square.strain(2e-5 * xx, 2e-5 * yy, 2e-5 * xy);
-              largest = std::max(largest, square.work);
-              EXPECT_NEAR(square.booked(), square.work, 2e-4 * largest) << name_of(formulation) << angles.size() << k;
+              square.strain(step * of.xx, step * of.yy, step * of.xy);
+              if (square.model.elements.failed_shares(0)[of.mode] == 0.)
+                peak = square.stress()[of.component];
             }
-          EXPECT_GT(square.model.elements.eroded_energy(), 0.02 * largest) << name_of(formulation) << angles.size();
-          EXPECT_GE(square.model.elements.elastic_energy(), 0.);
-          if (square.model.elements.n_failed() > 0)
-            {
-              EXPECT_EQ(square.force.norm(), 0.);
-              EXPECT_EQ(square.model.elements.elastic_energy(), 0.);
-            }
+          // resultants are those of the deformed area: up to 2 % strain
+          EXPECT_NEAR(peak / of.strength, 1., 0.025) << name_of(formulation) << of.mode;
+          const auto shares = square.model.elements.failed_shares(0);
+          for (int m = 0; m < 4; ++m)
+            EXPECT_EQ(shares[m], m == of.mode ? 1. : 0.) << name_of(formulation) << of.mode << m;
         }
-}
+  }
 
-TEST(LaminateFailure, ACrackedMatrixLeavesTheFibres)
-{
-  for (const auto formulation : covariant_formulations)
-    {
-      Square square(brittle_section({0., 90.}, formulation));
-      while (square.model.elements.failed_shares(0)[matrix_tension] == 0.)
-        square.strain(2e-5, 0., 0.);
-      for (int k = 0; k < 20; ++k)
-        square.strain(2e-5, 0., 0.);
-      EXPECT_NEAR(square.model.elements.failed_shares(0)[matrix_tension], 0.5, 1e-12) << "the plies across";
-      const double before = square.stress()[0];
-      square.strain(1e-5, 0., 0.);
-      // half of the section is fibres along, with their own matrix
-      const double q11 = 138e9 / (1. - 0.09 * 9. / 138.);
-      EXPECT_NEAR((square.stress()[0] - before) / 1e-5 / (0.5 * q11), 1., 0.02) << name_of(formulation);
-    }
-}
+  // Torn fibres leave nothing, and the element goes; crushed fibres leave the matrix until they count as failed; a
+  // cracked matrix leaves the fibres. All that the forces have done is booked.
+  TEST(LaminateFailure, BooksWhatPliesRelease)
+  {
+    for (const auto formulation : covariant_formulations)
+      for (const std::vector<double> &angles : {std::vector<double>{0.}, {0., 90.}, {0., 45., -45., 90.}})
+        for (const auto &[xx, yy, xy] : {std::tuple(1., 0., 0.), {-1., 0., 0.}, {0.3, 0.2, 1.}, {0., 1., 0.}})
+          {
+            Square square(brittle_section(angles, formulation));
+            double largest = 0.;
+            for (int k = 0; k < 3000 && square.model.elements.n_failed() == 0; ++k)
+              {
+                square.strain(2e-5 * xx, 2e-5 * yy, 2e-5 * xy);
+                largest = std::max(largest, square.work);
+                EXPECT_NEAR(square.booked(), square.work, 2e-4 * largest) << name_of(formulation) << angles.size() << k;
+              }
+            EXPECT_GT(square.model.elements.eroded_energy(), 0.02 * largest) << name_of(formulation) << angles.size();
+            EXPECT_GE(square.model.elements.elastic_energy(), 0.);
+            if (square.model.elements.n_failed() > 0)
+              {
+                EXPECT_EQ(square.force.norm(), 0.);
+                EXPECT_EQ(square.model.elements.elastic_energy(), 0.);
+              }
+          }
+  }
 
-// A quick blow on a strip of plies: some fail, some elements go, and the balance holds. Half way the state is archived,
-// and goes on to the last bit.
-TEST(LaminateFailure, ABladeKeepsItsBalanceAndGoesOnFromAnArchive)
-{
-  for (const ShellFormulation formulation : covariant_formulations)
-    {
-      BladeParameters p              = test::elastic_plate(14, 5);
-      p.laminate.plies               = "[0/45/-45/90]s";
-      p.laminate.ply                 = brittle();
-      p.laminate.n_degradation_steps = 10;
-      p.laminate.smallest_step       = 0.1;
-      p.laminate.failed_share        = 0.3;
-      p.element.formulation          = formulation;
-      p.loads.initial_velocity       = "250 * min(1, max(0, x/0.05 - 2)); 0; 60*(x/0.3112)^2";
-      ThreadPool   pool(2);
-      const auto   blade  = make_blade(p, pool);
-      const double before = test::balance(*blade), dt = 0.3 * blade->largest_stable_step();
-      test::advance(*blade, dt, 300);
-      ArchivedState state;
-      Archive       written = Archive::writing(state);
-      blade->archive(written);
-      const auto again = make_blade(p, pool);
-      Archive    read  = Archive::reading(state);
-      again->archive(read);
-      test::advance(*blade, dt, 300);
-      test::advance(*again, dt, 300);
-      const FailureReport failure = blade->failure();
-      EXPECT_GT(failure.n_elements, 0u) << name_of(formulation);
-      EXPECT_GT(failure.matrix_mass, 0.);
-      EXPECT_GT(failure.fibre_mass, 0.);
-      EXPECT_GT(blade->energies().eroded, 0.01 * before);
-      EXPECT_NEAR(test::balance(*blade) / before, 1., 3e-3) << name_of(formulation);
-      ArchivedState one, other;
-      Archive       of_one = Archive::writing(one), of_other = Archive::writing(other);
-      blade->archive(of_one);
-      again->archive(of_other);
-      EXPECT_EQ(find_difference(one, other), "");
-    }
-}
+  TEST(LaminateFailure, ACrackedMatrixLeavesTheFibres)
+  {
+    for (const auto formulation : covariant_formulations)
+      {
+        Square square(brittle_section({0., 90.}, formulation));
+        while (square.model.elements.failed_shares(0)[matrix_tension] == 0.)
+          square.strain(2e-5, 0., 0.);
+        for (int k = 0; k < 20; ++k)
+          square.strain(2e-5, 0., 0.);
+        EXPECT_NEAR(square.model.elements.failed_shares(0)[matrix_tension], 0.5, 1e-12) << "the plies across";
+        const double before = square.stress()[0];
+        square.strain(1e-5, 0., 0.);
+        // half of the section is fibres along, with their own matrix
+        const double q11 = 138e9 / (1. - 0.09 * 9. / 138.);
+        EXPECT_NEAR((square.stress()[0] - before) / 1e-5 / (0.5 * q11), 1., 0.02) << name_of(formulation);
+      }
+  }
+
+  // A quick blow on a strip of plies: some fail, some elements go, and the balance holds. Half way the state is
+  // archived, and goes on to the last bit.
+  TEST(LaminateFailure, ABladeKeepsItsBalanceAndGoesOnFromAnArchive)
+  {
+    for (const ShellFormulation formulation : covariant_formulations)
+      {
+        BladeParameters p              = test::elastic_plate(14, 5);
+        p.laminate.plies               = "[0/45/-45/90]s";
+        p.laminate.ply                 = brittle();
+        p.laminate.n_degradation_steps = 10;
+        p.laminate.smallest_step       = 0.1;
+        p.laminate.failed_share        = 0.3;
+        p.element.formulation          = formulation;
+        p.loads.initial_velocity       = "250 * min(1, max(0, x/0.05 - 2)); 0; 60*(x/0.3112)^2";
+        ThreadPool   pool(2);
+        const auto   blade  = make_blade(p, pool);
+        const double before = test::balance(*blade), dt = 0.3 * blade->largest_stable_step();
+        test::advance(*blade, dt, 300);
+        ArchivedState state;
+        Archive       written = Archive::writing(state);
+        blade->archive(written);
+        const auto again = make_blade(p, pool);
+        Archive    read  = Archive::reading(state);
+        again->archive(read);
+        test::advance(*blade, dt, 300);
+        test::advance(*again, dt, 300);
+        const FailureReport failure = blade->failure();
+        EXPECT_GT(failure.n_elements, 0u) << name_of(formulation);
+        EXPECT_GT(failure.matrix_mass, 0.);
+        EXPECT_GT(failure.fibre_mass, 0.);
+        EXPECT_GT(blade->energies().eroded, 0.01 * before);
+        EXPECT_NEAR(test::balance(*blade) / before, 1., 3e-3) << name_of(formulation);
+        ArchivedState one, other;
+        Archive       of_one = Archive::writing(one), of_other = Archive::writing(other);
+        blade->archive(of_one);
+        again->archive(of_other);
+        EXPECT_EQ(find_difference(one, other), "");
+      }
+  }
+} // namespace laminate_failure_test

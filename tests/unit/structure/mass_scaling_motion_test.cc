@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace birdstrike
+namespace birdstrike::mass_scaling_motion_test
 {
   namespace
   {
@@ -196,4 +196,4 @@ namespace birdstrike
       EXPECT_NEAR(half.energies().total() / whole.energies().total(), 1., 1e-9);
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::mass_scaling_motion_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace birdstrike
+namespace birdstrike::mass_scaling_test
 {
   namespace
   {
@@ -114,4 +114,4 @@ namespace birdstrike
                 (std::vector<std::string>{"Mass scaling/Method", "Mass scaling/Largest added inertia"}));
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::mass_scaling_test

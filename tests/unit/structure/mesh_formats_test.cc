@@ -4,7 +4,7 @@
 
 // One blade, tapered, cambered and twisted, as three programs write it, in six orientations: what it reports is the
 // same.
-namespace birdstrike::test
+namespace birdstrike::test::mesh_formats_test
 {
   namespace
   {
@@ -73,4 +73,4 @@ namespace birdstrike::test
   {
     expect_the_same_of_all({{8, 4, 1}});
   }
-} // namespace birdstrike::test
+} // namespace birdstrike::test::mesh_formats_test

@@ -8,7 +8,7 @@
 
 #include <memory>
 
-namespace birdstrike
+namespace birdstrike::multigrid_test
 {
   namespace
   {
@@ -213,4 +213,4 @@ namespace birdstrike
         EXPECT_NE(std::string(failure.what()).find("held"), std::string::npos) << failure.what();
       }
   }
-} // namespace birdstrike
+} // namespace birdstrike::multigrid_test

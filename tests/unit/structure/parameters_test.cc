@@ -7,7 +7,7 @@
 
 #include <sstream>
 
-namespace birdstrike
+namespace birdstrike::parameters_test
 {
   namespace
   {
@@ -56,4 +56,4 @@ namespace birdstrike
       EXPECT_THROW(p.check(), InputError);
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::parameters_test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 /// Shell and solid of the same blade plate, from the same parameters (benchmarks A4 and B8).
-namespace birdstrike
+namespace birdstrike::plate_kinds_test
 {
   namespace
   {
@@ -142,4 +142,4 @@ namespace birdstrike
     for (std::size_t i = 0; i < shell.tip.size(); ++i)
       EXPECT_NEAR(solid.tip[i] / peak, shell.tip[i] / peak, 0.05) << 0.1 * double(i + 1) << " ms";
   }
-} // namespace birdstrike
+} // namespace birdstrike::plate_kinds_test

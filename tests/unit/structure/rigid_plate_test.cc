@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace birdstrike
+namespace birdstrike::rigid_plate_test
 {
   namespace
   {
@@ -97,4 +97,4 @@ namespace birdstrike
       EXPECT_NEAR(plate.census().area, 0.3112 * 0.0889, 1e-15);
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::rigid_plate_test

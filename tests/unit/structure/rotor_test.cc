@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace birdstrike
+namespace birdstrike::rotor_test
 {
   namespace
   {
@@ -101,4 +101,4 @@ namespace birdstrike
     for (const double t : {1.0412e-3, 1.0433e-3, 1.05e-3, 1.5e-3})
       EXPECT_NEAR(angle_of(rotor.turn(t)), 600. * t + 300. * std::clamp(t - 1.0412e-3, 0., 3e-6), 1e-9) << t;
   }
-} // namespace birdstrike
+} // namespace birdstrike::rotor_test

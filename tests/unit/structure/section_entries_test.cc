@@ -9,7 +9,7 @@
 #include <functional>
 
 // What entries of sections do to a blade, and what is refused.
-namespace birdstrike
+namespace birdstrike::section_entries_test
 {
   namespace
   {
@@ -241,4 +241,4 @@ namespace birdstrike
       EXPECT_TRUE(p.unused_entries().empty());
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::section_entries_test

@@ -8,7 +8,7 @@
 #include <numbers>
 
 // Force and moment through sections across the span, against statics and dynamics.
-namespace birdstrike
+namespace birdstrike::section_forces_test
 {
   namespace
   {
@@ -182,4 +182,4 @@ namespace birdstrike
       expect_newton<ShellBlade>(BladeKind::shell, true);
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::section_forces_test

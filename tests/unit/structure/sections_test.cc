@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 // Sections by material id, in whole blades.
-namespace birdstrike
+namespace birdstrike::sections_test
 {
   namespace
   {
@@ -196,4 +196,4 @@ namespace birdstrike
         }
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::sections_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 /// Published and independently computed cases for the whole shell blade: mesh, mass, supports, elements, stepping.
-namespace birdstrike
+namespace birdstrike::shell_blade_benchmark_test
 {
   namespace
   {
@@ -240,4 +240,4 @@ namespace birdstrike
         }
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::shell_blade_benchmark_test

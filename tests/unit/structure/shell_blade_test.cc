@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace birdstrike
+namespace birdstrike::shell_blade_test
 {
   namespace
   {
@@ -296,4 +296,4 @@ namespace birdstrike
       EXPECT_EQ(make_blade(p, pool), nullptr);
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::shell_blade_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace birdstrike
+namespace birdstrike::shell_limit_load_test
 {
   namespace
   {
@@ -61,4 +61,4 @@ namespace birdstrike
         EXPECT_LT(load, 2. / std::sqrt(3.) * moment / lever) << formulation;
       }
   }
-} // namespace birdstrike
+} // namespace birdstrike::shell_limit_load_test

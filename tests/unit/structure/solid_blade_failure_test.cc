@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace birdstrike
+namespace birdstrike::solid_blade_failure_test
 {
   namespace
   {
@@ -150,4 +150,4 @@ namespace birdstrike
       EXPECT_NEAR(half.energies().eroded / whole.energies().eroded, 1., 1e-9);
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::solid_blade_failure_test

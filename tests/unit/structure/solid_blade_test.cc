@@ -9,7 +9,7 @@
 
 #include <map>
 
-namespace birdstrike
+namespace birdstrike::solid_blade_test
 {
   namespace
   {
@@ -341,4 +341,4 @@ namespace birdstrike
       EXPECT_EQ(p.unused_entries(), std::vector<std::string>{"Element/Linear viscosity"});
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::solid_blade_test

@@ -9,206 +9,209 @@
 #include <random>
 #include <string>
 
-// What keeps the corners of bricks from turning inside out (corner_volume.h).
-using namespace solid_harness;
-
-namespace
+namespace solid_corner_test
 {
-  using Corners = std::array<Point3, 8>;
+  // What keeps the corners of bricks from turning inside out (corner_volume.h).
+  using namespace solid_harness;
 
-  constexpr std::array formulations{SolidFormulation::one_point, SolidFormulation::b_bar,
-                                    SolidFormulation::solid_shell};
-
-  SolidModes<double> modes_of(const Corners &corner)
+  namespace
   {
-    Vector3<double> x[8];
-    std::copy(corner.begin(), corner.end(), x);
-    return SolidModes<double>(x);
-  }
+    using Corners = std::array<Point3, 8>;
 
-  Corners draw_brick(std::mt19937 &random, const double size)
-  {
-    std::uniform_real_distribution<double> number(-size, size);
-    Corners                                corner;
-    for (int i = 0; i < 8; ++i)
-      corner[i] =
-        Point3((i & 1) + number(random), 0.7 * (i >> 1 & 1) + number(random), 1.3 * (i >> 2 & 1) + number(random));
-    return corner;
-  }
+    constexpr std::array formulations{SolidFormulation::one_point, SolidFormulation::b_bar,
+                                      SolidFormulation::solid_shell};
 
-  /// Pushed towards the middle of the brick until it has a share of the volume between 0 and 0.2.
-  Corners squeeze(std::mt19937 &random)
+    SolidModes<double> modes_of(const Corners &corner)
+    {
+      Vector3<double> x[8];
+      std::copy(corner.begin(), corner.end(), x);
+      return SolidModes<double>(x);
+    }
+
+    Corners draw_brick(std::mt19937 &random, const double size)
+    {
+      std::uniform_real_distribution<double> number(-size, size);
+      Corners                                corner;
+      for (int i = 0; i < 8; ++i)
+        corner[i] =
+          Point3((i & 1) + number(random), 0.7 * (i >> 1 & 1) + number(random), 1.3 * (i >> 2 & 1) + number(random));
+      return corner;
+    }
+
+    /// Pushed towards the middle of the brick until it has a share of the volume between 0 and 0.2.
+    Corners squeeze(std::mt19937 &random)
+    {
+      std::uniform_real_distribution<double> way(0., 1.5);
+      for (;;)
+        {
+          Corners corner = draw_brick(random, 0.1);
+          for (int i : {1, 6})
+            corner[i] += way(random) * (Point3(0.5, 0.35, 0.65) - corner[i]);
+          const SolidModes<double>    x = modes_of(corner);
+          const SolidGeometry<double> g(x);
+          const double                least = corner_volume::Shares<double>(g).smallest();
+          if (least > 0.01 && least < 0.19)
+            return corner;
+        }
+    }
+
+    struct Pushed
+    {
+      Eigen::VectorXd force; // on what holds the nodes
+      double          energy, stiffness;
+    };
+
+    Pushed push(const Corners &corner)
+    {
+      const SolidModes<double>      x = modes_of(corner);
+      const SolidGeometry<double>   g(x);
+      corner_volume::Shares<double> rest(g);
+      for (double &share : rest.of)
+        share = 1.;
+      const corner_volume::Pressure<double> pressure(g, rest, 3.);
+      Vector3<double>                       f[8];
+      pressure.force.sum_at_corners(f);
+      Eigen::VectorXd force(24);
+      for (int i = 0; i < 8; ++i)
+        force.segment<3>(3 * i) = f[i];
+      return {force, pressure.energy, pressure.stiffness};
+    }
+
+    Pushed push(Corners corner, const int dof, const double way)
+    {
+      corner[dof / 3][dof % 3] += way;
+      return push(corner);
+    }
+  } // namespace
+
+  // Forces are the gradient of the energy, so that nothing is made on any path; the energy does not see rigid motions,
+  // so that they have neither sum nor moment.
+  TEST(CornerVolume, ForcesAreThoseOfAPotentialOfTheShape)
   {
-    std::uniform_real_distribution<double> way(0., 1.5);
-    for (;;)
+    std::mt19937 random(3);
+    for (int sample = 0; sample < 50; ++sample)
       {
-        Corners corner = draw_brick(random, 0.1);
-        for (int i : {1, 6})
-          corner[i] += way(random) * (Point3(0.5, 0.35, 0.65) - corner[i]);
-        const SolidModes<double>    x = modes_of(corner);
-        const SolidGeometry<double> g(x);
-        const double                least = corner_volume::Shares<double>(g).smallest();
-        if (least > 0.01 && least < 0.19)
-          return corner;
+        const Corners corner = squeeze(random);
+        const Pushed  pushed = push(corner);
+        ASSERT_GT(pushed.energy, 0.);
+        const double scale = pushed.force.norm();
+        for (int dof = 0; dof < 24; ++dof)
+          EXPECT_NEAR((push(corner, dof, 1e-6).energy - push(corner, dof, -1e-6).energy) / 2e-6, pushed.force[dof],
+                      1e-5 * scale);
+        Point3 sum = Point3::Zero(), moment = Point3::Zero();
+        for (int i = 0; i < 8; ++i)
+          {
+            sum += pushed.force.segment<3>(3 * i);
+            moment += corner[i].cross(Point3(pushed.force.segment<3>(3 * i)));
+          }
+        EXPECT_LT(sum.norm(), 1e-12 * scale);
+        EXPECT_LT(moment.norm(), 1e-12 * scale);
       }
   }
 
-  struct Pushed
+  TEST(CornerVolume, TheStepAllowsForTheStiffness)
   {
-    Eigen::VectorXd force; // on what holds the nodes
-    double          energy, stiffness;
-  };
-
-  Pushed push(const Corners &corner)
-  {
-    const SolidModes<double>      x = modes_of(corner);
-    const SolidGeometry<double>   g(x);
-    corner_volume::Shares<double> rest(g);
-    for (double &share : rest.of)
-      share = 1.;
-    const corner_volume::Pressure<double> pressure(g, rest, 3.);
-    Vector3<double>                       f[8];
-    pressure.force.sum_at_corners(f);
-    Eigen::VectorXd force(24);
-    for (int i = 0; i < 8; ++i)
-      force.segment<3>(3 * i) = f[i];
-    return {force, pressure.energy, pressure.stiffness};
-  }
-
-  Pushed push(Corners corner, const int dof, const double way)
-  {
-    corner[dof / 3][dof % 3] += way;
-    return push(corner);
-  }
-} // namespace
-
-// Forces are the gradient of the energy, so that nothing is made on any path; the energy does not see rigid motions, so
-// that they have neither sum nor moment.
-TEST(CornerVolume, ForcesAreThoseOfAPotentialOfTheShape)
-{
-  std::mt19937 random(3);
-  for (int sample = 0; sample < 50; ++sample)
-    {
-      const Corners corner = squeeze(random);
-      const Pushed  pushed = push(corner);
-      ASSERT_GT(pushed.energy, 0.);
-      const double scale = pushed.force.norm();
-      for (int dof = 0; dof < 24; ++dof)
-        EXPECT_NEAR((push(corner, dof, 1e-6).energy - push(corner, dof, -1e-6).energy) / 2e-6, pushed.force[dof],
-                    1e-5 * scale);
-      Point3 sum = Point3::Zero(), moment = Point3::Zero();
-      for (int i = 0; i < 8; ++i)
-        {
-          sum += pushed.force.segment<3>(3 * i);
-          moment += corner[i].cross(Point3(pushed.force.segment<3>(3 * i)));
-        }
-      EXPECT_LT(sum.norm(), 1e-12 * scale);
-      EXPECT_LT(moment.norm(), 1e-12 * scale);
-    }
-}
-
-TEST(CornerVolume, TheStepAllowsForTheStiffness)
-{
-  std::mt19937 random(5);
-  double       closest = 0., mean = 0.;
-  for (int sample = 0; sample < 300; ++sample)
-    {
-      const Corners   corner = squeeze(random);
-      Eigen::MatrixXd hessian(24, 24);
-      for (int dof = 0; dof < 24; ++dof)
-        hessian.col(dof) = (push(corner, dof, 1e-7).force - push(corner, dof, -1e-7).force) / 2e-7;
-      const double exact = test::symmetric_eigenvalues(test::symmetric_part(hessian))[23];
-      const double share = exact / push(corner).stiffness;
-      closest            = std::max(closest, share);
-      mean += share / 300.;
-    }
-  record("largest eigenvalue over its bound", closest);
-  record("mean", mean);
-  EXPECT_LT(closest, 1.);
-  EXPECT_GT(mean, 0.3);
-}
-
-// The loop asks for the shares of the corners only where the distortion, which the bound on the step has, may mean
-// that one is small.
-TEST(CornerVolume, NoneIsMissed)
-{
-  std::mt19937 random(7);
-  SolidSection section = make_section(1., 0.3);
-  int          n_short = 0;
-  for (int sample = 0; sample < 20000; ++sample)
-    {
-      const Corners               rest = draw_brick(random, 0.1 * (sample % 3)), now = draw_brick(random, 0.4);
-      const SolidModes<double>    at_rest = modes_of(rest), x = modes_of(now);
-      const SolidGeometry<double> g_at_rest(at_rest), g(x);
-      if (!(g.det > 0.))
-        continue;
-      const corner_volume::Shares<double> first(g_at_rest), shares(g);
-      bool                                is_short = false;
-      for (int i = 0; i < 8; ++i)
-        is_short = is_short || shares.of[i] < corner_volume::least_share * first.of[i];
-      double distortion = 0.;
-      compute_frequency_bound(g, g.det, 1., 0., SolidLaw(section), SolidFormulation::one_point, Unscaled{},
-                              &distortion);
-      n_short += is_short;
-      EXPECT_TRUE(!is_short || distortion > corner_volume::undistorted(first.largest())) << "sample " << sample;
-    }
-  EXPECT_GT(n_short, 1000);
-}
-
-// A corner that flies into its brick, at twice the metal's sound, comes to rest before it turns it inside out, whether
-// the metal flows or not, and the books are right.
-TEST(CornerVolume, ACornerThatFliesIntoItsBrickDoesNotTurn)
-{
-  for (const auto formulation : formulations)
-    for (const bool flows : {false, true})
+    std::mt19937 random(5);
+    double       closest = 0., mean = 0.;
+    for (int sample = 0; sample < 300; ++sample)
       {
-        SolidSection section = make_section(1., 0.3, formulation);
-        if (flows)
-          {
-            section.material.hardening.law   = HardeningLaw::perfect;
-            section.material.hardening.yield = 0.01;
-          }
-        Model  model(make_box({1, 1, 1}, Point3(1., 1., 1.)), section);
-        Motion motion(model);
+        const Corners   corner = squeeze(random);
+        Eigen::MatrixXd hessian(24, 24);
+        for (int dof = 0; dof < 24; ++dof)
+          hessian.col(dof) = (push(corner, dof, 1e-7).force - push(corner, dof, -1e-7).force) / 2e-7;
+        const double exact = test::symmetric_eigenvalues(test::symmetric_part(hessian))[23];
+        const double share = exact / push(corner).stiffness;
+        closest            = std::max(closest, share);
+        mean += share / 300.;
+      }
+    record("largest eigenvalue over its bound", closest);
+    record("mean", mean);
+    EXPECT_LT(closest, 1.);
+    EXPECT_GT(mean, 0.3);
+  }
+
+  // The loop asks for the shares of the corners only where the distortion, which the bound on the step has, may mean
+  // that one is small.
+  TEST(CornerVolume, NoneIsMissed)
+  {
+    std::mt19937 random(7);
+    SolidSection section = make_section(1., 0.3);
+    int          n_short = 0;
+    for (int sample = 0; sample < 20000; ++sample)
+      {
+        const Corners               rest = draw_brick(random, 0.1 * (sample % 3)), now = draw_brick(random, 0.4);
+        const SolidModes<double>    at_rest = modes_of(rest), x = modes_of(now);
+        const SolidGeometry<double> g_at_rest(at_rest), g(x);
+        if (!(g.det > 0.))
+          continue;
+        const corner_volume::Shares<double> first(g_at_rest), shares(g);
+        bool                                is_short = false;
+        for (int i = 0; i < 8; ++i)
+          is_short = is_short || shares.of[i] < corner_volume::least_share * first.of[i];
+        double distortion = 0.;
+        compute_frequency_bound(g, g.det, 1., 0., SolidLaw(section), SolidFormulation::one_point, Unscaled{},
+                                &distortion);
+        n_short += is_short;
+        EXPECT_TRUE(!is_short || distortion > corner_volume::undistorted(first.largest())) << "sample " << sample;
+      }
+    EXPECT_GT(n_short, 1000);
+  }
+
+  // A corner that flies into its brick, at twice the metal's sound, comes to rest before it turns it inside out,
+  // whether the metal flows or not, and the books are right.
+  TEST(CornerVolume, ACornerThatFliesIntoItsBrickDoesNotTurn)
+  {
+    for (const auto formulation : formulations)
+      for (const bool flows : {false, true})
+        {
+          SolidSection section = make_section(1., 0.3, formulation);
+          if (flows)
+            {
+              section.material.hardening.law   = HardeningLaw::perfect;
+              section.material.hardening.yield = 0.01;
+            }
+          Model  model(make_box({1, 1, 1}, Point3(1., 1., 1.)), section);
+          Motion motion(model);
+          for (int d = 0; d < 3; ++d)
+            motion.velocity[21 + d] = -1.5; // of the corner (1, 1, 1), against the speed of sound 1.16
+          const double start = motion.kinetic_energy();
+          double       least = 1., error = 0.;
+          for (int n = 0; n < 2000 && motion.last_dt * n < 1e3; ++n)
+            {
+              motion.step(0.05 * model.elements.largest_stable_step()); // 0.5: 0.46, a matter of the step
+              Corners corner;
+              for (int i = 0; i < 8; ++i)
+                corner[i] = Point3(&model.position[3 * i]);
+              const SolidModes<double> x = modes_of(corner);
+              least = std::min(least, corner_volume::Shares<double>(SolidGeometry<double>(x)).smallest());
+              error = std::max(error, std::abs(motion.total_energy() / start - 1.));
+            }
+          EXPECT_GT(least, 0.);
+          EXPECT_LT(least, corner_volume::least_share);
+          EXPECT_LT(error, 0.03);
+        }
+  }
+
+  // A step so long that a corner is turned inside out all the same ends the run in words.
+  TEST(CornerVolume, ACornerTurnedInsideOutIsReported)
+  {
+    for (const auto formulation : formulations)
+      {
+        Model           model(make_box({2, 1, 1}, Point3(2., 1., 1.)), make_section(1., 0.3, formulation));
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(36);
         for (int d = 0; d < 3; ++d)
-          motion.velocity[21 + d] = -1.5; // of the corner (1, 1, 1), against the speed of sound 1.16
-        const double start = motion.kinetic_energy();
-        double       least = 1., error = 0.;
-        for (int n = 0; n < 2000 && motion.last_dt * n < 1e3; ++n)
+          u[33 + d] = -0.68; // one corner of the second brick, whose volume stays positive at its middle
+        try
           {
-            motion.step(0.05 * model.elements.largest_stable_step()); // 0.5: 0.46, a matter of the step
-            Corners corner;
-            for (int i = 0; i < 8; ++i)
-              corner[i] = Point3(&model.position[3 * i]);
-            const SolidModes<double> x = modes_of(corner);
-            least = std::min(least, corner_volume::Shares<double>(SolidGeometry<double>(x)).smallest());
-            error = std::max(error, std::abs(motion.total_energy() / start - 1.));
+            model.move(u);
+            ADD_FAILURE() << "a corner inside out went by";
           }
-        EXPECT_GT(least, 0.);
-        EXPECT_LT(least, corner_volume::least_share);
-        EXPECT_LT(error, 0.03);
+        catch (const NumericalFailure &failure)
+          {
+            const std::string what = failure.what();
+            EXPECT_NE(what.find("A brick is turned inside out"), std::string::npos) << what;
+            EXPECT_NE(what.find("element 1 at ("), std::string::npos) << what;
+          }
       }
-}
-
-// A step so long that a corner is turned inside out all the same ends the run in words.
-TEST(CornerVolume, ACornerTurnedInsideOutIsReported)
-{
-  for (const auto formulation : formulations)
-    {
-      Model           model(make_box({2, 1, 1}, Point3(2., 1., 1.)), make_section(1., 0.3, formulation));
-      Eigen::VectorXd u = Eigen::VectorXd::Zero(36);
-      for (int d = 0; d < 3; ++d)
-        u[33 + d] = -0.68; // one corner of the second brick, whose volume stays positive at its middle
-      try
-        {
-          model.move(u);
-          ADD_FAILURE() << "a corner inside out went by";
-        }
-      catch (const NumericalFailure &failure)
-        {
-          const std::string what = failure.what();
-          EXPECT_NE(what.find("A brick is turned inside out"), std::string::npos) << what;
-          EXPECT_NE(what.find("element 1 at ("), std::string::npos) << what;
-        }
-    }
-}
+  }
+} // namespace solid_corner_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace birdstrike
+namespace birdstrike::solid_shell_blade_test
 {
   namespace
   {
@@ -69,4 +69,4 @@ namespace birdstrike
       EXPECT_EQ(blade->census().n_elements_with_points, 0u) << "none has yielded";
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::solid_shell_blade_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace birdstrike
+namespace birdstrike::spinning_blade_test
 {
   namespace
   {
@@ -295,4 +295,4 @@ namespace birdstrike
         EXPECT_NE(std::string(failure.what()).find("no equilibrium beyond"), std::string::npos) << failure.what();
       }
   }
-} // namespace birdstrike
+} // namespace birdstrike::spinning_blade_test

@@ -11,7 +11,7 @@
 
 // The motion of a mesh cut in two, each half stepped by itself and told nothing but the velocities of its ghosts: every
 // owned node moves as in the whole, to the last bit, and what is summed over owned entities adds up to the whole's.
-namespace birdstrike
+namespace birdstrike::split_motion_test
 {
   namespace
   {
@@ -187,4 +187,4 @@ namespace birdstrike
       expect_same_census<3>();
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::split_motion_test

@@ -11,7 +11,7 @@
 // A mesh cut in two, each half with its own nodes, ghosts and the cells that touch its own nodes: what a process of a
 // run on several would have. Everything on owned nodes is that of the whole, to the last bit: sums go in the same
 // order.
-namespace birdstrike
+namespace birdstrike::split_test
 {
   namespace
   {
@@ -148,4 +148,4 @@ namespace birdstrike
       expect_same_nodes<3>();
     }
   } // namespace
-} // namespace birdstrike
+} // namespace birdstrike::split_test

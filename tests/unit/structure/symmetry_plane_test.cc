@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <map>
 
-namespace birdstrike
+namespace birdstrike::symmetry_plane_test
 {
   namespace
   {
@@ -195,4 +195,4 @@ namespace birdstrike
         EXPECT_EQ(n, 1);
       }
   }
-} // namespace birdstrike
+} // namespace birdstrike::symmetry_plane_test

@@ -8,7 +8,7 @@
 
 #include <map>
 
-namespace birdstrike
+namespace birdstrike::vibration_modes_test
 {
   namespace
   {
@@ -152,4 +152,4 @@ namespace birdstrike
     EXPECT_THROW(make_blade(rigid, pool)->compute_modes(1), InputError);
     EXPECT_THROW(make_blade(rigid, pool)->find_equilibrium(), InputError);
   }
-} // namespace birdstrike
+} // namespace birdstrike::vibration_modes_test
