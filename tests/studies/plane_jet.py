@@ -51,6 +51,8 @@ place at which a row changes sides makes 0.01 and 0.003):
   a third of the pairs' dissipation         0.026; 0.018 (a changed program, 6 D/U)
   a tenth of it; of contact's too           0.026, 0.024 (a changed program, 9 D/U)
   Formulation standard                      0.068
+  particles within 1, 2, 3 rows of the      0.023, 0.024, 0.023 at D/8, as good as D/16 everywhere
+  edge divided into eight (a changed program)
 """
 import argparse
 import csv
