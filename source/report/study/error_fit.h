@@ -5,9 +5,9 @@
 /// The error of the finest of four or more grids by least squares, for values with scatter.
 ///
 /// L. Eça, M. Hoekstra: A procedure for the estimation of the numerical uncertainty of CFD calculations based on grid
-/// refinement studies, J. Comput. Phys. 262 (2014) 104-130, appendices A and B. The rules below were held against three
-/// independent implementations of that paper: cfd-verify (Oak Ridge National Laboratory), meteor-cfd (vv.rs) and the
-/// numerical uncertainty of pi-BEM; where they differ is said at the rule.
+/// refinement studies, J. Comput. Phys. 262 (2014) 104-130, appendices A and B. The rules are as three independent
+/// implementations of that paper have them, cfd-verify (Oak Ridge National Laboratory), meteor-cfd and that of pi-BEM,
+/// but where another reading is named.
 ///
 /// Grids are numbered from the finest, 1, on; h are their sizes, phi the values, n their number.
 namespace birdstrike
@@ -45,9 +45,13 @@ namespace birdstrike
 
   /// The fit with the smallest deviation, weighted by 1/h_i (sum 1) or all alike, of
   ///
-  ///   powers with 0.5 <= p <= 2, where there is one (before one of smaller deviation outside: two of the three)
+  ///   powers with 0.5 <= p <= 2, where there is one
   ///   the first and the second order, where p of the better power is above 2
   ///   these and their sum, where it is below 0.5
+  ///
+  /// A power in the range comes before one of smaller deviation outside, as meteor-cfd reads the paper; cfd-verify
+  /// looks at the range of the one with the smaller deviation alone. meteor-cfd fits no power where the three finest
+  /// values oscillate; here and in cfd-verify the deviation speaks for itself.
   ///
   /// Throws std::logic_error for fewer than four values.
   ErrorFit fit_error(std::span<const double> sizes, std::span<const double> values);

@@ -91,7 +91,7 @@ TEST(ErrorFit, ExpansionsAreThoseOfCfdVerify)
   EXPECT_NEAR(fit_expansion(Expansion::power, h, steps, w).order, 0.0834, 1e-4) << "a flat minimum";
 }
 
-// Four grids of Qu and Mudawar's micro-channel, with what meteor-cfd's tests (vv.rs) print of them.
+// Four grids of Qu and Mudawar's micro-channel, with what meteor-cfd's tests expect of them.
 TEST(ErrorFit, UncertaintiesAreThoseOfMeteorCfd)
 {
   Values h;
