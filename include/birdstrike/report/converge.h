@@ -30,10 +30,10 @@ namespace birdstrike
   };
 
   /// Runs a case on a ladder of refinements, of which it is the finest level (of time steps the coarsest: they cannot
-  /// be longer), reusing runs as run_study does, and says for each quantity the observed order, Richardson's value, the
-  /// grid convergence index and the error bar, and whether the ladder is in the asymptotic range
-  /// (report/study/grid_convergence.h): on the screen, in converge.csv and levels.csv, and as curves against the size
-  /// (refinement.svg).
+  /// be longer), reusing runs as run_study does, and says for each quantity the observed order, the value at h = 0, the
+  /// grid convergence index and the error bar, and whether the ladder is in the asymptotic range: of three levels by
+  /// Richardson's extrapolation, of more by least squares (report/study/grid_convergence.h): on the screen, in
+  /// converge.csv and levels.csv, and as curves against the size (refinement.svg).
   ///
   /// Throws InputError for what the user must change and what run_study throws for levels that came to no result.
   void converge(const ConvergeRequest &request);

@@ -103,9 +103,7 @@ namespace birdstrike
 
   GridConvergence ClimbAxis::estimate() const
   {
-    const std::size_t         n = std::min<std::size_t>(sizes.size(), 4);
-    const std::vector<double> h(sizes.rbegin(), sizes.rbegin() + static_cast<std::ptrdiff_t>(n)),
-      f(values.rbegin(), values.rbegin() + static_cast<std::ptrdiff_t>(n));
+    const std::vector<double> h(sizes.rbegin(), sizes.rend()), f(values.rbegin(), values.rend());
     return estimate_convergence(h, f);
   }
 

@@ -31,7 +31,7 @@ namespace birdstrike
     /// False for a direction that cannot be refined: it has one level, and its error is in no bar.
     bool is_refined() const;
 
-    /// Of the three or four finest levels.
+    /// Of all levels.
     GridConvergence estimate() const;
 
     /// Half the error bar of the finest level: that of the estimate; where changes grow, and it has none, three times
@@ -41,8 +41,8 @@ namespace birdstrike
     /// The same for each level: what it and every finer one is away from the finest, at most, and the finest's own bar.
     std::vector<double> errors() const;
 
-    /// Whether errors may be claimed: the ladder converges, or its bar, by the larger factor of safety, is below half
-    /// of what is allowed: then all changes of its three finest levels are below a sixth of that.
+    /// Whether errors may be claimed: the ladder's estimate is trusted, or its bar, by the larger factor of safety, is
+    /// below half of what is allowed: of three levels, then all changes are below a sixth of that.
     bool is_trusted(double allowed) const;
 
     /// What one more level would take off the error of the finest, by the order that is seen, else by one.

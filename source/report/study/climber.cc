@@ -17,8 +17,8 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr std::size_t n_first_levels = 3;                   ///< the last of them is the case's own
-    constexpr std::size_t most_levels    = 5;                   ///< half the case's sizes
+    constexpr std::size_t n_first_levels = 3; ///< the last of them is the case's own
+    constexpr std::size_t most_levels    = 5; ///< half the case's sizes; a sixth of the bird takes thrice all before it
     constexpr double      ratio          = std::numbers::sqrt2; ///< of sizes; Celik et al. advise at least 1.3
 
     /// One level where there is nothing to refine.
@@ -196,11 +196,21 @@ namespace birdstrike
     const Place  finest{axes[0].sizes.size() - 1, 0};
     const double value = runs.at(finest).value + axes[1].values.back() - axes[1].values.front();
     throw NumericalFailure(fmt::format("The target error of {} is not reached, and none is claimed: {} is near {}.\n"
-                                       "  {}.\n  {}.\n  What both together add to it: {}.\n  Action: a larger target, "
-                                       "or a case whose ladders converge (birdstrike converge).",
+                                       "  {}.\n  {}.\n  What both together add to it: {}.\n  Action: {}.",
                                        format_share(target.share), row.group + ": " + row.quantity,
                                        format_value(value, row.unit), describe_axis(0), describe_axis(1),
-                                       format_value(interaction, row.unit)));
+                                       format_value(interaction, row.unit), advise()));
+  }
+
+  /// What the ladders' bars allow, where they can be trusted.
+  std::string Climber::advise() const
+  {
+    const double allowed = allowed_error();
+    if (!axes[0].is_trusted(allowed) || !axes[1].is_trusted(allowed))
+      return "a larger target, or a case whose ladders converge (birdstrike converge)";
+    const double errors = axes[0].errors().back() + axes[1].errors().back() + interaction;
+    return fmt::format("a target well above {}, or smaller sizes in the case: half of those are the ladders' ends",
+                       format_share(target.share * errors / allowed));
   }
 
   /// Of the smallest value that was seen, so that it is allowed of any.
@@ -243,10 +253,10 @@ namespace birdstrike
     if (!axes[a].is_refined())
       return axes[a].name + ": not refined, its error is in no bar";
     const GridConvergence made = axes[a].estimate();
-    return fmt::format("{}: {} levels to {}, {}{}{}", axes[a].name, axes[a].sizes.size(),
-                       format_quantity(axes[a].sizes.back(), "m"), birdstrike::describe(made.trend),
-                       std::isnan(made.order) ? "" : fmt::format(", order {:.2f}", made.order),
-                       ", +- " + show_share(axes[a].bar(), axes[a].values.back()));
+    return fmt::format(
+      "{}: {} levels to {}, {}{}{}{}", axes[a].name, axes[a].sizes.size(), format_quantity(axes[a].sizes.back(), "m"),
+      birdstrike::describe(made.trend), std::isnan(made.order) ? "" : fmt::format(", order {:.2f}", made.order),
+      made.n_fitted > 3 ? " by least squares" : "", ", +- " + show_share(axes[a].bar(), axes[a].values.back()));
   }
 
   std::string Climber::size_of(const std::size_t axis, const std::size_t level) const

@@ -69,6 +69,7 @@ namespace birdstrike
     Answer               look_at(const Place &place);
     void                 extend(double allowed);
     [[noreturn]] void    refuse() const;
+    std::string          advise() const;
 
     double      allowed_error() const;
     StudyPoint  point_at(const Place &place) const;

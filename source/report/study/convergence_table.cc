@@ -34,6 +34,18 @@ namespace birdstrike
       return std::isfinite(value) ? fmt::format("{}", value) : "";
     }
 
+    std::string describe_bars(const std::size_t n_levels)
+    {
+      if (n_levels == 3)
+        return "Error bar: of the finest level, 1.25 times what Richardson's value is away where the ladder converges "
+               "(grid\nconvergence index), else three times that; without an order three times the largest change.\n";
+      return fmt::format(
+        "Order, h -> 0 and error bar by least squares over {} levels (Eca, Hoekstra 2014). Error bar: of the finest "
+        "level,\n1.25 times what h -> 0 is away where the ladder converges, else three times that, and "
+        "the scatter about the fit.\n",
+        n_levels);
+    }
+
     /// The finest value with its bar, and the way from there to Richardson's value.
     void add_bar(FigurePanel &panel, const double size, const double value, const GridConvergence &estimate)
     {
@@ -84,12 +96,12 @@ namespace birdstrike
         line.push_back(show(made.extrapolated, each.row->unit));
         line.push_back(show_share(made.change));
         line.push_back(std::isnan(made.gci) ? "none" : "+- " + format_share(made.gci));
-        line.push_back(describe(made.trend) + (each.is_rising() ? "; still rising at the end, no peak" : ""));
+        line.push_back(describe(made.trend) +
+                       (made.n_fitted < sizes.size() && made.n_fitted > 0 ? "; of " + made.method() : "") +
+                       (each.is_rising() ? "; still rising at the end, no peak" : ""));
         cells.push_back(std::move(line));
       }
-    return size_name(refinement) + ":\n" + align(cells) +
-           "Error bar: of the finest level, 1.25 times what Richardson's value is away where the ladder converges "
-           "(grid\nconvergence index), else three times that; without an order three times the largest change.\n";
+    return size_name(refinement) + ":\n" + align(cells) + describe_bars(sizes.size());
   }
 
   std::string ConvergenceTable::as_csv() const
@@ -97,8 +109,8 @@ namespace birdstrike
     std::string text = "quantity,unit";
     for (auto size = sizes.rbegin(); size != sizes.rend(); ++size)
       text += fmt::format(",at h = {} {}", *size, size_unit(refinement));
-    text += ",observed order [-],extrapolated,change [-],extrapolated error [-],GCI [-],error bar,GCI ratio [-],still "
-            "rising,ladder\n";
+    text += ",observed order [-],extrapolated,change [-],extrapolated error [-],GCI [-],error bar,GCI ratio [-],method,"
+            "standard deviation,still rising,ladder\n";
     for (const ConvergingRow &each : all)
       {
         const GridConvergence &made = each.estimate;
@@ -108,6 +120,7 @@ namespace birdstrike
         for (const double number :
              {made.order, made.extrapolated, made.change, made.extrapolated_error, made.gci, made.bar, made.ratio})
           text += "," + csv_number(number);
+        text += "," + made.method() + "," + csv_number(made.deviation);
         text += std::string(each.is_rising() ? ",yes" : ",no") + "," + describe(made.trend) + "\n";
       }
     return text;

@@ -79,6 +79,20 @@ TEST(Climb, TrustsSwingsOnlyWhereTheyAreSmall)
   EXPECT_FALSE(grows.is_trusted(0.02));
 }
 
+TEST(Climb, TrustsAFitOfFiveLevelsWithinItsScatter)
+{
+  // Impulse of an oblique strike (N s): the bar is that of the fit (grid_convergence_test.cc).
+  const ClimbAxis cut{"bird", {5., 3.5, 2.5, 1.75, 1.25}, {11.01, 10.19, 9.44, 9.10, 8.89}};
+  EXPECT_TRUE(cut.is_trusted(0.01 * 8.89));
+  EXPECT_NEAR(cut.bar() / 8.89, 0.0719, 1e-4);
+  const ClimbAxis before{"bird", {5., 3.5, 2.5, 1.75}, {11.01, 10.19, 9.44, 9.10}};
+  EXPECT_FALSE(before.is_trusted(0.05 * 9.1)) << "one degree of freedom, and threes of other orders";
+  // The same strike's by mesh: to and fro.
+  const ClimbAxis mesh{"mesh", {9.958, 6.955, 4.979, 3.546, 2.489}, {11.011, 11.010, 11.064, 11.008, 11.048}};
+  EXPECT_TRUE(mesh.is_trusted(0.01)) << "whose bar is";
+  EXPECT_GT(mesh.bar(), 0.056) << "all that they are apart";
+}
+
 TEST(Climb, ChoosesTheCoarsestMeshForEachBirdAndNeverBothAtTheirCoarsest)
 {
   const ClimbAxis bird = axis_of_power(2., 0.1, 4), mesh = axis_of_power(1., 0.1, 4);

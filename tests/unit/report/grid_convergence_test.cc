@@ -117,4 +117,102 @@ TEST(GridConvergence, AFourthGridMayObject)
   const std::vector<double> h{1., 2., 4., 8.}, f{3.01, 3.02, 3.04, 3.2};
   EXPECT_EQ(estimate_convergence(std::span(h).first(3), std::span(f).first(3)).trend, Trend::asymptotic);
   EXPECT_EQ(estimate_convergence(h, f).trend, Trend::not_asymptotic);
+  // Orders 1.2 and 2.5, a fit of 2.08 with little scatter: with one more grid 1.29, and a limit that is farther away.
+  const std::vector<double> spacings{1.25, 1.75, 2.5, 3.5, 5.}, impulses{8.89, 9.10, 9.44, 10.19, 11.01};
+  const GridConvergence     four = estimate_convergence(std::span(spacings).first(4), std::span(impulses).first(4)),
+                        five     = estimate_convergence(spacings, impulses);
+  EXPECT_EQ(four.trend, Trend::not_asymptotic);
+  EXPECT_GT(four.bar, std::abs(five.extrapolated - impulses[0])) << "three times the distance to its own limit";
+}
+
+// scipy 1.10, see error_fit_test.cc: f_ext = 8.437778, U = 1.25*0.437132 + 0.077256 + 0.015090.
+TEST(GridConvergence, IsByLeastSquaresOverFourGridsAndMore)
+{
+  const std::vector<double> h{1.25, 1.75, 2.5, 3.5, 5.}, f{8.89, 9.10, 9.44, 10.19, 11.01};
+  const GridConvergence     made = estimate_convergence(h, f);
+  EXPECT_EQ(made.trend, Trend::asymptotic);
+  EXPECT_EQ(made.method(), "least squares over 5 levels");
+  EXPECT_NEAR(made.order, 1.289507, 1e-6);
+  EXPECT_NEAR(made.extrapolated, 8.437778, 1e-6);
+  EXPECT_NEAR(made.bar, 0.638761, 3e-6) << "three terms of six digits";
+  EXPECT_DOUBLE_EQ(made.gci, made.bar / 8.89);
+  EXPECT_TRUE(std::isnan(made.ratio));
+  EXPECT_EQ(estimate_convergence(std::span(h).first(3), std::span(f).first(3)).method(), "three levels");
+}
+
+TEST(GridConvergence, OfValuesWithScatterHoldsTheTruthInItsBar)
+{
+  // Scatter of standard deviation 0.9, times a tenth of the last change of 1 + 0.05 h; a fifteenth of that of h^1.5.
+  const std::vector<double> drawn{0.50, -1.12, 0.31, 1.45, -0.68}, h{1., 1.4, 2., 2.8, 4.};
+  for (const double p : {1., 1.5})
+    for (const double sign : {-1., 1.})
+      for (const double swing : {-1., 1.})
+        {
+          std::vector<double> f;
+          for (std::size_t k = 0; k < h.size(); ++k)
+            f.push_back(1. + sign * 0.05 * std::pow(h[k], p) + swing * 0.002 * drawn[k]);
+          const GridConvergence made = estimate_convergence(h, f);
+          EXPECT_EQ(made.trend, Trend::asymptotic);
+          EXPECT_GT(made.deviation, 0.001) << "of 0.002, with two degrees of freedom";
+          EXPECT_GE(made.bar, std::abs(f[0] - 1.)) << p << " " << sign << " " << swing;
+        }
+}
+
+TEST(GridConvergence, SaysWhereAFitIsNone)
+{
+  const std::vector<double> h{1., 2., 4., 8., 16.};
+  const auto                of    = [&](const std::vector<double> &f) { return estimate_convergence(h, f); };
+  const GridConvergence     grows = of({3., 2., 1.5, 1.25, 1.125});
+  EXPECT_EQ(grows.trend, Trend::diverging) << "h^-1";
+  EXPECT_TRUE(std::isnan(grows.bar) && std::isnan(grows.extrapolated));
+  EXPECT_EQ(of({1., 1.1, 1.2, 1.3, 1.4}).trend, Trend::diverging) << "a logarithm has no limit";
+  const GridConvergence swings = of({1., 1.02, 0.99, 1.01, 0.98});
+  EXPECT_EQ(swings.trend, Trend::scattered);
+  EXPECT_GT(swings.bar, 0.04) << "all that they are apart";
+  EXPECT_TRUE(swings.is_trusted() && std::isnan(swings.extrapolated));
+  const GridConvergence alone = of({1.1, 1., 1.001, 0.999, 1.});
+  EXPECT_EQ(alone.trend, Trend::diverging) << "the finest";
+  EXPECT_TRUE(std::isnan(alone.order) && std::isnan(alone.bar));
+  const GridConvergence slow = of({3.01, 3.011487, 3.013195, 3.015157, 3.017411});
+  EXPECT_EQ(slow.trend, Trend::not_asymptotic) << "order 0.2";
+  EXPECT_NEAR(slow.order, 0.2, 1e-3) << "six decimals of changes of 2e-3";
+  EXPECT_EQ(of_power(4., 0.01, h).trend, Trend::not_asymptotic);
+  EXPECT_EQ(of({1., 1., 1., 1., 1.}).trend, Trend::settled);
+  EXPECT_EQ(of({0., 0., 0., 0., 0.}).gci, 0.);
+  EXPECT_EQ(of({1., 1., 1., 1.3, 1.7}).method(), "three levels") << "settled, whatever coarser ones do";
+  EXPECT_EQ(of({1., 1., 1.2, 1.3, 1.4}).trend, Trend::not_asymptotic)
+    << "one grid stood still: order above 2 or below 0.5";
+}
+
+TEST(GridConvergence, TakesValuesOfAnySignAndALimitOfZero)
+{
+  const std::vector<double> h{1., 2., 4., 8.};
+  for (const double limit : {-3., 0.})
+    {
+      std::vector<double> f;
+      for (const double size : h)
+        f.push_back(limit + 0.1 * size);
+      const GridConvergence made = estimate_convergence(h, f);
+      EXPECT_EQ(made.trend, Trend::asymptotic);
+      EXPECT_NEAR(made.extrapolated, limit, 1e-12) << "round-off over changes of a tenth";
+      EXPECT_NEAR(made.bar, 0.125, 1e-12);
+      EXPECT_NEAR(made.gci, 0.125 / std::abs(f[0]), 1e-11);
+    }
+}
+
+TEST(GridConvergence, LeavesOutLevelsWithoutAValue)
+{
+  const std::vector<double> h{1., 2., 3., 4., 8.}, f{3.1, 3.2, NAN, 3.4, 3.8};
+  const GridConvergence     made = estimate_convergence(h, f);
+  EXPECT_EQ(made.n_fitted, 4u);
+  EXPECT_NEAR(made.extrapolated, 3., 1e-12);
+  const GridConvergence three = estimate_convergence(h, std::vector<double>{3.1, NAN, NAN, 3.4, 3.8});
+  EXPECT_EQ(three.method(), "three levels");
+  EXPECT_NEAR(three.extrapolated, 3., 1e-9);
+  for (const auto &lost : {std::vector<double>{NAN, 3.2, 3.3, 3.4, 3.8}, std::vector<double>{3.1, NAN, NAN, NAN, 3.8}})
+    {
+      EXPECT_EQ(estimate_convergence(h, lost).trend, Trend::unknown);
+      EXPECT_EQ(estimate_convergence(h, lost).method(), "-");
+      EXPECT_TRUE(std::isnan(estimate_convergence(h, lost).bar));
+    }
 }

@@ -1,0 +1,185 @@
+#include "report/study/error_fit.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace birdstrike
+{
+  namespace
+  {
+    constexpr double absent       = std::numeric_limits<double>::quiet_NaN();
+    constexpr double lowest_order = 0.5, highest_order = 2.;
+    constexpr double largest_order        = 10.;
+    constexpr int    n_orders             = 200; ///< on either side of zero
+    constexpr double factor_without_trend = 3.;
+
+    using Values = Eigen::Map<const Eigen::VectorXd>;
+
+    Values as_vector(const std::span<const double> values)
+    {
+      return {values.data(), static_cast<Eigen::Index>(values.size())};
+    }
+
+    int n_unknowns(const Expansion expansion)
+    {
+      return expansion == Expansion::first || expansion == Expansion::second ? 2 : 3;
+    }
+
+    /// (x^p - 1)/p, ln x at p = 0: spans the same as x^p beside a constant, and is smooth in p.
+    Eigen::VectorXd power_of(const Eigen::VectorXd &x, const double p)
+    {
+      return x.unaryExpr(
+        [p](const double each) { return p == 0. ? std::log(each) : std::expm1(p * std::log(each)) / p; });
+    }
+
+    /// Coefficients of a constant and the columns, and what they leave.
+    struct LinearFit
+    {
+      Eigen::VectorXd coefficients, residuals;
+      double          sum; ///< of squares, weighted
+    };
+
+    LinearFit solve(const Eigen::MatrixXd &columns, const Eigen::VectorXd &phi, const Eigen::VectorXd &weights)
+    {
+      Eigen::MatrixXd matrix(columns.rows(), columns.cols() + 1);
+      matrix << Eigen::VectorXd::Ones(columns.rows()), columns;
+      const Eigen::VectorXd roots = weights.cwiseSqrt();
+      LinearFit             made;
+      made.coefficients = (roots.asDiagonal() * matrix).colPivHouseholderQr().solve(roots.cwiseProduct(phi));
+      made.residuals    = phi - matrix * made.coefficients;
+      made.sum          = weights.dot(made.residuals.cwiseAbs2());
+      return made;
+    }
+
+    /// Where a function of one minimum in between is smallest: golden section.
+    template <typename Function>
+    double find_smallest(const Function &function, double low, double high)
+    {
+      constexpr double share = 1. / std::numbers::phi;
+      while (high - low > 1e-13 * largest_order)
+        {
+          const double left = high - share * (high - low), right = low + share * (high - low);
+          if (function(left) < function(right))
+            high = right;
+          else
+            low = left;
+        }
+      return 0.5 * (low + high);
+    }
+
+    /// Of the smallest sum of squares: there may be several, so that all orders are looked at first.
+    double find_order(const Eigen::VectorXd &x, const Eigen::VectorXd &phi, const Eigen::VectorXd &weights)
+    {
+      const auto sum_at = [&](const double p) { return solve(power_of(x, p), phi, weights).sum; };
+      double     best = 0., smallest = std::numeric_limits<double>::infinity();
+      for (int k = -n_orders; k <= n_orders; ++k)
+        if (const double p = largest_order * k / n_orders, sum = sum_at(p); sum < smallest)
+          {
+            best     = p;
+            smallest = sum;
+          }
+      const double step = largest_order / n_orders;
+      return find_smallest(sum_at, std::max(best - step, -largest_order), std::min(best + step, largest_order));
+    }
+
+    /// Without the constant; `order` is that of a power.
+    Eigen::MatrixXd columns_of(const Expansion expansion, const Eigen::VectorXd &x, const double order)
+    {
+      switch (expansion)
+        {
+        case Expansion::power:
+          return power_of(x, order);
+        case Expansion::first:
+          return x;
+        case Expansion::second:
+          return x.cwiseAbs2();
+        case Expansion::first_and_second:
+          {
+            Eigen::MatrixXd both(x.size(), 2);
+            both << x, x.cwiseAbs2();
+            return both;
+          }
+        }
+      throw std::logic_error("no expansion");
+    }
+
+    bool is_in_range(const ErrorFit &fit)
+    {
+      return fit.order >= lowest_order && fit.order <= highest_order;
+    }
+
+    /// With the smallest deviation.
+    const ErrorFit &best_of(const std::span<const ErrorFit> fits)
+    {
+      return *std::ranges::min_element(fits, {}, &ErrorFit::deviation);
+    }
+  } // namespace
+
+  ErrorFit fit_expansion(const Expansion expansion, const std::span<const double> sizes,
+                         const std::span<const double> values, const std::span<const double> weights)
+  {
+    const int n = static_cast<int>(values.size()), unknowns = n_unknowns(expansion);
+    if (n <= unknowns || sizes.size() != values.size() || weights.size() != values.size())
+      throw std::logic_error("A fit takes more values than it has unknowns, with a size and a weight each.");
+    const Eigen::VectorXd x = as_vector(sizes) / sizes[0], w = as_vector(weights);
+    const Eigen::VectorXd phi      = as_vector(values).array() - values[0]; // round-off is that of changes
+    const bool            is_power = expansion == Expansion::power;
+    const double          order    = is_power ? find_order(x, phi, w) : absent;
+    const LinearFit       fit      = solve(columns_of(expansion, x, order), phi, w);
+    // At h_1, x = 1: the power's column is zero there and -1/p at h = 0; those of the others are 1 and 0.
+    const double of_columns = fit.coefficients.tail(fit.coefficients.size() - 1).sum();
+    const double error      = is_power ? of_columns / order : of_columns;
+    const double deviation  = std::sqrt(n * fit.sum / (n - unknowns));
+    return {expansion,        order,    is_power ? deviation : absent, values[0] - fit.residuals[0] - error, error,
+            fit.residuals[0], deviation};
+  }
+
+  ErrorFit fit_error(const std::span<const double> sizes, const std::span<const double> values)
+  {
+    const double        n = static_cast<double>(values.size());
+    std::vector<double> alike(values.size(), 1. / n), by_size;
+    double              sum = 0.;
+    for (const double size : sizes)
+      sum += 1. / size;
+    for (const double size : sizes)
+      by_size.push_back(1. / size / sum);
+    std::vector<ErrorFit> fits;
+    const auto            add = [&](const Expansion expansion) {
+      for (const auto &weights : {alike, by_size})
+        fits.push_back(fit_expansion(expansion, sizes, values, weights));
+    };
+    add(Expansion::power);
+    const auto outside = std::ranges::stable_partition(fits, is_in_range);
+    if (outside.begin() != fits.begin())
+      return best_of({fits.begin(), outside.begin()});
+    const ErrorFit power = best_of(fits);
+    fits.clear();
+    add(Expansion::first);
+    add(Expansion::second);
+    if (power.order < lowest_order)
+      add(Expansion::first_and_second);
+    ErrorFit best        = best_of(fits);
+    best.order           = power.order;
+    best.power_deviation = power.power_deviation;
+    return best;
+  }
+
+  double data_range(const std::span<const double> values)
+  {
+    const auto [smallest, largest] = std::ranges::minmax(values);
+    return (largest - smallest) / static_cast<double>(values.size() - 1);
+  }
+
+  double uncertainty(const ErrorFit &fit, const double range, const double factor)
+  {
+    const double rest = fit.deviation + std::abs(fit.residual);
+    return fit.deviation < range ? factor * std::abs(fit.error) + rest
+                                 : factor_without_trend * fit.deviation / range * (std::abs(fit.error) + rest);
+  }
+} // namespace birdstrike
