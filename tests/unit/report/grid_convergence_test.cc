@@ -176,7 +176,7 @@ TEST(GridConvergence, SaysWhereAFitIsNone)
   const GridConvergence slow = of({3.01, 3.011487, 3.013195, 3.015157, 3.017411});
   EXPECT_EQ(slow.trend, Trend::not_asymptotic) << "order 0.2";
   EXPECT_NEAR(slow.order, 0.2, 1e-3) << "six decimals of changes of 2e-3";
-  EXPECT_EQ(of_power(4., 0.01, h).trend, Trend::not_asymptotic);
+  EXPECT_EQ(estimate_of_power(4., 0.01, h).trend, Trend::not_asymptotic);
   EXPECT_EQ(of({1., 1., 1., 1., 1.}).trend, Trend::settled);
   EXPECT_EQ(of({0., 0., 0., 0., 0.}).gci, 0.);
   EXPECT_EQ(of({1., 1., 1., 1.3, 1.7}).method(), "three levels") << "settled, whatever coarser ones do";
