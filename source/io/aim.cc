@@ -1,6 +1,7 @@
 #include "io/aim.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/structure/rotor.h>
 #include <birdstrike/structure/surface_map.h>
 
 #include <fmt/format.h>
@@ -111,6 +112,11 @@ namespace birdstrike
                          "/Angle to surface: the blade moves at the start (Blade/Loads/Initial spin or Initial "
                          "velocity), so that the angle of the bird's velocity is not that at which they meet.\nGive "
                          "Speed with Flight direction, or Velocity; explain says at which angle they meet.");
+      if (Rotor(blade.spin).turns())
+        throw InputError(bird.section +
+                         "/Angle to surface: the blade turns (Blade/Spin/Speed), so that the angle of the bird's "
+                         "velocity is not that at which they meet.\nGive Speed with Flight direction, or Velocity; "
+                         "explain says at which angle they meet.");
       if (const double degrees = bird.angle_to_surface[0]; degrees == 0. || std::abs(degrees) == 180.)
         throw InputError(bird.section +
                          "/Angle to surface: along the surface the bird never meets it.\nGive an angle other than 0 "

@@ -182,7 +182,7 @@ namespace birdstrike
     resolve_aim(*this); // how a bird lies says what planes cut off it
     require_memory(*this, static_cast<double>(available_memory()));
     if (bird.enabled)
-      blade.bird_velocity = bird.velocity;
+      blade.bird = {bird.target(), bird.velocity};
     if (has_symmetry_plane)
       require_symmetry(*this);
     for (const BirdCase &each : birds())

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 
 namespace birdstrike
 {
@@ -17,6 +18,69 @@ namespace birdstrike
       Point3 normal; ///< of the blade at this side
     };
 
+    /// Of the surface as the mesh has it: of a solid its cells' third axis.
+    Point3 normal_of(const SurfaceMesh &mesh, const std::size_t cell)
+    {
+      return mesh.area_vector(cell).normalized();
+    }
+    Point3 normal_of(const VolumeMesh &mesh, const std::size_t cell)
+    {
+      Point3 third_axis = Point3::Zero();
+      for (unsigned int k = 0; k < 4; ++k)
+        third_axis += mesh.node(mesh.cells[cell][k + 4]) - mesh.node(mesh.cells[cell][k]);
+      return (0.25 * third_axis).normalized();
+    }
+
+    /// Of n candidates of the described blade of a row that whose place is nearest; n without any.
+    template <class IsCandidate, class Place>
+    std::size_t find_nearest(const std::size_t n, const Point3 &x, const IsCandidate &is_candidate, const Place &place)
+    {
+      std::size_t nearest  = n;
+      double      smallest = INFINITY;
+      for (std::size_t k = 0; k < n; ++k)
+        if (is_candidate(k))
+          if (const double d = (place(k) - x).squaredNorm(); d < smallest)
+            {
+              smallest = d;
+              nearest  = k;
+            }
+      return nearest;
+    }
+
+    /// Whether a normal at the end of the blade that runs with the mesh's looks at the struck side.
+    template <int dim>
+    bool looks_at_struck_side(const BladeMesh<dim> &mesh, const Point3 &at_end, const Strike &strike)
+    {
+      if (strike.velocity.squaredNorm() == 0.)
+        return looks_at_strike(at_end, strike.velocity);
+      bool runs_through = true;
+      if constexpr (dim == 3)
+        runs_through = mesh.layers > 0;
+      const auto is_described = [&](const std::size_t cell) { return mesh.blade_of(cell) == 0; };
+      if (runs_through)
+        {
+          const std::size_t cell = find_nearest(mesh.cells.size(), strike.place, is_described,
+                                                [&](const std::size_t c) { return mesh.centroid(c); });
+          return looks_at_strike(normal_of(mesh, cell), strike.velocity);
+        }
+      if constexpr (dim == 3)
+        {
+          constexpr double least_sine = 0.01; // of the angle to a face that is struck, as in looks_at_strike
+          const auto outward = [&](const std::size_t f) { return area_vector(mesh, mesh.boundary[f]).normalized(); };
+          const std::size_t face = find_nearest(
+            mesh.boundary.size(), strike.place,
+            [&](const std::size_t f) {
+              return is_described(mesh.boundary[f].cell) &&
+                     outward(f).dot(strike.velocity) < -least_sine * strike.velocity.norm();
+            },
+            [&](const std::size_t f) { return middle(mesh, mesh.boundary[f]); });
+          if (face < mesh.boundary.size())
+            if (const double with = -outward(face).dot(at_end); std::abs(with) > least_sine)
+              return with < 0.;
+        }
+      return looks_at_strike(at_end, strike.velocity);
+    }
+
     SideGeometry geometry_of(const SurfaceMesh &mesh, const SurfaceMesh::BoundarySide &edge, const SpanEnd end)
     {
       const Point3 a = mesh.node(edge.nodes[0]), b = mesh.node(edge.nodes[1]), middle = 0.5 * (a + b);
@@ -29,11 +93,8 @@ namespace birdstrike
 
     SideGeometry geometry_of(const VolumeMesh &mesh, const VolumeMesh::BoundarySide &face, SpanEnd)
     {
-      const Point3 outward    = area_vector(mesh, face);
-      Point3       third_axis = Point3::Zero();
-      for (unsigned int k = 0; k < 4; ++k)
-        third_axis += mesh.node(mesh.cells[face.cell][k + 4]) - mesh.node(mesh.cells[face.cell][k]);
-      return {outward.norm(), middle(mesh, face), outward, outward.norm(), (0.25 * third_axis).normalized()};
+      const Point3 outward = area_vector(mesh, face);
+      return {outward.norm(), middle(mesh, face), outward, outward.norm(), normal_of(mesh, face.cell)};
     }
 
     /// The thin principal direction of faces about their centroid: the second of three by second moment, after the one
@@ -137,7 +198,7 @@ namespace birdstrike
 
   template <int dim>
   BladeRoles::BladeRoles(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &root_ids,
-                         const std::vector<unsigned int> &tip_ids, const Point3 &strike)
+                         const std::vector<unsigned int> &tip_ids, const Strike &strike)
     : root(mesh, SpanEnd::root, root_ids), tip(mesh, SpanEnd::tip, tip_ids)
   {
     bool runs_through = true;
@@ -145,7 +206,7 @@ namespace birdstrike
       runs_through = mesh.layers > 0;
     if (!runs_through && root.normal.dot(tip.normal) < 0.)
       root.turn();
-    if (looks_at_strike(tip.is_present() ? tip.normal : root.normal, strike))
+    if (looks_at_struck_side(mesh, tip.is_present() ? tip.normal : root.normal, strike))
       {
         root.turn();
         tip.turn();
@@ -159,7 +220,7 @@ namespace birdstrike
   template BladeEnd BladeEnd::of_blade(const BladeMesh<3> &, const std::vector<unsigned int> &, std::uint32_t,
                                        const Matrix3<double> &, const Point3 &) const;
   template BladeRoles::BladeRoles(const BladeMesh<2> &, const std::vector<unsigned int> &,
-                                  const std::vector<unsigned int> &, const Point3 &);
+                                  const std::vector<unsigned int> &, const Strike &);
   template BladeRoles::BladeRoles(const BladeMesh<3> &, const std::vector<unsigned int> &,
-                                  const std::vector<unsigned int> &, const Point3 &);
+                                  const std::vector<unsigned int> &, const Strike &);
 } // namespace birdstrike

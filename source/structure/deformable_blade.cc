@@ -7,31 +7,24 @@ namespace birdstrike
 {
   namespace
   {
-    /// Velocity (m/s) of the centre of mass of the described blade of a row: that of all of them says nothing, and is
-    /// zero all around a hub. `mass` (kg) by node.
+    /// Of the bird relative to the described blade's node nearest to where it aims, at the start.
     template <class Mesh>
-    Point3 velocity_of_described(const Mesh &mesh, const std::vector<double> &mass, const NodeArrays &nodes)
+    Strike compute_strike(const BladeParameters &parameters, const Mesh &mesh, const NodeArrays &nodes)
     {
-      std::vector<bool> is_counted(nodes.n, false);
-      Point3            momentum = Point3::Zero();
-      double            sum      = 0.;
+      if (!parameters.bird)
+        return {};
+      const Point3  place(parameters.bird->target.data());
+      std::uint32_t nearest  = 0;
+      double        smallest = INFINITY;
       for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
         for (const std::uint32_t n : mesh.cells[cell])
-          if (mesh.blade_of(cell) == 0 && !is_counted[n])
-            {
-              is_counted[n] = true;
-              momentum += mass[n] * Point3(nodes.velocity + nodes.n_unknowns * n);
-              sum += mass[n];
-            }
-      return momentum / sum;
-    }
-
-    /// Velocity (m/s) of the bird relative to the blade's centre of mass at the start; zero without a bird.
-    Point3 compute_strike(const BladeParameters &parameters, const Point3 &velocity_of_blade)
-    {
-      if (!parameters.bird_velocity)
-        return Point3::Zero();
-      return Point3(parameters.bird_velocity->data()) - velocity_of_blade;
+          if (mesh.blade_of(cell) == 0)
+            if (const double d = (mesh.node(n) - place).squaredNorm(); d < smallest)
+              {
+                smallest = d;
+                nearest  = n;
+              }
+      return {place, Point3(parameters.bird->velocity.data()) - Point3(nodes.velocity + nodes.n_unknowns * nearest)};
     }
   } // namespace
 
@@ -61,12 +54,10 @@ namespace birdstrike
     else
       motion.initialize_velocity(parameters.loads);
     motion.watch(parameters.probes, mesh);
-    probe_warnings        = warn_of_far_probes(parameters.probes, mesh);
-    const Point3 velocity = row.size() > 1 ? velocity_of_described(mesh, lumped.node, motion.arrays())
-                                           : Point3(Point3(motion.momenta().momentum.data()) / lumped.total);
-    roles                 = BladeRoles(mesh, supports.root_ids, supports.tip_ids, compute_strike(parameters, velocity));
-    root                  = typename Kind::Root(mesh, roles.root);
-    tip                   = TipRow(mesh, roles.tip);
+    probe_warnings = warn_of_far_probes(parameters.probes, mesh);
+    roles   = BladeRoles(mesh, supports.root_ids, supports.tip_ids, compute_strike(parameters, mesh, motion.arrays()));
+    root    = typename Kind::Root(mesh, roles.root);
+    tip     = TipRow(mesh, roles.tip);
     members = RowOfBlades<Kind>(parameters.mesh.row, mesh, sections, roles, supports.root_ids, supports.tip_ids);
     if (!hub.turns())
       return;

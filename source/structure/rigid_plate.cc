@@ -22,8 +22,8 @@ namespace birdstrike
     else
       take_mesh(make_rectangle(parameters.rigid));
     half_thickness.assign(surface.cells.size(), parameters.rigid.half_thickness);
-    if (parameters.bird_velocity)
-      is_turned = looks_at_strike(Point3(normal[0], normal[1], normal[2]), Point3(parameters.bird_velocity->data()));
+    if (parameters.bird)
+      is_turned = looks_at_strike(Point3(normal[0], normal[1], normal[2]), Point3(parameters.bird->velocity.data()));
   }
 
   SurfaceMesh RigidPlate::make_rectangle(const BladeParameters::Rigid &parameters) const

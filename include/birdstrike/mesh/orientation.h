@@ -6,8 +6,9 @@
 
 /// The signs of what a blade reports. They come from geometry and from the bird, never from the order in which a file
 /// lists its cells:
-///  - the normal of root and tip points away from the struck side: along the bird's velocity relative to the blade. So
-///    deflections are positive with the bird, a positive root moment stretches the struck face, the face at -normal;
+///  - the normal of root and tip points away from the struck side, the one that the bird flies at where it aims (by
+///    its velocity relative to the blade there). So deflections are positive with the bird, a positive root moment
+///    stretches the struck face, the face at -normal, however the blade is twisted between there and its ends;
 ///  - without a bird, or with one that flies along the surface (less than 0.6 degrees to it), its component along z is
 ///    positive, along y where it has none (again within 0.6 degrees), else along x;
 ///  - the chord runs towards +y, towards +z where it has no such component, else towards +x, whichever side is struck:

@@ -62,18 +62,25 @@ namespace birdstrike
   /// Off a boundary edge of a shell, in the plane of its cell: unit.
   Point3 inwards(const SurfaceMesh &mesh, const SurfaceMesh::BoundarySide &edge);
 
+  /// Where the bird aims, m, and its velocity relative to the blade there, m/s; zero without a bird.
+  struct Strike
+  {
+    Point3 place = Point3::Zero(), velocity = Point3::Zero();
+  };
+
   /// Which part of the mesh plays which role.
   struct BladeRoles
   {
     BladeRoles() = default;
-    /// Ends by boundary ids. `strike`: velocity of the bird relative to the blade (m/s), zero without one.
+    /// Ends by boundary ids.
     ///
-    /// Both normals look to one side of the blade: that of the tip decides, that of the root without a tip. A twist
-    /// beyond a right angle between them is taken from the mesh where its cells run through from root to tip (shells,
-    /// and solids that are built in), else it cannot be seen.
+    /// Both normals look to one side of the blade: away from the one that is struck, where the bird aims; without a
+    /// bird that of the tip decides, that of the root without a tip. The twist between these places is taken from the
+    /// mesh where its cells run through from root to tip (shells, and solids that are built in); else it is taken as
+    /// less than a right angle.
     template <int dim>
     BladeRoles(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &root_ids,
-               const std::vector<unsigned int> &tip_ids, const Point3 &strike);
+               const std::vector<unsigned int> &tip_ids, const Strike &strike);
 
     BladeEnd root, tip;
   };

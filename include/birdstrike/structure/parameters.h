@@ -117,9 +117,12 @@ namespace birdstrike
     Spin                            spin;
     Rigid                           rigid;
     std::string                     probes; ///< "name: x y z; ..."
-    /// m/s, of the bird that strikes: it gives reports their signs (orientation.h). Set by the case; none without a
-    /// bird.
-    std::optional<std::array<double, 3>> bird_velocity;
+    /// The bird that strikes gives reports their signs (orientation.h). Set by the case; none without a bird.
+    struct StrikingBird
+    {
+      std::array<double, 3> target{}, velocity{}; ///< where it aims, m; m/s
+    };
+    std::optional<StrikingBird> bird;
 
     bool is_deformable() const; ///< of finite elements
 

@@ -191,7 +191,7 @@ namespace birdstrike
     {
       const BladeMesh<dim> mesh(parameters);
       const Supports       supports(parameters.supports, mesh);
-      const BladeRoles     roles(mesh, supports.root_ids, supports.tip_ids, Point3::Zero());
+      const BladeRoles     roles(mesh, supports.root_ids, supports.tip_ids, {});
       if (!roles.root.is_present() || !roles.tip.is_present())
         return nullptr;
       return std::make_unique<MapOfCuts>(mesh.surface(), roles.root.middle, roles.tip.middle);

@@ -43,7 +43,8 @@ TEST(Aim, SpeedAndAngleAreTheShippedVelocityOfTheObliqueCase)
   EXPECT_EQ(parameters.bird.velocity[0], 0.);
   EXPECT_NEAR(parameters.bird.velocity[1], 243.1559, 1e-5 * 302.1);
   EXPECT_NEAR(parameters.bird.velocity[2], 179.2710, 1e-5 * 302.1);
-  EXPECT_EQ(*parameters.blade.bird_velocity, parameters.bird.velocity);
+  EXPECT_EQ(parameters.blade.bird->velocity, parameters.bird.velocity);
+  EXPECT_EQ(parameters.blade.bird->target, parameters.bird.target());
 }
 
 /// Whoever has a file with a velocity, and wants to say it the other way.
@@ -129,4 +130,6 @@ TEST(Aim, HalfAnAlternativeAndABladeWithoutChordAreRefused)
                {"no span and chord"});
   expect_parts(refusal(file, {"Bird/Speed=100", "Bird/Angle to surface=30", "Blade/Loads/Initial velocity=0; 0; 10"}),
                {"the blade moves at the start"});
+  expect_parts(refusal(file, {"Bird/Speed=100", "Bird/Angle to surface=30", "Blade/Spin/Speed=600"}),
+               {"Bird/Angle to surface", "Blade/Spin/Speed"});
 }

@@ -2,6 +2,8 @@
 
 #include <birdstrike/mesh/roles.h>
 
+#include <cmath>
+
 namespace birdstrike::roles_test
 {
   using namespace solid_mesh_harness;
@@ -22,7 +24,7 @@ namespace birdstrike::roles_test
       const BladeMesh<dim> mesh(p);
       for (const double side : {1., -1.})
         {
-          const BladeRoles roles(mesh, root_id, tip_id, Point3(0., 100., side * 150.));
+          const BladeRoles roles(mesh, root_id, tip_id, {Point3(0.2, 0., 0.), Point3(0., 100., side * 150.)});
           expect_near(roles.root.middle, Point3::Zero());
           expect_near(roles.tip.middle, Point3(p.mesh.length, 0., 0.));
           expect_near(roles.root.span, Point3::UnitX());
@@ -48,14 +50,52 @@ namespace birdstrike::roles_test
       }
   }
 
+  // A blade whose sections turn from 20 to 65 degrees about x, n(s) = (0, -sin, cos) of the stagger. Struck at half of
+  // the span along d = cos(12 deg) t + sin(12 deg) n there, t its chord direction: at 42.5 degrees, so that d lies
+  // at 54.5 degrees to y. With n of the tip (65 degrees) it has the angle 65 + 90 - 54.5 = 100.5 degrees: the tip's
+  // normal looks at it, though the face behind is the one that is struck everywhere.
+  template <int dim>
+  void expect_one_side_of_a_twisted_blade()
+  {
+    BladeParameters p;
+    p.mesh.generator           = MeshGenerator::blade;
+    p.mesh.length              = 0.3;
+    p.mesh.chord               = 0.1;
+    p.mesh.n_span              = 24;
+    p.mesh.n_chord             = 8;
+    p.mesh.n_layers            = 1;
+    p.mesh.profile.root_radius = 0.15;
+    p.mesh.profile.stagger     = "20 + 45*s";
+    p.is_halved                = false;
+    const BladeMesh<dim> mesh(p);
+    const auto           along = [](const double degrees) {
+      return Point3(0., std::cos(degrees * M_PI / 180.), std::sin(degrees * M_PI / 180.));
+    };
+    for (const double side : {1., -1.})
+      {
+        const Point3     velocity = 200. * (side > 0. ? along(54.5) : along(30.5)); // to either face, by 12 degrees
+        const BladeRoles roles(mesh, root_id, tip_id, {Point3(0.3, 0., 0.), velocity});
+        EXPECT_GT(side * roles.root.normal.dot(along(110.)), 0.99);
+        EXPECT_GT(side * roles.tip.normal.dot(along(155.)), 0.99);
+        EXPECT_EQ(roles.root.is_turned, side < 0.);
+        EXPECT_EQ(roles.tip.is_turned, side < 0.);
+      }
+  }
+
+  TEST(BladeRoles, TheStruckSideIsThatWhereTheBirdAims)
+  {
+    expect_one_side_of_a_twisted_blade<2>();
+    expect_one_side_of_a_twisted_blade<3>();
+  }
+
   // Without a tip the root decides; an end that runs all around has no axes.
   TEST(BladeRoles, AbsentEndsHaveNoSay)
   {
     const ShellMesh  mesh(plate(6, 4, 2));
-    const BladeRoles clamped(mesh, root_id, all_around, Point3(0., 0., -150.));
+    const BladeRoles clamped(mesh, root_id, all_around, {Point3(0.2, 0., 0.), Point3(0., 0., -150.)});
     EXPECT_FALSE(clamped.tip.is_present());
     EXPECT_TRUE(clamped.tip.nodes.empty());
     expect_near(clamped.root.normal, -Point3::UnitZ());
-    EXPECT_FALSE(BladeRoles(mesh, {}, {}, Point3::Zero()).root.is_present());
+    EXPECT_FALSE(BladeRoles(mesh, {}, {}, {}).root.is_present());
   }
 } // namespace birdstrike::roles_test

@@ -59,8 +59,8 @@ namespace birdstrike::test
 
   Reports strike(BladeParameters p, const int side, const Matrix3<double> &turned)
   {
-    const Point3 bird = turned * Point3(0., 100., side * 150.);
-    p.bird_velocity   = {{bird[0], bird[1], bird[2]}};
+    const Point3 bird = turned * Point3(0., 100., side * 150.), target = turned * Point3(0.2, 0., 0.);
+    p.bird = {{{target[0], target[1], target[2]}}, {{bird[0], bird[1], bird[2]}}};
     std::ostringstream speed;
     speed.precision(17);
     for (int d = 0; d < 3; ++d)

@@ -16,7 +16,7 @@ namespace birdstrike::section_forces_test
 
     BladeRoles roles_of(const auto &mesh)
     {
-      return BladeRoles(mesh, {0}, {1}, Point3::Zero());
+      return BladeRoles(mesh, {0}, {1}, {});
     }
 
     /// Free in the plane, without lateral strain.
