@@ -1,15 +1,10 @@
+#include "command_line.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/program.h>
-#include <birdstrike/report/compare.h>
-#include <birdstrike/report/converge.h>
-#include <birdstrike/report/measurement.h>
-#include <birdstrike/report/study.h>
-#include <birdstrike/report/target_error.h>
-#include <birdstrike/simulation/commands.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
@@ -27,193 +22,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace
 {
-  using birdstrike::CaseRequest;
-  using birdstrike::CompareRequest;
-  using birdstrike::ConvergeRequest;
   using birdstrike::ExitCode;
-  using birdstrike::MeasurementRequest;
-  using birdstrike::ModesRequest;
-  using birdstrike::ResumeRequest;
-  using birdstrike::StudyRequest;
-
-  /// What the command line may ask for.
-  struct Requests
-  {
-    CaseRequest        of_case;
-    CompareRequest     of_comparison;
-    ResumeRequest      of_resumption;
-    StudyRequest       of_study;
-    ConvergeRequest    of_ladder;
-    MeasurementRequest of_measurement;
-    ModesRequest       of_modes;
-    bool               as_json = false;
-    std::string        target_error; ///< of run
-  };
-
-  void declare_overrides(CLI::App *command, std::vector<std::string> &overrides)
-  {
-    command->add_option("--set", overrides, "Override an entry: \"Section/Entry=value\" (repeatable)")
-      ->allow_extra_args(false);
-  }
-
-  void declare_jobs(CLI::App *command, std::size_t &n_jobs, const std::string &what)
-  {
-    command->add_option("--jobs", n_jobs, what + " side by side, instead of one a core")
-      ->check(CLI::Range(std::size_t(1), birdstrike::most_children));
-  }
-
-  void declare_study(CLI::App &app, StudyRequest &request, std::function<void()> &action)
-  {
-    CLI::App *study = app.add_subcommand("study", "Run a case for each point of a grid of values, side by side");
-    study->add_option("FILE", request.prm_file, "Parameter file")->required();
-    study
-      ->add_option(
-        "--vary", request.vary,
-        "An entry and its values: \"Section/Entry=v1, v2\" or \"Section/Entry=a:b:n\" or \"Section/Entry=v1 | "
-        "v2\" (repeatable: each with each); else section Study of the file")
-      ->allow_extra_args(false);
-    study->add_flag("--pairs", request.are_pairs, "Values go together one by one instead of each with each");
-    declare_overrides(study, request.overrides);
-    study->add_option("--output", request.output, "Folder of the study, instead of runs/study/FILE");
-    declare_jobs(study, request.n_jobs, "Points");
-    study->add_option("--launcher", request.launcher, "Words before each run's command: \"srun -n 1\"");
-    study->add_option("--task-list", request.task_list,
-                      "Write a command line for each point that is to run into this file, and run none");
-    study->add_flag("--collect", request.only_collects, "Run nothing: make the table of what is there");
-    study->callback([&] { action = [&] { birdstrike::run_study(request); }; });
-  }
-
-  void declare_converge(CLI::App &app, ConvergeRequest &request, std::function<void()> &action)
-  {
-    CLI::App *ladder = app.add_subcommand("converge", "Run a case on a ladder of refinements: orders and error bars");
-    ladder->add_option("FILE", request.prm_file, "Parameter file: the finest level")->required();
-    ladder->add_option("--levels", request.n_levels, "Number of levels, 3 to 8")->capture_default_str();
-    ladder
-      ->add_option("--vary", request.refinement,
-                   "What is refined: mesh, particles, both, step (finer than the case), points (through the thickness)")
-      ->capture_default_str();
-    ladder->add_option("--ratio", request.ratio, "Of sizes from level to level")->capture_default_str();
-    ladder->add_option("--finer", request.n_finer, "So many of the levels are finer than the case")
-      ->capture_default_str();
-    declare_jobs(ladder, request.n_jobs, "Levels");
-    declare_overrides(ladder, request.overrides);
-    ladder->add_option("--output", request.output, "Folder of the ladder, instead of runs/converge/FILE");
-    ladder->callback([&] { action = [&] { birdstrike::converge(request); }; });
-  }
-
-  void declare_modes(CLI::App &app, ModesRequest &request, std::function<void()> &action)
-  {
-    CLI::App *modes = app.add_subcommand("modes", "Natural frequencies and shapes of the blade, at rest or turning");
-    modes->add_option("FILE", request.of_case.prm_file, "Parameter file")->required();
-    modes->add_option("--number", request.n_modes, "How many, from the lowest on")
-      ->check(CLI::Range(std::size_t(1), std::size_t(1000)))
-      ->capture_default_str();
-    modes->add_option("--speeds", request.speeds,
-                      "Speeds of the hub, as study takes values: \"0:900:4\" (rad/s), \"0, 3000 rpm, 6000 rpm\"; with "
-                      "several a Campbell diagram");
-    declare_overrides(modes, request.of_case.overrides);
-    modes->add_option("--output", request.of_case.output, "Folder, instead of runs/modes/FILE");
-    modes->callback([&] { action = [&] { birdstrike::run_modes(request); }; });
-  }
-
-  void declare_measurement(CLI::App *compare, MeasurementRequest &request)
-  {
-    auto *measured = compare
-                       ->add_option("--measured", request.of_file,
-                                    "A table (CSV) that was measured and pairs \"column: quantity\"; FILE are then "
-                                    "folders of runs, which are rated against it")
-                       ->type_name("TABLE \"COLUMN: QUANTITY\" ...");
-    compare
-      ->add_option("--time-column", request.time_column, "The table's column of times, if not 'time', 't' or the first")
-      ->needs(measured);
-    compare->add_option("--time-offset", request.time_offset, "Added to the table's times: \"0.35 ms\"")
-      ->needs(measured);
-  }
-
-  /// The case as it is, or as fine as a target asks for.
-  void run(const CaseRequest &request, const std::string &target_error)
-  {
-    if (target_error.empty())
-      birdstrike::run_case(request);
-    else
-      birdstrike::run_to_target_error({target_error, request.prm_file, request.overrides, request.output},
-                                      birdstrike::forecast_run_time);
-  }
-
-  /// The command line: every subcommand binds what it will do to `action`.
-  void declare_commands(CLI::App &app, Requests &requests, std::function<void()> &action)
-  {
-    app.set_version_flag("--version", "birdstrike " + birdstrike::program_identity().version);
-    app.require_subcommand(1);
-    app.footer("Exit codes: 0 done, 1 internal or system error (full disk), 2 bad input, 3 the computation was lost or "
-               "a target error cannot be claimed, 130 interrupted");
-
-    const auto case_command = [&](const char *name, const char *text, void (*verb)(const CaseRequest &)) {
-      CLI::App    *command = app.add_subcommand(name, text);
-      CaseRequest &request = requests.of_case;
-      command->add_option("FILE", request.prm_file, "Parameter file")->required();
-      declare_overrides(command, request.overrides);
-      command->add_option("--output", request.output,
-                          "Folder of the results, instead of the one in the parameter file");
-      command->callback([&, verb] { action = [&, verb] { verb(requests.of_case); }; });
-    };
-    case_command("run", "Run a case to its end", birdstrike::run_case);
-    app.get_subcommand("run")->callback([&] { action = [&] { run(requests.of_case, requests.target_error); }; });
-    app.get_subcommand("run")->add_flag("--force", requests.of_case.is_forced, "Replace a finished run in the folder");
-    app.get_subcommand("run")->add_option(
-      "--target-error", requests.target_error,
-      "Instead of the case as it is: the cheapest bird and mesh with this error, \"tip peak = 2 %\" "
-      "(folder: runs/target/FILE)");
-    case_command("explain", "Say what would be computed, before it is", birdstrike::explain_case);
-    case_command("validate", "Read and check a case, compute nothing", birdstrike::validate_case);
-
-    case_command("static", "Static equilibrium of the blade under spin and steady loads", birdstrike::run_static);
-    declare_modes(app, requests.of_modes, action);
-
-    CLI::App *resume = app.add_subcommand("resume", "Go on with a run from its newest checkpoint");
-    resume->add_option("RUN", requests.of_resumption.run, "Run folder")->required();
-    declare_overrides(resume, requests.of_resumption.overrides);
-    resume->callback([&] { action = [&] { birdstrike::resume_run(requests.of_resumption); }; });
-
-    CLI::App       *compare = app.add_subcommand("compare", "Run cases, or take their runs, and set them side by side");
-    CompareRequest &request = requests.of_comparison;
-    compare->add_option("FILE", request.prm_files, "Parameter files; differences are to the first")->required();
-    declare_measurement(compare, requests.of_measurement);
-    compare
-      ->add_option("--blade", request.blade_kinds,
-                   "Each file once for each of these values of Blade/Kind, e.g. shell,rigid")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-    declare_overrides(compare, request.overrides);
-    compare->add_option("--output", request.output, "Folder of the comparison")->capture_default_str();
-    compare->callback([&requests, &action, compare] {
-      if (requests.of_measurement.of_file.empty())
-        action = [&] { birdstrike::compare_cases(requests.of_comparison); };
-      else
-        action = [&requests, is_put = compare->count("--output") > 0] {
-          requests.of_measurement.runs = requests.of_comparison.prm_files;
-          if (is_put)
-            requests.of_measurement.output = requests.of_comparison.output;
-          birdstrike::compare_with_measurement(requests.of_measurement);
-        };
-    });
-
-    declare_study(app, requests.of_study, action);
-    declare_converge(app, requests.of_ladder, action);
-
-    CLI::App *columns = app.add_subcommand("columns", "What every column of the histories is: unit, frame, sign");
-    columns->add_option("FILE", requests.of_case.prm_file, "Parameter file: the columns of this case alone");
-    declare_overrides(columns, requests.of_case.overrides);
-    columns->callback([&] { action = [&] { birdstrike::print_columns(requests.of_case); }; });
-
-    CLI::App *parameters = app.add_subcommand("parameters", "All entries with text, range, default and unit");
-    parameters->add_flag("--json", requests.as_json, "As JSON instead of prm");
-    parameters->callback([&] { action = [&] { birdstrike::print_parameters(requests.as_json); }; });
-  }
 
   int exit_code(const ExitCode code)
   {
@@ -264,9 +76,9 @@ namespace
   {
     ::prctl(PR_SET_NAME, "birdstrike"); // for ps and pkill: the runs of a comparison are started by another name
     CLI::App              app{"Bird strike on aircraft-engine blades", "birdstrike"};
-    Requests              requests;
+    birdstrike::Requests  requests;
     std::function<void()> action;
-    declare_commands(app, requests, action);
+    birdstrike::declare_commands(app, requests, action);
     try
       {
         app.parse(argc, argv);

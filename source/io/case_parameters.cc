@@ -4,7 +4,7 @@
 #include "io/symmetry_check.h"
 #include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
-#include <birdstrike/core/memory.h>
+#include <birdstrike/core/machine.h>
 #include <birdstrike/io/case_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -3,7 +3,7 @@
 #include "mesh/files/file_lines.h"
 #include "mesh/files/readers.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/core/memory.h>
+#include <birdstrike/core/machine.h>
 #include <birdstrike/core/prices.h>
 #include <birdstrike/core/quiet_errors.h>
 

@@ -49,36 +49,36 @@ namespace birdstrike
 
     /// Whether a normal at the end of the blade that runs with the mesh's looks at the struck side.
     template <int dim>
-    bool looks_at_struck_side(const BladeMesh<dim> &mesh, const Point3 &at_end, const Strike &strike)
+    bool looks_at_struck_side(const BladeMesh<dim> &mesh, const Point3 &at_end, const Approach &approach)
     {
-      if (strike.velocity.squaredNorm() == 0.)
-        return looks_at_strike(at_end, strike.velocity);
+      if (approach.velocity.squaredNorm() == 0.)
+        return looks_at_strike(at_end, approach.velocity);
       bool runs_through = true;
       if constexpr (dim == 3)
         runs_through = mesh.layers > 0;
       const auto is_described = [&](const std::size_t cell) { return mesh.blade_of(cell) == 0; };
       if (runs_through)
         {
-          const std::size_t cell = find_nearest(mesh.cells.size(), strike.place, is_described,
+          const std::size_t cell = find_nearest(mesh.cells.size(), approach.place, is_described,
                                                 [&](const std::size_t c) { return mesh.centroid(c); });
-          return looks_at_strike(normal_of(mesh, cell), strike.velocity);
+          return looks_at_strike(normal_of(mesh, cell), approach.velocity);
         }
       if constexpr (dim == 3)
         {
           constexpr double least_sine = 0.01; // of the angle to a face that is struck, as in looks_at_strike
           const auto outward = [&](const std::size_t f) { return area_vector(mesh, mesh.boundary[f]).normalized(); };
           const std::size_t face = find_nearest(
-            mesh.boundary.size(), strike.place,
+            mesh.boundary.size(), approach.place,
             [&](const std::size_t f) {
               return is_described(mesh.boundary[f].cell) &&
-                     outward(f).dot(strike.velocity) < -least_sine * strike.velocity.norm();
+                     outward(f).dot(approach.velocity) < -least_sine * approach.velocity.norm();
             },
             [&](const std::size_t f) { return middle(mesh, mesh.boundary[f]); });
           if (face < mesh.boundary.size())
             if (const double with = -outward(face).dot(at_end); std::abs(with) > least_sine)
               return with < 0.;
         }
-      return looks_at_strike(at_end, strike.velocity);
+      return looks_at_strike(at_end, approach.velocity);
     }
 
     SideGeometry geometry_of(const SurfaceMesh &mesh, const SurfaceMesh::BoundarySide &edge, const SpanEnd end)
@@ -198,7 +198,7 @@ namespace birdstrike
 
   template <int dim>
   BladeRoles::BladeRoles(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &root_ids,
-                         const std::vector<unsigned int> &tip_ids, const Strike &strike)
+                         const std::vector<unsigned int> &tip_ids, const Approach &approach)
     : root(mesh, SpanEnd::root, root_ids), tip(mesh, SpanEnd::tip, tip_ids)
   {
     bool runs_through = true;
@@ -206,7 +206,7 @@ namespace birdstrike
       runs_through = mesh.layers > 0;
     if (!runs_through && root.normal.dot(tip.normal) < 0.)
       root.turn();
-    if (looks_at_struck_side(mesh, tip.is_present() ? tip.normal : root.normal, strike))
+    if (looks_at_struck_side(mesh, tip.is_present() ? tip.normal : root.normal, approach))
       {
         root.turn();
         tip.turn();
@@ -220,7 +220,7 @@ namespace birdstrike
   template BladeEnd BladeEnd::of_blade(const BladeMesh<3> &, const std::vector<unsigned int> &, std::uint32_t,
                                        const Matrix3<double> &, const Point3 &) const;
   template BladeRoles::BladeRoles(const BladeMesh<2> &, const std::vector<unsigned int> &,
-                                  const std::vector<unsigned int> &, const Strike &);
+                                  const std::vector<unsigned int> &, const Approach &);
   template BladeRoles::BladeRoles(const BladeMesh<3> &, const std::vector<unsigned int> &,
-                                  const std::vector<unsigned int> &, const Strike &);
+                                  const std::vector<unsigned int> &, const Approach &);
 } // namespace birdstrike

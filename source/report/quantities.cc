@@ -217,7 +217,7 @@ namespace birdstrike
     Quantities of_failure()
     {
       return {
-        {"failed_elements", "failed/elements", "-", [](View run) { return run.observed.failure.n_elements; },
+        {"failed_elements", "failed/elements", "count", [](View run) { return run.observed.failure.n_elements; },
          "failed elements", "Elements that have failed so far"},
         {"", "failed/collapsed", "count", [](View run) { return run.observed.failure.n_collapsed; },
          "  of these, collapsed"},

@@ -145,6 +145,8 @@ namespace birdstrike
     const Balance::Origins from     = run.balance.origins();
     json["energy"]["error_origins"] = {
       {"bird", from.bird}, {"blade", from.blade}, {"contact", from.contact}, {"steps", from.steps}};
+    for (const auto &[origin, energy] : json["energy"]["error_origins"].items())
+      json["units"]["energy/error_origins/" + origin] = "J";
     if (!run.observed.row.empty())
       json["blade"]["row"] = values_of_row(*run.blade, run.observed.row);
     if (run.blade)

@@ -121,9 +121,9 @@ namespace birdstrike
           if (why != nullptr)
             warnings.push_back(
               {"blade/layers",
-               fmt::format("Blade/Mesh/Layers = {} with Blade/{}Element/Formulation = {}: {}. One layer "
-                           "of solid-shells, or four layers, bend right.",
-                           n_layers, BladeParameters::section_path(number), of_section.formulation_name(), why)});
+               fmt::format("Blade/Mesh/Layers = {} with Blade/{}Element/Formulation = {}: {}. {} bend right.", n_layers,
+                           BladeParameters::section_path(number), of_section.formulation_name(), why,
+                           of_section.can_fail() ? "Four layers" : "One layer of solid-shells, or four layers,")});
         }
     }
 
@@ -196,11 +196,28 @@ namespace birdstrike
                                                      bird.section, bird.arrival, end_time)});
     }
 
+    /// Planes beyond the ends of a bird are a slice of its middle typed in another unit, or none.
+    void check_slice(const Projectile &projectile, Warnings &warnings)
+    {
+      const BirdParameters &bird = projectile.parameters;
+      if (!bird.is_slice() || projectile.bird->packing().mass() < (1. - 1e-6) * bird.mass)
+        return;
+      const double between = bird.slice_between[1] - bird.slice_between[0], length = projectile.bird->packing().length;
+      warnings.push_back(
+        {"bird/uncut", fmt::format("{}/Slice/Between, {:.4g} m wide, cuts nothing off a bird that is {:.4g} m long "
+                                   "across its planes: the whole bird strikes.{}",
+                                   bird.section, between, length,
+                                   1e-3 * between < length
+                                     ? fmt::format(" Was it meant in mm? That would be {:.4g} m.", 1e-3 * between)
+                                     : "")});
+    }
+
     void check_projectile(const Projectile &projectile, const double end_time, Warnings &warnings)
     {
       if (projectile.contact)
         check_aim(projectile, warnings);
       check_arrival(projectile, end_time, warnings);
+      check_slice(projectile, warnings);
       const BirdParameters &bird   = projectile.parameters;
       const double          across = count_particles_across(projectile);
       if (bird.shape != BirdShape::slab && across < 8.)

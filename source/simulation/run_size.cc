@@ -2,7 +2,7 @@
 #include "simulation/explain.h"
 #include "simulation/scene.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/core/memory.h>
+#include <birdstrike/core/machine.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/text.h>
 

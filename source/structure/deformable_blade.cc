@@ -9,7 +9,7 @@ namespace birdstrike
   {
     /// Of the bird relative to the described blade's node nearest to where it aims, at the start.
     template <class Mesh>
-    Strike compute_strike(const BladeParameters &parameters, const Mesh &mesh, const NodeArrays &nodes)
+    Approach compute_approach(const BladeParameters &parameters, const Mesh &mesh, const NodeArrays &nodes)
     {
       if (!parameters.bird)
         return {};
@@ -55,9 +55,9 @@ namespace birdstrike
       motion.initialize_velocity(parameters.loads);
     motion.watch(parameters.probes, mesh);
     probe_warnings = warn_of_far_probes(parameters.probes, mesh);
-    roles   = BladeRoles(mesh, supports.root_ids, supports.tip_ids, compute_strike(parameters, mesh, motion.arrays()));
-    root    = typename Kind::Root(mesh, roles.root);
-    tip     = TipRow(mesh, roles.tip);
+    roles = BladeRoles(mesh, supports.root_ids, supports.tip_ids, compute_approach(parameters, mesh, motion.arrays()));
+    root  = typename Kind::Root(mesh, roles.root);
+    tip   = TipRow(mesh, roles.tip);
     members = RowOfBlades<Kind>(parameters.mesh.row, mesh, sections, roles, supports.root_ids, supports.tip_ids);
     if (!hub.turns())
       return;

@@ -1,10 +1,8 @@
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/machine.h>
 #include <birdstrike/time_control/parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
-
-#include <algorithm>
-#include <thread>
 
 namespace birdstrike
 {
@@ -47,9 +45,10 @@ namespace birdstrike
     prm.add_parameter("Maximum wall time", maximum_wall_time,
                       "The run ends, with its results written, after this time on the clock; 0 sets no limit. [s]",
                       Double(0.));
-    prm.add_parameter("Threads", threads,
-                      "Number of threads; results do not depend on it, and 0 takes every core that is offered. [-]",
-                      Integer(0, 4096));
+    prm.add_parameter(
+      "Threads", threads,
+      "Number of threads; results do not depend on it, and 0 takes every core that the process may run on. [-]",
+      Integer(0, 4096));
     prm.leave_subsection();
   }
 
@@ -67,6 +66,6 @@ namespace birdstrike
 
   unsigned int TimeParameters::n_threads() const
   {
-    return threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+    return threads > 0 ? threads : static_cast<unsigned int>(usable_cores());
   }
 } // namespace birdstrike

@@ -48,6 +48,12 @@ class Schema(unittest.TestCase):
                 value = value[key]
             self.assertNotIsInstance(value, (str, dict), path)
 
+    def test_every_energy_has_its_unit(self):
+        summary = self.run_case("quickstart", {})
+        for part in ("parts", "error_origins"):
+            for name in summary["energy"][part]:
+                self.assertEqual(summary["units"].get(f"energy/{part}/{name}"), "J", name)
+
     def test_warnings_have_their_codes(self):
         codes = [warning["code"] for warning in self.run_case("quickstart", {})["warnings"]]
         self.assertIn("peak/not_reached", codes)

@@ -63,7 +63,7 @@ namespace birdstrike
   Point3 inwards(const SurfaceMesh &mesh, const SurfaceMesh::BoundarySide &edge);
 
   /// Where the bird aims, m, and its velocity relative to the blade there, m/s; zero without a bird.
-  struct Strike
+  struct Approach
   {
     Point3 place = Point3::Zero(), velocity = Point3::Zero();
   };
@@ -80,7 +80,7 @@ namespace birdstrike
     /// less than a right angle.
     template <int dim>
     BladeRoles(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &root_ids,
-               const std::vector<unsigned int> &tip_ids, const Strike &strike);
+               const std::vector<unsigned int> &tip_ids, const Approach &approach);
 
     BladeEnd root, tip;
   };

@@ -5,6 +5,7 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/machine.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/text.h>
 
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <chrono>
 #include <sstream>
-#include <thread>
 
 namespace birdstrike
 {
@@ -171,8 +171,7 @@ namespace birdstrike
             requests.push_back(make_request(run, options));
           }
       }
-    const std::size_t n_cores = std::max(1u, std::thread::hardware_concurrency());
-    const std::size_t n_jobs  = std::min(options.n_jobs > 0 ? options.n_jobs : n_cores, most_children);
+    const std::size_t n_jobs  = std::min(options.n_jobs > 0 ? options.n_jobs : usable_cores(), most_children);
     const auto        begin   = Clock::now();
     std::size_t       n_ended = 0;
     const int         signal  = run_children(requests, n_jobs, [&](const std::size_t k, const ChildResult &result) {

@@ -1,7 +1,7 @@
 #include "structure/implicit/direct_solver.h"
 #include "structure/implicit/mpi.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/core/memory.h>
+#include <birdstrike/core/machine.h>
 #include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/quiet_errors.h>
 

@@ -86,6 +86,37 @@ TEST(CaseWarnings, LooksAtTheParts)
             Codes{"blade/layers"});
 }
 
+// Frontal.prm's bird is 81 mm long.
+TEST(CaseWarnings, ASliceThatCutsNothingIsSaid)
+{
+  const auto of_slice = [](const std::string &between) {
+    CaseParameters parameters;
+    parameters.read(frontal, {"Bird/Particle spacing=0.004", "Bird/Slice/Between=" + between});
+    return find_scene_warnings(parameters, Scene(parameters));
+  };
+  const Warnings in_mm = of_slice("-24.5, 24.5");
+  ASSERT_EQ(codes(in_mm), std::vector<std::string>{"bird/uncut"});
+  EXPECT_NE(in_mm[0].text.find("meant in mm? That would be 0.049 m"), std::string::npos) << in_mm[0].text;
+  EXPECT_EQ(codes(of_slice("-0.0245, 0.0245")), std::vector<std::string>{});
+  EXPECT_EQ(codes(of_slice("-0.0245, 1")), std::vector<std::string>{}) << "all behind one plane";
+}
+
+// Solid-shells do not fail (refused): they are no advice for a metal that does.
+TEST(CaseWarnings, AdvisesLayersThatAreAllowed)
+{
+  const auto advice = [](std::vector<std::string> overrides) {
+    overrides.insert(overrides.end(), {"Blade/Kind=solid", "Blade/Mesh/Layers=2", "Bird/Particle spacing=0.004"});
+    CaseParameters parameters;
+    parameters.read(frontal, overrides);
+    const Warnings warnings = find_scene_warnings(parameters, Scene(parameters));
+    return warnings.size() == 1 && warnings[0].code == "blade/layers" ? warnings[0].text : "";
+  };
+  EXPECT_NE(advice({}).find("One layer of solid-shells"), std::string::npos);
+  const std::string failing = advice({"Blade/Material/Failure=plastic strain", "Blade/Material/Failure strain=0.2"});
+  EXPECT_NE(failing.find("Four layers bend right"), std::string::npos) << failing;
+  EXPECT_EQ(failing.find("solid-shells"), std::string::npos) << failing;
+}
+
 TEST(CaseWarnings, ABirdOfFewParticlesIsCoarse)
 {
   CaseParameters parameters;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 
@@ -10,4 +11,8 @@ namespace birdstrike
   /// cgroup v2, memory.limit_in_bytes of v1), and of RLIMIT_AS. The largest number where none of them can be read.
   /// `root`: where proc/ and sys/ stand.
   std::uint64_t available_memory(const std::filesystem::path &root = "/");
+
+  /// Cores that this process may run on: those that a job or `taskset` leaves it (sched_getaffinity(2)) of the
+  /// machine's; at least 1.
+  std::size_t usable_cores();
 } // namespace birdstrike

@@ -1,10 +1,12 @@
-#include <birdstrike/core/memory.h>
+#include <birdstrike/core/machine.h>
 
 #include <gtest/gtest.h>
 
+#include <sched.h>
+#include <unistd.h>
+
 #include <fstream>
 #include <string>
-#include <unistd.h>
 
 namespace
 {
@@ -79,4 +81,20 @@ TEST(Memory, IsUnlimitedWhereNothingCanBeRead)
 {
   const FakeRoot root;
   EXPECT_GT(root.available(), std::uint64_t(1) << 40);
+}
+
+// A job of a cluster gets some of a machine's cores: threads beyond them would only take turns.
+TEST(UsableCores, AreThoseThatTheProcessIsLeft)
+{
+  cpu_set_t all;
+  ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
+  EXPECT_EQ(birdstrike::usable_cores(), static_cast<std::size_t>(CPU_COUNT(&all)));
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  for (int core = 0; core < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++core)
+    if (CPU_ISSET(core, &all))
+      CPU_SET(core, &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  EXPECT_EQ(birdstrike::usable_cores(), 1u);
+  ASSERT_EQ(sched_setaffinity(0, sizeof all, &all), 0);
 }

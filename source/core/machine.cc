@@ -1,5 +1,6 @@
-#include <birdstrike/core/memory.h>
+#include <birdstrike/core/machine.h>
 
+#include <sched.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <thread>
 
 namespace birdstrike
 {
@@ -79,5 +81,14 @@ namespace birdstrike
     if (rlimit limit{}; ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
       left = std::min<std::uint64_t>(left, limit.rlim_cur);
     return left;
+  }
+
+  std::size_t usable_cores()
+  {
+    // A set of fixed size holds 1024 cores; of a larger machine the call refuses it.
+    cpu_set_t offered;
+    if (::sched_getaffinity(0, sizeof offered, &offered) == 0)
+      return std::max(1, CPU_COUNT(&offered));
+    return std::max(1u, std::thread::hardware_concurrency());
   }
 } // namespace birdstrike
