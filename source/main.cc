@@ -86,6 +86,10 @@ namespace
     catch (const CLI::ParseError &error)
       {
         const bool is_asked = app.exit(error) == 0; // --help and --version
+        if (const std::string word = argc > 1 ? argv[1] : "-";
+            !word.starts_with('-') &&
+            app.get_subcommands([&](const CLI::App *each) { return each->get_name() == word; }).empty())
+          std::cerr << '\'' << word << "' is none.\n";
         return exit_code(is_asked ? ExitCode::done : ExitCode::bad_input);
       }
     std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;

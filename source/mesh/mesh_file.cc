@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <string>
 
@@ -24,7 +25,10 @@ namespace birdstrike
 
     std::string ending_of(const std::string &file)
     {
-      return file.substr(std::min(file.rfind('.'), file.size()));
+      std::string ending = file.substr(std::min(file.rfind('.'), file.size()));
+      std::transform(ending.begin(), ending.end(), ending.begin(),
+                     [](const unsigned char c) { return std::tolower(c); });
+      return ending;
     }
 
     /// Two formats end on .inp; only Abaqus' begins with a keyword or comment line.
@@ -106,6 +110,8 @@ namespace birdstrike
     const std::string &file = parameters.file;
     FileLines{file}; // can be opened
     const auto n_bytes = std::filesystem::file_size(file);
+    if (n_bytes == 0)
+      throw InputError("Blade/Mesh/File: '" + file + "' is empty (0 bytes).\nSave the mesh again.");
     require_memory(file, bytes_per_byte * static_cast<double>(n_bytes), std::to_string(n_bytes) + " bytes");
     MeshLabels labels = take(import(file), file, triangulation);
     if (parameters.file_scale != 1.)

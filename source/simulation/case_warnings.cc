@@ -1,5 +1,6 @@
 #include "simulation/case_warnings.h"
 #include "simulation/explain.h"
+#include "simulation/plausible.h"
 #include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
@@ -16,38 +17,6 @@ namespace birdstrike
 {
   namespace
   {
-    /// A quantity, the range in which those of bird strike lie (an order of magnitude and more to spare), and other
-    /// units that a number out of range may have been meant in.
-    struct Plausible
-    {
-      struct Unit
-      {
-        const char *name;
-        double      factor; ///< SI over this unit
-      };
-
-      std::string       code, entry;
-      double            value;
-      const char       *unit;
-      double            lowest, highest;
-      std::vector<Unit> others;
-    };
-
-    void check(const Plausible &p, Warnings &warnings)
-    {
-      if (p.value >= p.lowest && p.value <= p.highest)
-        return;
-      std::string text = fmt::format("{} = {:.6g} {}: such values are between {:.3g} and {:.3g}.", p.entry, p.value,
-                                     p.unit, p.lowest, p.highest);
-      for (const Plausible::Unit &other : p.others)
-        if (const double meant = p.value * other.factor; meant >= p.lowest && meant <= p.highest)
-          {
-            text += fmt::format(" Was it meant in {}? That would be {:.6g} {}.", other.name, meant, p.unit);
-            break;
-          }
-      warnings.push_back({"unit/" + p.code, text});
-    }
-
     using Units = std::vector<Plausible::Unit>;
     const Units of_density{{"g/cm^3", 1e3}, {"t/mm^3", 1e12}, {"kg/mm^3", 1e9}};
     const Units of_stress{{"GPa", 1e9}, {"MPa", 1e6}}; // the larger one first: 113.8 is no rubber
@@ -101,6 +70,15 @@ namespace birdstrike
              1500.,
              {{"mm/s", 1e-3}, {"km/s", 1e3}}},
             warnings);
+      if (!bird.angle_to_surface.empty())
+        check({"angle",
+               bird.section + "/Angle to surface",
+               std::abs(bird.angle_to_surface[0]),
+               "degrees",
+               1.6,
+               180.,
+               {{"rad", 57.29577951}}},
+              warnings);
       check({"spacing", bird.section + "/Particle spacing", bird.spacing, "m", 1e-4, 0.05, of_length}, warnings);
     }
 

@@ -43,7 +43,7 @@ check "version" 0 "birdstrike [0-9]+\.[0-9]+" -- --version
 check "help" 0 "run" "explain" "validate" "columns" "parameters" "130 interrupted" -- --help
 check "help of run" 0 "--set" "--output" -- run --help
 check "no subcommand" 2 -- 
-check "unknown subcommand" 2 -- fly
+check "unknown subcommand" 2 "'fly' is none" -- fly
 check "parameters as prm" 0 "subsection Bird" "set Mass" "\[kg\]" -- parameters
 check "parameters as JSON" 0 '"Bird"' '"unit"' -- parameters --json
 check "columns" 0 "root_bending_moment +N m +.*struck face" "probe_NAME_ux, _uy, _uz" "failed_elements" -- columns

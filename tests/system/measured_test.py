@@ -86,6 +86,12 @@ def compare_several():
     assert code == 0, text
     near(rows[0]["sprague_geers_magnitude"], -0.5, 1e-9)
     assert rows[0]["iso_overall"] == "" and rows[0]["unit"] == "Pa"
+    with open("raw.csv", "w") as file:  # strains in um/m, which nothing says
+        file.write("time,strain\n" + "".join(f"{row[0]},{1e6 * float(row[1])!r}\n" for row in table[1:]))
+    code, text, _ = compare("raw.csv", "strain: gauges/" + name)
+    assert code == 0 and "Is it in um/m?" in text, text
+    code, text, _ = compare("gauge.csv", "strain: gauges/" + name)
+    assert code == 0 and "Is it in" not in text, text
     shutil.copytree("run", "other")
     done = call("compare", "run", "other", "--measured", "test.csv", "load cell: -force", "sensor: tip: tip", "--time-offset", "-0.2 ms",
                 "--output", "measured")
@@ -110,6 +116,7 @@ def refuse():
              ("unknown column", [write("time,tip\n" + rows), "tap: tip"], "no column 'tap'.*time, tip"),
              ("unknown quantity", [write("time,tip\n" + rows), "tip: tap"], "no column 'tap'.*history.csv"),
              ("another dimension", [write("time,tip [kN]\n" + rows), "tip: tip"], "in kN.*in m"),
+             ("a length against a strain", [write("time,strain [mm]\n" + rows), "strain: gauges/root.strain"], "in mm.*in -"),
              ("no unit", [write("time,tip [furlong]\n" + rows), "tip: tip"], "'furlong'.*no unit"),
              ("a word", [write("time,tip\n" + rows + "1,oops\n"), "tip: tip"], "line 52.*'oops'"),
              ("a missing field", [write("time,tip\n" + rows + "1\n"), "tip: tip"], "line 52: 1 fields"),

@@ -34,6 +34,8 @@ namespace birdstrike
   {
     if (!std::getline(in, line))
       return false;
+    if (constexpr std::string_view mark = "\xEF\xBB\xBF"; n_lines == 0 && line.starts_with(mark))
+      line.erase(0, mark.size()); // of UTF-8, which editors on Windows put before a text
     ++n_lines;
     line.erase(line.find_last_not_of(" \t\r") + 1);
     return true;

@@ -53,11 +53,25 @@ namespace birdstrike
       IsoRating    rating;
     };
 
-    /// What a unit measures; nothing for a column without one.
-    bool is_of_one_dimension(const std::string &a, const std::string &b)
+    /// A measured column without a unit is taken for SI; strains and counts of a run are numbers.
+    bool is_of_one_dimension(const std::string &measured, const std::string &of_run)
     {
-      const auto of_a = parse_unit(a), of_b = parse_unit(b);
-      return a.empty() || b.empty() || !of_a || !of_b || of_a->dimension == of_b->dimension;
+      const auto of_column = parse_unit(measured);
+      return measured.empty() || !of_column || of_column->dimension == parse_unit(of_run).value_or(Unit{}).dimension;
+    }
+
+    /// Peaks a thousand or a million times apart, within a factor of 3, are those of mm for m, or Pa for MPa.
+    void warn_of_units(const TableColumn &column, const Rated &r)
+    {
+      const double ratio = std::abs(r.measured.value / r.computed.value), decades = std::log10(ratio),
+                   nearest   = 3. * std::round(decades / 3.);
+      const std::string unit = parse_unit(r.unit) ? r.unit : "m/m";
+      if (!column.unit.empty() || nearest == 0. || std::abs(nearest) > 6. || !(std::abs(decades - nearest) < 0.5))
+        return;
+      const std::string prefix = nearest == 3. ? "m" : nearest == 6. ? "u" : nearest == -3. ? "k" : "M";
+      log().warn("Column '{0}' has no unit: in {1}, its peak is {2:.3g} times the computed one. Is it in {3}? Write "
+                 "'{0} [{3}]'.",
+                 column.name, unit, ratio, prefix + unit);
     }
 
     double read_offset(const std::string &text)
@@ -268,6 +282,7 @@ namespace birdstrike
             const Curve                 measured = read_measured(table, request, column, of_run);
             const std::string           name     = (folder / "").parent_path().filename().string();
             rated.push_back(rate(name, column, of_run, measured));
+            warn_of_units(table.column(column), rated.back());
             if (run == 0)
               figure.panels.push_back(make_panel(column, of_run, measured));
             figure.panels.back().lines.push_back({name, of_run.x, of_run.y, static_cast<unsigned int>(run)});

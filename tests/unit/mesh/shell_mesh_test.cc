@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <numeric>
 
 namespace birdstrike::shell_mesh_test
@@ -87,6 +88,20 @@ namespace birdstrike::shell_mesh_test
       EXPECT_EQ(file.material_ids[5], 1u);
     }
 
+    // As editors on Windows leave it: a mark of UTF-8 first, lines that end in \r\n, a capital ending.
+    TEST(ShellMesh, ReadsWhatWindowsMakesOfAFile)
+    {
+      std::ifstream in(plate_file);
+      std::string   text = "\xEF\xBB\xBF";
+      for (std::string line; std::getline(in, line);)
+        text += line + "\r\n";
+      const test::TemporaryMesh file(".MSH", text);
+      BladeParameters::Mesh     as_it_is;
+      as_it_is.generator = MeshGenerator::file;
+      as_it_is.file      = plate_file;
+      EXPECT_EQ(ShellMesh({file.parameters()}).nodes, ShellMesh({as_it_is}).nodes);
+    }
+
     // Gmsh 4.1 names boundary ids by the physical tags of its entities; 'File scale' turns millimetres into metres.
     TEST(ShellMesh, ReadsGmshFour)
     {
@@ -139,6 +154,16 @@ namespace birdstrike::shell_mesh_test
       EXPECT_THROW(ShellMesh({p}), InputError);
       p.file = std::string(BIRDSTRIKE_SOURCE_DIR) + "/meshes/README.md";
       EXPECT_THROW(ShellMesh({p}), InputError);
+      for (const std::string ending : {".msh", ".vtk", ".inp", ".k"})
+        try
+          {
+            ShellMesh({test::TemporaryMesh(ending, "").parameters()});
+            ADD_FAILURE() << ending;
+          }
+        catch (const InputError &error)
+          {
+            EXPECT_NE(std::string(error.what()).find("is empty"), std::string::npos) << error.what();
+          }
     }
 
     TEST(ShellMesh, RefusesBadCells)

@@ -64,6 +64,15 @@ TEST(CaseWarnings, NamesTheUnitThatWasMeant)
     }
 }
 
+TEST(CaseWarnings, AnAngleMayBeMeantInRadians)
+{
+  CaseParameters parameters;
+  parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/studies/angle.prm", {"Bird/Angle to surface=0.6353"});
+  const Warnings warnings = find_input_warnings(parameters);
+  ASSERT_EQ(codes(warnings), std::vector<std::string>{"unit/angle"});
+  EXPECT_NE(warnings[0].text.find("in rad? That would be 36.4"), std::string::npos) << warnings[0].text;
+}
+
 TEST(CaseWarnings, NamesEntriesWithoutMeaning)
 {
   const Warnings warnings = of_inputs({"Blade/Mesh/Layers=4"}); // of a shell
