@@ -75,7 +75,7 @@ namespace birdstrike
       prm.add_parameter(
         "Angle to surface", bird.angle_to_surface,
         "Angle between the velocity and the blade's surface at the aim point, in the plane of its normal "
-        "and its chord: 90 flies along the normal (+z on the built-in plate), less from the leading "
+        "and its chord: 90 flies along the normal (span x chord: +z on the built-in plate), less from the leading "
         "towards the trailing edge, more than 90 back; negative angles come from the other side. For a "
         "blade at rest; empty: as Velocity or Flight direction say. [degree]",
         Patterns::List(Patterns::Double(-180., 180.), 0, 1));
