@@ -143,7 +143,7 @@ def main():
     parser.add_argument("case", nargs="*", help="of prm, without .prm; with :shell or :solid that kind alone")
     parser.add_argument("--output", default="error_bars")
     parser.add_argument("--set", action="append", default=[], help="of all runs (a coarser, faster look)")
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     wanted = [(case, kind) for case, kinds in CASES.items() for kind in kinds.split()
               if not arguments.case or case in arguments.case or f"{case}:{kind}" in arguments.case]
     unknown = [text for text in arguments.case if not any(text in (case, f"{case}:{kind}") for case, kind in wanted)]
