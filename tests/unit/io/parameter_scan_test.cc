@@ -108,6 +108,20 @@ TEST(ParameterScan, MissingFileNamesTheNearest)
   EXPECT_THROW(small.file.read("/no/such/folder/case.prm"), birdstrike::InputError);
 }
 
+TEST(ParameterScan, DefaultGivesAnEntryOfAnyKindBack)
+{
+  const ScratchFolder scratch;
+  const std::string   path = scratch.write("case.prm", "subsection Bird\n  set Mass = 3\n  set Shape = flat\n"
+                                                         "  set Title = a text takes any word\nend\n");
+  SmallCase           small;
+  small.file.read(path, {"Bird/Mass=default", "Bird/Shape=default", "Bird/Title=default"});
+  EXPECT_EQ(small.values.mass, SmallParameters().mass);
+  EXPECT_EQ(small.values.shape, SmallParameters().shape);
+  EXPECT_EQ(small.values.title, "");
+  for (const char *entry : {"Bird/Mass", "Bird/Shape", "Bird/Title"})
+    EXPECT_FALSE(small.file.is_given(entry)) << entry;
+}
+
 TEST(ParameterScan, BadOverridesNameThemselves)
 {
   expect_parts(read_bad("", {"Bird/Mas=2"}), {"--set 'Bird/Mas=2'", "Nearest name here: 'Mass'"});

@@ -52,6 +52,7 @@ TEST(VariedEntry, ReadsTextsAndVectors)
   EXPECT_TRUE(shape.numbers.empty());
   EXPECT_EQ(read_varied_entry("Bird/Velocity=0, 0, 150 | 0, 0, 180.5").values, (Texts{"0, 0, 150", "0, 0, 180.5"}));
   EXPECT_EQ(read_varied_entry("Bird/Velocity=0, 0, 150").values.size(), 1u) << "commas part the numbers of a vector";
+  EXPECT_EQ(read_varied_entry("Blade/Material/Young's modulus=default, 73e9").values, (Texts{"table", "73e9"}));
   EXPECT_EQ(read_varied_entry("Blade/Thickness/By material=1: 0.004; 2: 0.003 | 1: 0.003").values.size(), 2u);
 }
 
