@@ -1,6 +1,7 @@
 #include "simulation/case_warnings.h"
 #include "simulation/explain.h"
 #include "simulation/scene.h"
+#include "simulation/unused_entries.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/facet_grid.h>
@@ -209,34 +210,16 @@ namespace birdstrike
                                                        "bird within ten percent at 16 ({}/Particle spacing).",
                                                        across, bird.section)});
     }
-
-    /// What a further bird's section says although that bird is not there.
-    void check_unused_bird(const BirdParameters &bird, const ParameterFile &file, Warnings &warnings)
-    {
-      if (!bird.enabled && file.is_changed(bird.section))
-        warnings.push_back(
-          {"entry/unused", bird.section + "/Enabled is false: no other entry of this section is used."});
-    }
   } // namespace
 
   Warnings find_input_warnings(const CaseParameters &parameters)
   {
-    Warnings               warnings;
-    const BladeParameters &blade = parameters.blade;
-    for (const std::string &entry : blade.unused_entries())
-      warnings.push_back({"entry/unused", "Blade/" + entry + " is set, and means nothing for a blade of kind '" +
-                                            blade_kinds().name(blade.kind) + "'."});
-    for (std::size_t k = 1; k <= blade.sections.size(); ++k)
-      if (const auto &section = blade.sections[k - 1];
-          section.material_ids.empty() && section != BladeParameters::Section{})
-        warnings.push_back({"entry/unused", "Blade/" + BladeParameters::section_path(k) +
-                                              "Material ids is empty: no other entry of this section is used."});
+    Warnings               warnings = find_unused_entries(parameters);
+    const BladeParameters &blade    = parameters.blade;
     if (blade.is_deformable())
       check_metals(blade, warnings);
     for (const BirdCase &each : parameters.birds())
       check_bird(each.bird, warnings);
-    for (const CaseParameters::FurtherBird &each : parameters.further_birds)
-      check_unused_bird(each.bird, parameters.file, warnings);
     check({"end_time", "Time/End time", parameters.time.end_time, "s", 0., 0.5, {{"ms", 1e-3}, {"us", 1e-6}}},
           warnings);
     return warnings;

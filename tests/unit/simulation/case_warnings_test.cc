@@ -5,7 +5,11 @@
 #include "simulation/scene.h"
 #include <birdstrike/io/case_parameters.h>
 
+#include <stdlib.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 using namespace birdstrike;
 
@@ -69,6 +73,69 @@ TEST(CaseWarnings, NamesEntriesWithoutMeaning)
   const Warnings warnings = of_inputs({"Blade/Mesh/Layers=4"}); // of a shell
   ASSERT_EQ(codes(warnings), std::vector<std::string>{"entry/unused"});
   EXPECT_NE(warnings[0].text.find("Blade/Mesh/Layers"), std::string::npos);
+}
+
+TEST(CaseWarnings, NamesEntriesThatNoLawReads)
+{
+  const std::vector<std::pair<std::string, std::string>> unused{
+    {"Blade/Material/Hardening=perfect", "Blade/Material/Hardening modulus is set, and means nothing: Hardening is"},
+    {"Blade/Material/Hardening exponent=0.3", "Hardening is linear"},
+    {"Blade/Material/Rate exponent=4", "Rate law is johnson-cook"},
+    {"Blade/Material/Reference rate=10", "Rate factor is 0"},
+    {"Blade/Material/Initial temperature=500", "Adiabatic heating is false"},
+    {"Blade/Material/Melting temperature=1900", "Adiabatic heating is false"},
+    {"Blade/Material/Failure strain=0.1", "Failure is none"},
+    {"Blade/Material/Damage D2=0.3", "Failure is none"},
+    {"Blade/Mesh/Profile/Stagger=30", "Mesh/Generator is flat plate"},
+    {"Blade/Thickness/Leading edge=0.1", "Thickness/Maximum is empty"},
+    {"Blade/Mesh/Row/Pitch=20", "Mesh/Row/Blades is 1"},
+    {"Blade/Rigid/Mass=2", "Blade/Kind is shell"},
+    {"Bird/Equation of state/Bulk modulus=1e9", "Type is murnaghan"}};
+  for (const auto &[entry, why] : unused)
+    {
+      const Warnings warnings = of_inputs({entry});
+      ASSERT_EQ(codes(warnings), std::vector<std::string>{"entry/unused"}) << entry;
+      EXPECT_NE(warnings[0].text.find(why), std::string::npos) << warnings[0].text;
+      const std::string name = entry.substr(0, entry.find('='));
+      EXPECT_NE(warnings[0].text.find(name), std::string::npos) << warnings[0].text; // or longer: Hardening modulus
+    }
+}
+
+// The same entries where a law reads them, and those that say what is there anyway.
+TEST(CaseWarnings, SaysNothingOfEntriesThatAreUsed)
+{
+  const std::string heating = "Blade/Material/Adiabatic heating=true", al = "Blade/Material/Name=Al 2024 Johnson-Cook";
+  for (const std::vector<std::string> &entries : std::vector<std::vector<std::string>>{
+         {"Blade/Material/Hardening=voce", "Blade/Material/Hardening exponent=20"},
+         {"Blade/Material/Rate law=cowper-symonds", "Blade/Material/Reference rate=40",
+          "Blade/Material/Rate exponent=4"},
+         {"Blade/Material/Rate factor=0"},
+         {"Blade/Material/Rate factor=0.01", "Blade/Material/Reference rate=10"},
+         {heating, "Blade/Material/Initial temperature=500", "Blade/Material/Softening exponent=1.1"},
+         {"Blade/Material/Failure=plastic strain", "Blade/Material/Failure strain=0.1"},
+         {al, "Blade/Material/Hardening=johnson-cook", "Blade/Material/Failure=Johnson-Cook",
+          "Blade/Material/Damage D2=0.3"},
+         {al, "Blade/Material/Hardening=johnson-cook", "Blade/Material/Rate factor=0",
+          "Blade/Material/Reference rate=10", "Blade/Material/Failure=Johnson-Cook"},
+         {"Blade/Mesh/Generator=blade", "Blade/Mesh/Profile/Stagger=30", "Blade/Thickness/Maximum=0.004",
+          "Blade/Thickness/Leading edge=0.1", "Blade/Thickness/Value=default"},
+         {"Bird/Equation of state/Type=linear", "Bird/Equation of state/Bulk modulus=1e9"},
+         {"Bird/Equation of state/Type=porous", "Bird/Equation of state/Porosity=0.2"}})
+    EXPECT_EQ(codes(of_inputs(entries)), std::vector<std::string>{}) << entries.back();
+}
+
+// What a run writes as parameters.prm has every entry, and none of them is there by a person's will.
+TEST(CaseWarnings, SaysNothingOfAFileThatWasWritten)
+{
+  CaseParameters written;
+  written.read(frontal);
+  std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-written-XXXXXX").string();
+  const std::filesystem::path folder  = mkdtemp(pattern.data());
+  std::ofstream(folder / "parameters.prm") << written.file.as_prm();
+  CaseParameters again;
+  again.read((folder / "parameters.prm").string());
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(codes(find_input_warnings(again)), std::vector<std::string>{});
 }
 
 TEST(CaseWarnings, LooksAtTheParts)
