@@ -104,7 +104,16 @@ TEST(ParameterScan, MissingFileNamesTheNearest)
     {
       expect_parts(error.what(), {"fontal.prm'", "no such file", "frontal.prm'"});
     }
-  EXPECT_THROW(small.file.read(scratch.path().string()), birdstrike::InputError);
+  try // a folder is named as one, with what could be meant in it
+    {
+      small.file.read(scratch.path().string());
+      FAIL();
+    }
+  catch (const birdstrike::InputError &error)
+    {
+      expect_parts(error.what(), {"it is a folder", "in it: frontal.prm", "/frontal.prm'"});
+      EXPECT_EQ(std::string(error.what()).find("Nearest"), std::string::npos) << error.what();
+    }
   EXPECT_THROW(small.file.read("/no/such/folder/case.prm"), birdstrike::InputError);
 }
 
