@@ -235,6 +235,9 @@ namespace birdstrike
         check({"blade_size", "Largest length of the blade (root of its area)", std::sqrt(census.area), "m", 3e-3, 3.,
                of_length},
               warnings);
+        if (blade.mesh.generator == MeshGenerator::file && !warnings.empty())
+          warnings.back().text +=
+            " Blade/Mesh/File scale is the length of the file's unit in m: 0.001 of a mesh in mm.";
         const double size = std::sqrt(census.area), thickness = scene.blade->kind() == BladeKind::shell
                                                                   ? census.mass / (blade.density() * census.area)
                                                                   : 0.;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "simulation/scene.h"
+#include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
 
 #include <stdlib.h>
@@ -151,6 +152,40 @@ TEST(CaseWarnings, LooksAtTheParts)
   EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Mesh/Layers=4"}), Codes{});
   EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Mesh/Layers=2", "Blade/Element/Formulation=B-bar"}),
             Codes{"blade/layers"});
+}
+
+// A plate of 311.2 by 88.9 in mm, read as if these were metres; its root is at x = `from`.
+TEST(CaseWarnings, AMeshInMillimetresIsToldWhichEntryScalesIt)
+{
+  const auto read = [](const double from) {
+    std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-mm-XXXXXX").string();
+    const std::filesystem::path folder  = mkdtemp(pattern.data());
+    std::ofstream               file(folder / "mm.msh");
+    file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 " << from << " -44.45 0\n2 " << from + 311.2
+         << " -44.45 0\n3 " << from + 311.2 << " 44.45 0\n4 " << from
+         << " 44.45 0\n$EndNodes\n$Elements\n3\n1 1 2 10 10 1 4\n2 1 2 11 11 2 3\n3 3 2 1 1 1 2 3 4\n$EndElements\n";
+    file.close();
+    CaseParameters parameters;
+    parameters.read(frontal, {"Blade/Mesh/Generator=file", "Blade/Mesh/File=" + (folder / "mm.msh").string(),
+                              "Blade/Supports/Clamped=10", "Blade/Supports/Tip=11", "Bird/Particle spacing=0.006"});
+    std::string text;
+    try
+      {
+        const Scene scene(parameters);
+        for (const Warning &warning : find_scene_warnings(parameters, scene))
+          text += warning.code == "unit/blade_size" ? warning.text : "";
+      }
+    catch (const InputError &error)
+      {
+        text = error.what();
+      }
+    std::filesystem::remove_all(folder);
+    return text;
+  };
+  EXPECT_NE(read(0.).find("Blade/Mesh/File scale"), std::string::npos) << read(0.);
+  const std::string missed = read(100.);
+  EXPECT_NE(missed.find("between (100, -44.45, 0) and (411.2, 44.45, 0) m"), std::string::npos) << missed;
+  EXPECT_NE(missed.find("Blade/Mesh/File scale"), std::string::npos) << missed;
 }
 
 TEST(CaseWarnings, ABirdOfFewParticlesIsCoarse)
