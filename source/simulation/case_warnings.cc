@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
+#include <sstream>
 
 namespace birdstrike
 {
@@ -210,12 +212,32 @@ namespace birdstrike
                                                        "bird within ten percent at 16 ({}/Particle spacing).",
                                                        across, bird.section)});
     }
+
+    /// Whether no line of a parameter file sets or includes anything.
+    bool sets_nothing(const std::string &file)
+    {
+      static const std::set<std::string> statements{"set", "SET", "include", "INCLUDE"};
+      std::istringstream                 lines(file);
+      for (std::string line; std::getline(lines, line);)
+        {
+          std::istringstream words(line);
+          std::string        first;
+          words >> first;
+          if (first.starts_with("\xEF\xBB\xBF")) // the mark of UTF-8
+            first.erase(0, 3);
+          if (statements.contains(first))
+            return false;
+        }
+      return true;
+    }
   } // namespace
 
   Warnings find_input_warnings(const CaseParameters &parameters)
   {
     Warnings               warnings = find_unused_entries(parameters);
     const BladeParameters &blade    = parameters.blade;
+    if (sets_nothing(parameters.file.original()))
+      warnings.push_back({"case/empty", "The parameter file sets nothing: but for --set this is the default case."});
     if (blade.is_deformable())
       check_metals(blade, warnings);
     for (const BirdCase &each : parameters.birds())

@@ -139,6 +139,25 @@ TEST(CaseWarnings, SaysNothingOfAFileThatWasWritten)
   EXPECT_EQ(codes(find_input_warnings(again)), std::vector<std::string>{});
 }
 
+TEST(CaseWarnings, AFileThatSetsNothingIsTheDefaultCase)
+{
+  std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-empty-XXXXXX").string();
+  const std::filesystem::path folder  = mkdtemp(pattern.data());
+  for (const auto &[text, is_empty] :
+       {std::pair("", true), std::pair("# set End time = 1\n\nsubsection Time\nend\n", true),
+        std::pair("subsection Time\n  set End time = 1e-3\nend\n", false), std::pair("include other.prm\n", false)})
+    {
+      std::ofstream(folder / "case.prm") << text;
+      std::ofstream(folder / "other.prm") << "";
+      CaseParameters parameters;
+      parameters.read((folder / "case.prm").string());
+      EXPECT_EQ(codes(find_input_warnings(parameters)),
+                is_empty ? std::vector<std::string>{"case/empty"} : std::vector<std::string>{})
+        << text;
+    }
+  std::filesystem::remove_all(folder);
+}
+
 TEST(CaseWarnings, LooksAtTheParts)
 {
   using Codes = std::vector<std::string>;
