@@ -14,9 +14,12 @@ namespace birdstrike
   {
     const Point3 v(parameters.velocity[0], parameters.velocity[1], parameters.velocity[2]);
     const Point3 direction = v.norm() > 0. ? Point3(v.normalized()) : Point3(0., 0., 1.);
-    Point3       span      = Point3::UnitX() - direction[0] * direction;
+    const Point3 of_blade(parameters.span.data());
+    Point3       span = of_blade - direction.dot(of_blade) * direction;
     if (span.norm() < 1e-3)
       span = Point3::UnitY() - direction[1] * direction;
+    if (span.norm() < 1e-3) // along a span that is y
+      span = Point3::UnitZ() - direction[2] * direction;
     span.normalize();
     Matrix3<double> frame;
     frame << span, direction.cross(span), direction;

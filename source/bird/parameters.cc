@@ -82,10 +82,12 @@ namespace birdstrike
       prm.add_parameter("Flight direction", bird.flight_direction,
                         "Direction of the velocity, of any length; empty: as Velocity or Angle to surface say. [-]",
                         Patterns::List(Patterns::Double(), 0, 3));
-      prm.add_parameter("Yaw", bird.yaw,
-                        "Turn of the bird's axis away from its velocity, about the direction nearest to the span. "
-                        "[degree]",
-                        Patterns::Double(-180., 180.));
+      prm.add_parameter(
+        "Yaw", bird.yaw,
+        "Turn of the bird's axis away from its velocity, about the direction square to it that is nearest "
+        "to the span: from root to tip of a mesh from a file that has both (Blade/Supports), else x; "
+        "y for a bird that flies along it. [degree]",
+        Patterns::Double(-180., 180.));
       prm.add_parameter("Pitch", bird.pitch,
                         "Turn of the bird's axis away from its velocity, about the direction normal to velocity and "
                         "yaw axis. [degree]",

@@ -34,6 +34,19 @@ namespace birdstrike
       return list_names(names);
     }
 
+    /// Names, sorted, of files with one of these extensions.
+    std::vector<std::string> files_in(const std::filesystem::path              &folder,
+                                      const std::vector<std::filesystem::path> &extensions)
+    {
+      std::error_code          error;
+      std::vector<std::string> names;
+      for (const auto &file : std::filesystem::directory_iterator(folder, error))
+        if (std::ranges::find(extensions, file.path().extension()) != extensions.end())
+          names.push_back(file.path().filename().string());
+      std::ranges::sort(names);
+      return names;
+    }
+
     std::string describe_entry(const KnownEntry &entry)
     {
       return entry.range + (entry.unit.empty() ? "" : " [" + entry.unit + "]") + "; default " +
@@ -132,19 +145,20 @@ namespace birdstrike
   std::string describe_missing_file(const std::filesystem::path &path, const SourceLine &includer)
   {
     namespace fs = std::filesystem;
-    std::error_code          error;
-    std::vector<std::string> others;
-    const fs::path           folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    for (const auto &other : fs::directory_iterator(folder, error))
-      if (other.path().extension() == path.extension() || other.path().extension() == ".prm")
-        others.push_back(other.path().filename().string());
-    std::sort(others.begin(), others.end());
-    const std::string nearest = nearest_name(path.filename().string(), others);
-    const std::string reason  = fs::is_directory(path, error) ? "it is a folder"
-                                : fs::exists(path, error)     ? "it cannot be opened"
-                                                              : "there is no such file";
-    return message({"Cannot read the parameter file '" + path.string() + "': " + reason + ".",
-                    includer.line > 0 ? "  Included by " + includer.text() + "." : "",
+    std::error_code   error;
+    const std::string of_includer = includer.line > 0 ? "  Included by " + includer.text() + "." : "";
+    if (fs::is_directory(path, error))
+      {
+        const std::string there = list_names(files_in(path, {".prm"}));
+        return message({"Cannot read the parameter file '" + path.string() + "': it is a folder.", of_includer,
+                        there.empty() ? "" : "  Parameter files in it: " + there,
+                        "  Action: give " + std::string(there.empty() ? "a parameter file" : "one of them") + ", '" +
+                          (path / (there.empty() ? "CASE.prm" : files_in(path, {".prm"}).front())).string() + "'."});
+      }
+    const fs::path    folder  = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const std::string nearest = nearest_name(path.filename().string(), files_in(folder, {path.extension(), ".prm"}));
+    const std::string reason  = fs::exists(path, error) ? "it cannot be opened" : "there is no such file";
+    return message({"Cannot read the parameter file '" + path.string() + "': " + reason + ".", of_includer,
                     nearest.empty() ? "" : "  Nearest name there: '" + (folder / nearest).string() + "'.",
                     "  Action: correct the path."});
   }

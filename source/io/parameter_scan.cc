@@ -77,7 +77,7 @@ namespace birdstrike
       if (entry == nullptr)
         throw InputError(describe_unknown_entry(where, section, name, known));
       const std::string typed = normalise(statement.substr(equals + 1));
-      if (typed == "default" && !entry->allows(typed))
+      if (typed == "default")
         return {{section, name, entry->default_value, true}, where.line};
       const std::string value =
         read_typed_numbers(normalise_value(typed, *entry), *entry, where.text() + ", " + describe_section(section));

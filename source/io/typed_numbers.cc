@@ -75,6 +75,29 @@ namespace birdstrike
       return {};
     }
 
+    /// Of a number or vector, in its first number that has one; empty if none has.
+    std::string first_unit(const std::string &value)
+    {
+      for (const std::string &number : dealii::Utilities::split_string_list(value, ','))
+        if (const std::string unit = split(number, true).unit; !unit.empty())
+          return unit;
+      return "";
+    }
+
+    bool has_number_other_than_0(const std::string &value)
+    {
+      const std::vector<std::string> numbers = dealii::Utilities::split_string_list(value, ',');
+      return std::ranges::any_of(
+        numbers, [](const std::string &number) { return evaluate_arithmetic(number).value_or(0.) != 0.; });
+    }
+
+    /// The last one of a vector, or all of a number.
+    std::string last_number(const std::string &value)
+    {
+      const std::size_t comma = value.rfind(',');
+      return trim(comma == std::string::npos ? value : value.substr(comma + 1));
+    }
+
     class Reader
     {
     public:
@@ -97,24 +120,35 @@ namespace birdstrike
         return text;
       }
 
+      /// `values` with the unit that one of them has for all: the last, or `either`. Throws InputError where others
+      /// have units, too, and a number has none.
+      std::vector<std::string> share_unit(std::vector<std::string> values, const bool either) const
+      {
+        std::vector<std::string> units;
+        for (const std::string &value : values)
+          units.push_back(first_unit(value));
+        const auto        has_unit = [](const std::string &unit) { return !unit.empty(); };
+        const auto        given    = std::ranges::find_if(units, has_unit);
+        const auto        k_given  = static_cast<std::size_t>(given - units.begin());
+        const bool        is_alone = std::ranges::count_if(units, has_unit) == 1;
+        const std::string unit     = given == units.end() ? "" : split(last_number(values[k_given]), true).unit;
+        const bool        for_all  = is_alone && !unit.empty() && (either || k_given + 1 == values.size());
+        for (std::size_t k = 0; k < values.size(); ++k)
+          if (given == units.end() || has_unit(units[k]))
+            continue;
+          else if (for_all && evaluate_arithmetic(last_number(values[k])))
+            values[k] += " " + unit;
+          else if (has_number_other_than_0(values[k]) ||
+                   (evaluate_arithmetic(values[k]) && parse_unit(*given)->offset != 0.))
+            refuse(values[k], "'" + values[k] + "' has no unit, others have one");
+        return values;
+      }
+
       std::string list(const std::string &text) const
       {
-        std::vector<std::string> items = dealii::Utilities::split_string_list(text, ',');
-        std::vector<bool>        has_unit;
-        for (const std::string &item : items)
-          has_unit.push_back(!split(item, true).unit.empty());
-        const auto        n_units = std::count(has_unit.begin(), has_unit.end(), true);
-        const bool        is_last = n_units == 1 && has_unit.back();
-        const std::string last    = is_last ? split(items.back(), true).unit : "";
-        std::string       result;
-        for (std::size_t k = 0; k < items.size(); ++k)
-          {
-            if (is_last && k + 1 < items.size())
-              items[k] += " " + last;
-            else if (n_units > 0 && !has_unit[k] && evaluate_arithmetic(items[k]).value_or(0.) != 0.)
-              refuse(text, "'" + items[k] + "' has no unit, others have one");
-            result += (k > 0 ? ", " : "") + number(items[k]);
-          }
+        std::string result;
+        for (const std::string &item : share_unit(dealii::Utilities::split_string_list(text, ','), false))
+          result += (result.empty() ? "" : ", ") + number(item);
         return result;
       }
 
@@ -215,5 +249,14 @@ namespace birdstrike
         return text;
       }
     return text;
+  }
+
+  std::vector<std::string> share_unit(const std::vector<std::string> &values, const bool either,
+                                      const KnownEntry &entry, const std::string &where)
+  {
+    const Kind kind = kind_of(entry);
+    return kind == Kind::other || (kind == Kind::text && !parse_unit(entry.unit))
+             ? values
+             : Reader(entry, where).share_unit(values, either);
   }
 } // namespace birdstrike

@@ -35,10 +35,12 @@ namespace birdstrike
 
   void FailureParameters::declare(dealii::ParameterHandler &prm)
   {
-    declare_choice(prm, "Failure", law, failure_laws(),
-                   "When a point of the metal fails and carries nothing any more: never, at a plastic strain, or at "
-                   "Johnson and Cook's damage, sum dp / e_f = 1 with e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) "
-                   "(1 + D5 T*) and s* the mean over the von Mises stress, positive in tension. [-]");
+    declare_choice(
+      prm, "Failure", law, failure_laws(),
+      "When a point of the metal fails and carries nothing any more: never, at a plastic strain, or at "
+      "Johnson and Cook's damage, sum dp / e_f = 1 with e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) "
+      "(1 + D5 T*), s* the mean over the von Mises stress, positive in tension, and r* the plastic strain rate "
+      "over the reference rate of a johnson-cook rate law, else over 1/s. [-]");
     prm.add_parameter("Failure strain", plastic_strain,
                       "Equivalent plastic strain at which a point fails (Failure = plastic strain). [-]",
                       Patterns::Double(1e-6, 100.));

@@ -62,8 +62,12 @@ namespace birdstrike
     if (metal.failure.law == FailureLaw::plastic_strain)
       all.push_back({"failure_strain", "-", metal.failure.plastic_strain});
     if (metal.failure.law == FailureLaw::johnson_cook)
-      for (std::size_t k = 0; k < metal.failure.d.size(); ++k)
-        all.push_back({"failure_d" + std::to_string(k + 1), "-", metal.failure.d[k]});
+      {
+        for (std::size_t k = 0; k < metal.failure.d.size(); ++k)
+          all.push_back({"failure_d" + std::to_string(k + 1), "-", metal.failure.d[k]});
+        if (metal.failure.d[3] != 0.)
+          all.push_back({"failure_reference_rate", "1/s", damage_reference_rate(metal.hardening)});
+      }
     if (metal.elongation > 0.)
       all.push_back({"elongation", "-", metal.elongation});
     return all;

@@ -72,8 +72,9 @@ namespace birdstrike
                       "Factor C of Johnson and Cook's rate term 1 + C ln(rate/reference)" + table + "[-]", text);
     prm.add_parameter(
       "Reference rate", reference_rate,
-      "Plastic strain rate below which Johnson and Cook's rate term is one, or D of Cowper and Symonds" + table +
-        "[1/s]",
+      "Plastic strain rate below which Johnson and Cook's rate terms are one (of strength, and of Failure = "
+      "Johnson-Cook), or D of Cowper and Symonds (of strength alone)" +
+        table + "[1/s]",
       text);
     prm.add_parameter("Adiabatic heating", is_adiabatic,
                       "Whether plastic work heats the metal and softens it by 1 - T*^m. [-]");

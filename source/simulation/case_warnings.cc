@@ -2,6 +2,7 @@
 #include "simulation/explain.h"
 #include "simulation/plausible.h"
 #include "simulation/scene.h"
+#include "simulation/unused_entries.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/facet_grid.h>
@@ -12,6 +13,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
+#include <sstream>
 
 namespace birdstrike
 {
@@ -205,33 +208,35 @@ namespace birdstrike
                                                        across, bird.section)});
     }
 
-    /// What a further bird's section says although that bird is not there.
-    void check_unused_bird(const BirdParameters &bird, const ParameterFile &file, Warnings &warnings)
+    /// Whether no line of a parameter file sets or includes anything.
+    bool sets_nothing(const std::string &file)
     {
-      if (!bird.enabled && file.is_changed(bird.section))
-        warnings.push_back(
-          {"entry/unused", bird.section + "/Enabled is false: no other entry of this section is used."});
+      static const std::set<std::string> statements{"set", "SET", "include", "INCLUDE"};
+      std::istringstream                 lines(file);
+      for (std::string line; std::getline(lines, line);)
+        {
+          std::istringstream words(line);
+          std::string        first;
+          words >> first;
+          if (first.starts_with("\xEF\xBB\xBF")) // the mark of UTF-8
+            first.erase(0, 3);
+          if (statements.contains(first))
+            return false;
+        }
+      return true;
     }
   } // namespace
 
   Warnings find_input_warnings(const CaseParameters &parameters)
   {
-    Warnings               warnings;
-    const BladeParameters &blade = parameters.blade;
-    for (const std::string &entry : blade.unused_entries())
-      warnings.push_back({"entry/unused", "Blade/" + entry + " is set, and means nothing for a blade of kind '" +
-                                            blade_kinds().name(blade.kind) + "'."});
-    for (std::size_t k = 1; k <= blade.sections.size(); ++k)
-      if (const auto &section = blade.sections[k - 1];
-          section.material_ids.empty() && section != BladeParameters::Section{})
-        warnings.push_back({"entry/unused", "Blade/" + BladeParameters::section_path(k) +
-                                              "Material ids is empty: no other entry of this section is used."});
+    Warnings               warnings = find_unused_entries(parameters);
+    const BladeParameters &blade    = parameters.blade;
+    if (sets_nothing(parameters.file.original()))
+      warnings.push_back({"case/empty", "The parameter file sets nothing: but for --set this is the default case."});
     if (blade.is_deformable())
       check_metals(blade, warnings);
     for (const BirdCase &each : parameters.birds())
       check_bird(each.bird, warnings);
-    for (const CaseParameters::FurtherBird &each : parameters.further_birds)
-      check_unused_bird(each.bird, parameters.file, warnings);
     check({"end_time", "Time/End time", parameters.time.end_time, "s", 0., 0.5, {{"ms", 1e-3}, {"us", 1e-6}}},
           warnings);
     return warnings;
@@ -247,6 +252,9 @@ namespace birdstrike
         check({"blade_size", "Largest length of the blade (root of its area)", std::sqrt(census.area), "m", 3e-3, 3.,
                of_length},
               warnings);
+        if (blade.mesh.generator == MeshGenerator::file && !warnings.empty())
+          warnings.back().text +=
+            " Blade/Mesh/File scale is the length of the file's unit in m: 0.001 of a mesh in mm.";
         const double size = std::sqrt(census.area), thickness = scene.blade->kind() == BladeKind::shell
                                                                   ? census.mass / (blade.density() * census.area)
                                                                   : 0.;

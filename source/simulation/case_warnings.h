@@ -8,7 +8,8 @@ namespace birdstrike
   struct Scene;
 
   /// What a case's entries alone make doubtful: values far from any bird, blade or metal, of which most are of another
-  /// unit (mm, g, ms, MPa), and entries that mean nothing here. Codes "unit/...", "entry/...".
+  /// unit (mm, g, ms, MPa), entries that mean nothing here, a file without any. Codes "unit/...", "entry/...",
+  /// "case/...".
   Warnings find_input_warnings(const CaseParameters &parameters);
 
   /// What shows once the parts stand: a blade that nothing holds, elements that cannot bend, a bird that flies past in

@@ -70,6 +70,28 @@ namespace birdstrike
       return of_inputs;
     }
 
+    void write_parameters(const CaseParameters &parameters, RunFolder &folder)
+    {
+      folder.write_text("original.prm", parameters.file.original());
+      folder.write_text("parameters.prm", parameters.file.as_prm());
+    }
+
+    /// A bad case is refused before a folder is touched; one that is lost on the way to its first step leaves a record.
+    Scene make_scene(const CaseParameters &parameters)
+    {
+      try
+        {
+          return Scene(parameters);
+        }
+      catch (const NumericalFailure &failure)
+        {
+          RunFolder folder(parameters.run_directory());
+          write_parameters(parameters, folder);
+          folder.fail(failure.what(), make_failure_record(failure.facts()));
+          throw;
+        }
+    }
+
     /// The last line of what a lost run says.
     std::string describe_way_on(const Checkpoints &checkpoints, const RunFolder &folder, const TimeParameters &time)
     {
@@ -169,15 +191,14 @@ namespace birdstrike
                        (can_go_on ? "'birdstrike resume " + directory + "' to go on with it, " : "") +
                        "or --force to replace it.");
     const auto inputs = list_input_files(parameters);
-    Scene      scene(parameters); // refuses a bad case before a folder is touched
+    Scene      scene  = make_scene(parameters);
     require_bounded_run(parameters, scene);
     const auto forecast = explain(parameters, scene);
 
     listen_to_signals();
     RunFolder folder(directory);
     log_to_file(folder.file("log.txt").string());
-    folder.write_text("original.prm", parameters.file.original());
-    folder.write_text("parameters.prm", parameters.file.as_prm());
+    write_parameters(parameters, folder);
     log().info("{}", forecast);
     const Warnings warnings = find_all_warnings(of_inputs, parameters, scene);
     BirdStrike     strike(parameters, scene, folder.path(), warnings);

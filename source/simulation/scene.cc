@@ -45,6 +45,15 @@ namespace birdstrike
              "(Blade/Material/Failure; Blade/Element/Formulation other than solid-shell) lets it go at "
              "Blade/Material/Smallest step; else change loads or mesh.";
     }
+
+    /// Unit, as Bird/Yaw means it. Of half a blade x: nothing can turn out of the plane of symmetry.
+    std::array<double, 3> span_of(const BladeParameters &parameters, const Blade *const blade)
+    {
+      if (blade != nullptr && parameters.mesh.generator == MeshGenerator::file && !parameters.is_halved)
+        if (const std::optional<Point3> along = blade->span_direction())
+          return {{(*along)[0], (*along)[1], (*along)[2]}};
+      return {{1., 0., 0.}};
+    }
   } // namespace
 
   Scene::Scene(const CaseParameters &parameters)
@@ -56,7 +65,7 @@ namespace birdstrike
   {
     blade = make_blade(parameters.blade, pool);
     for (const BirdCase &each : parameters.birds())
-      birds.emplace_back(each, parameters.time, pool);
+      birds.emplace_back(each, span_of(parameters.blade, blade.get()), parameters.time, pool);
     if (!blade && birds.empty())
       throw InputError(
         "The case has neither a blade nor a bird.\nSet Blade/Kind to shell, solid or rigid, or Bird/Enabled to true.");

@@ -2,6 +2,11 @@
 #include "structure/histories/watched_blade.h"
 #include "structure/implicit/modes.h"
 #include "structure/implicit/static_solve.h"
+#include <birdstrike/core/numerical_failure.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
 
 namespace birdstrike
 {
@@ -25,6 +30,19 @@ namespace birdstrike
                 nearest  = n;
               }
       return {place, Point3(parameters.bird->velocity.data()) - Point3(nodes.velocity + nodes.n_unknowns * nearest)};
+    }
+
+    /// Of a blade whose hub turns at a speed (rad/s) for which no equilibrium was found.
+    FailureFacts with_speed(FailureFacts facts, const double speed)
+    {
+      constexpr double rpm = M_PI / 30.; // rad/s
+      facts.quantity       = "Blade/Spin/Speed";
+      facts.value          = speed;
+      facts.unit           = "rad/s";
+      facts.details = fmt::format("That is {0:.5g} rpm; a number without a unit is in rad/s, '{1:.5g} rpm' would be "
+                                  "{2:.5g} rad/s.{3}{4}",
+                                  speed / rpm, speed, speed * rpm, facts.details.empty() ? "" : "\n", facts.details);
+      return facts;
     }
   } // namespace
 
@@ -74,7 +92,16 @@ namespace birdstrike
     if (prestress.n_unknowns == 0)
       {
         BladeEquilibrium<Kind::n_unknowns> equilibrium(mesh, motion, elements, supports.held_dofs, hub);
-        prestress = solve_static(equilibrium, implicit.n_load_steps, implicit.linear_solver);
+        try
+          {
+            prestress = solve_static(equilibrium, implicit.n_load_steps, implicit.linear_solver);
+          }
+        catch (const NumericalFailure &failure)
+          {
+            if (!hub.turns())
+              throw;
+            throw NumericalFailure(with_speed(failure.facts(), hub.speed(0.)));
+          }
       }
     return prestress;
   }

@@ -115,6 +115,7 @@ namespace birdstrike
     PeakPlasticStrain         peak_plastic_strain() const override;
     FailureReport             failure() const override;
     std::optional<SpanLine>   span_line() const override;
+    std::optional<Point3>     span_direction() const override;
 
     const Rotor *rotor() const override
     {

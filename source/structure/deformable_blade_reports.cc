@@ -190,6 +190,15 @@ namespace birdstrike
   }
 
   template <class Kind>
+  std::optional<Point3> DeformableBlade<Kind>::span_direction() const
+  {
+    const Point3 along = roles.tip.middle - roles.root.middle;
+    if (!roles.root.is_present() || !roles.tip.is_present() || along.norm() == 0.)
+      return {};
+    return along.normalized();
+  }
+
+  template <class Kind>
   PeakPlasticStrain DeformableBlade<Kind>::peak_plastic_strain() const
   {
     const auto   peak = elements.max_plastic_strain();

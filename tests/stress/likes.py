@@ -5,7 +5,7 @@ import math
 
 import entries
 import numpy as np
-from placing import about_third, frame_of, vector_of, yaw_pitch_roll
+from placing import X, about_third, frame_of, vector_of, yaw_pitch_roll
 
 
 def rotation(axis, angle):
@@ -89,8 +89,8 @@ def row_from_next(scene):
 
 def turn_attitude(scene, twin, turn):
     velocity = vector_of(scene, "Bird/Velocity")
-    attitude = turn @ frame_of(velocity) @ about_third(math.radians(float(scene.settings.get("Bird/Roll", "0"))))
-    for name, angle in zip(("Yaw", "Pitch", "Roll"), yaw_pitch_roll(attitude, turn @ velocity)):
+    attitude = turn @ frame_of(velocity, X) @ about_third(math.radians(float(scene.settings.get("Bird/Roll", "0"))))
+    for name, angle in zip(("Yaw", "Pitch", "Roll"), yaw_pitch_roll(attitude, turn @ velocity, X)):
         twin.set("Bird/" + name, angle)
 
 

@@ -8,19 +8,44 @@ import numpy as np
 DISTANCE = 1000.  # m
 
 
-def frame_of(velocity):
-    """Columns: what the program takes for x, y, z of a bird with this velocity (source/bird/packing.cc)."""
+X, Y, Z = np.eye(3)
+
+
+def span_of(scene):
+    """From the middle of the root's sides to that of the tip's, of a deformable blade from a file that names both; else x (span_of in
+    source/simulation/scene.cc)."""
+    ids = lambda entry: {int(word) for word in scene.settings.get("Blade/Supports/" + entry, "").replace(",", " ").split()}
+    root, tip = ids("Hub") or ids("Clamped"), ids("Tip")
+    if scene.mesh is None or scene.settings["Blade/Kind"] == "rigid" or not root or not tip:
+        return X
+    points = np.array(scene.mesh.points)
+
+    def middle(of):
+        sizes, middles = [], []
+        for boundary, *corners in scene.mesh.sides:
+            if boundary in of:
+                x = points[list(corners)]
+                sizes.append(np.linalg.norm(x[1] - x[0] if len(x) == 2 else 0.5 * np.cross(x[2] - x[0], x[3] - x[1])))
+                middles.append(x.mean(axis=0))
+        return np.average(middles, axis=0, weights=sizes)
+    along = middle(tip) - middle(root)
+    return along / np.linalg.norm(along)
+
+
+def frame_of(velocity, span):
+    """Columns: what the program takes for x, y, z of a bird with this velocity (compute_attitude in source/bird/attitude.cc)."""
     direction = velocity / np.linalg.norm(velocity)
-    span = np.array((1., 0., 0.)) - direction[0] * direction
-    if np.linalg.norm(span) < 1e-3:
-        span = np.array((0., 1., 0.)) - direction[1] * direction
-    span /= np.linalg.norm(span)
-    return np.stack((span, np.cross(direction, span), direction), axis=1)
+    for of in (span, Y, Z):
+        x = of - (of @ direction) * direction
+        if np.linalg.norm(x) >= 1e-3:
+            break
+    x /= np.linalg.norm(x)
+    return np.stack((x, np.cross(direction, x), direction), axis=1)
 
 
-def yaw_pitch_roll(attitude, velocity):
+def yaw_pitch_roll(attitude, velocity, span):
     """Angles (degrees) that give a bird with this velocity the attitude."""
-    m = frame_of(velocity).T @ attitude
+    m = frame_of(velocity, span).T @ attitude
     return [math.degrees(a) for a in (math.atan2(-m[1, 2], m[2, 2]), math.asin(max(-1., min(1., m[0, 2]))), math.atan2(-m[0, 1], m[0, 0]))]
 
 
@@ -109,29 +134,31 @@ class Place:
         distance = float(scene.settings[section + "/Stand-off"])
         start = self.point(aim - distance * velocity / np.linalg.norm(velocity))
         roll = math.radians(float(scene.settings.get(section + "/Roll", "0")))
-        attitude = self.turn @ frame_of(velocity) @ about_third(roll)
+        span = span_of(scene)
+        span_there = self.turn @ span if span is not X else X
+        attitude = self.turn @ frame_of(velocity, span) @ about_third(roll)
         if self.is_mirrored:
             attitude = attitude[:, (1, 0, 2)]
         seen = self.turn @ velocity + self.drift
         twin.set(section + "/Velocity", [float(v) for v in seen])
         twin.set(section + "/Aim point", [float(x) for x in start + distance * seen / np.linalg.norm(seen)])
-        angles = yaw_pitch_roll(attitude, seen)
+        angles = yaw_pitch_roll(attitude, seen, span_there)
         if scene.settings.get(section + "/Slice/Normal"):
-            angles[2] = self.place_slice(scene, twin, section, angles[:2], seen, roll)
+            angles[2] = self.place_slice(scene, twin, section, angles[:2], (velocity, span), (seen, span_there), roll)
         for name, angle in zip(("Yaw", "Pitch", "Roll"), angles):
             twin.set(f"{section}/{name}", angle)
 
-    def place_slice(self, scene, twin, section, yaw_pitch, seen, roll):
+    def place_slice(self, scene, twin, section, yaw_pitch, here, there, roll):
         """Its normal; the roll (degrees) about it that gives it the lattice."""
         normal = vector_of(scene, section + "/Slice/Normal")
-        lattice = self.turn @ slice_frame(normal, frame_of(vector_of(scene, section + "/Velocity"))) @ about_third(roll)
+        lattice = self.turn @ slice_frame(normal, frame_of(*here)) @ about_third(roll)
         if self.is_mirrored:
             lattice = lattice[:, (1, 0, 2)]
         twin.set(section + "/Slice/Normal", [float(c) for c in self.turn @ normal])
         yaw, pitch = (math.radians(angle) for angle in yaw_pitch)
         about_x = np.array(((1., 0., 0.), (0., math.cos(yaw), -math.sin(yaw)), (0., math.sin(yaw), math.cos(yaw))))
         about_y = np.array(((math.cos(pitch), 0., math.sin(pitch)), (0., 1., 0.), (-math.sin(pitch), 0., math.cos(pitch))))
-        unrolled = slice_frame(self.turn @ normal, frame_of(seen) @ about_x @ about_y)
+        unrolled = slice_frame(self.turn @ normal, frame_of(*there) @ about_x @ about_y)
         return math.degrees(math.atan2(lattice[:, 0] @ unrolled[:, 1], lattice[:, 0] @ unrolled[:, 0]))
 
     def place_blade(self, scene, twin):

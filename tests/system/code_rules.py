@@ -15,7 +15,6 @@ TEXTS = {
     "source/io/parameter_scan.cc": "reads parameter files",
     "source/io/parameter_tree.cc": "reads deal.II's patterns",
     "source/io/typed_numbers.cc": "reads entries that are numbers or 'table'",
-    "source/io/parameter_messages.cc": "endings of files",
     "source/material/metal_parameters.cc": "reads entries that are numbers or 'table'",
     "source/material/used_values.cc": "reads entries that are numbers or 'table'",
     "source/material/table_entry.h": "reads entries that are numbers or 'table'",

@@ -127,6 +127,14 @@ class Guards(unittest.TestCase):
         self.assertAlmostEqual(again["time"] / record["time"], 1., delta=0.2)
         self.assertIsNotNone(again["checkpoint"])
 
+    def test_a_run_that_is_lost_before_its_first_step(self):
+        # 5000 for 5000 rpm; no instant is known, for the clock has not begun
+        text, record = self.lose([*STRIKE, "Blade/Spin/Speed=5000"])
+        self.assertEqual((record["quantity"], record["value"], record["unit"]), ("Blade/Spin/Speed", 5000., "rad/s"))
+        self.assertIsNone(record["time"])
+        self.assertIn("'5000 rpm' would be 523.6 rad/s", text)
+        self.assertTrue((self.folder / "run" / "parameters.prm").exists())
+
     def test_a_run_that_goes_on_to_its_end_is_no_longer_lost(self):
         entries = [*STRIKE, "Time/End time=1e-4"]
         self.lose(entries, "Time/Energy error limit=1e-3", "Output/Checkpoint/Step interval=1")

@@ -58,7 +58,7 @@ refuse "no file" "FILE" --
 refuse "nothing varied" "Nothing is varied" -- "$a"
 refuse "an unknown entry" "'Mass'" -- "$a" --vary "Bird/Mas=1, 2"
 refuse "an empty list" "no values" -- "$a" --vary "Bird/Mass="
-refuse "equal points" "occurs twice" -- "$a" --vary "Bird/Mass=0.1, 100 g"
+refuse "equal points" "occurs twice" -- "$a" --vary "Bird/Mass=0.1 kg, 100 g"
 refuse "a range of unknown size" "whole number" -- "$a" --vary "Bird/Mass=0.1:0.2:many"
 refuse "too many points" "10100 points; at most 10000" -- "$a" --vary "Bird/Mass=1:2:101" --vary "Bird/Density=1:2:100"
 refuse "pairs of unequal length" "as many values" -- "$a" --vary "Bird/Mass=1, 2" --vary "Bird/Density=1, 2, 3" --pairs

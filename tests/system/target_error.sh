@@ -16,7 +16,7 @@ ask "no claim where there is no order" 3 "is not reached, and none is claimed" "
 ask "no claim of a peak that is none yet" 3 "Tip: peak \(mid-chord\) still rises at the end" "a later Time/End time" -- "${strike[@]}" --target-error "tip peak = 10 %" --output rising
 require "but what was run" '[ "$(wc -l <none/target.csv)" -ge 6 ]'
 
-ask "an unknown quantity" 2 "no quantity of this run" "There are: " -- "${strike[@]}" --target-error "tip of the iceberg = 2 %" --output unknown
+ask "an unknown quantity, before anything is run" 2 "no quantity of any run" "There are: Tip peak" -- "${strike[@]}" --target-error "tip of the iceberg = 2 %" --output unread
 ask "no percentage" 2 "no error in percent" -- "${strike[@]}" --target-error "tip peak = 2" --output unread
 ask "an impossible target" 2 "above 0" -- "${strike[@]}" --target-error "tip peak = 0 %" --output unread
 ask "nothing to refine" 2 "neither a bird nor" -- "$top/prm/bird-free.prm" --set "Bird/Enabled=false" --target-error "impulse = 2 %" --output unread

@@ -118,6 +118,9 @@ namespace birdstrike
     /// Set by the case where there is such a surface and it is asked for; without it the chord is y.
     std::optional<AimedSurface> aimed_surface;
 
+    /// Unit, from the root of the blade to its tip, about which the bird yaws; the scene knows it.
+    std::array<double, 3> span{{1., 0., 0.}};
+
     /// Where the centre would fly through: the aim point shifted along the chord, m.
     std::array<double, 3> target() const;
 

@@ -24,8 +24,8 @@ namespace birdstrike
   /// Johnson & Cook (Engineering Fracture Mechanics 21, 1985, eq. 5):
   ///   e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) (1 + D5 T*),
   /// s* = mean stress / von Mises stress, positive in tension, so that metals have D3 < 0 as the paper prints it (some
-  /// programs print -D3); r* = max(p_dot / reference rate, 1) with the reference rate of the hardening; T* is the
-  /// homologous temperature, zero where nothing heats. The paper gives the law for s* <= 1.5: what lies beyond
+  /// programs print -D3); r* = max(p_dot / reference rate, 1), see damage_reference_rate; T* is the homologous
+  /// temperature, zero where nothing heats. The paper gives the law for s* <= 1.5: what lies beyond
   /// -1.5 and 1.5 counts as these. Below `smallest_strain` e_f is cut.
   struct Failure
   {
@@ -70,13 +70,20 @@ namespace birdstrike
     double dt;          ///< s
   };
 
+  /// Of r*, 1/s: the one that Johnson and Cook's strength is given with, since both are fitted together; with another
+  /// rate law 1/s, to which the paper normalises. D of Cowper and Symonds is the rate that doubles the stress.
+  inline double damage_reference_rate(const Hardening &h)
+  {
+    return h.rate_law == RateLaw::johnson_cook ? h.reference_rate : 1.;
+  }
+
   /// What a step adds to D.
   template <class Number>
   inline Number compute_damage_increment(const Failure &f, const Hardening &h, const PlasticStep<Number> &step)
   {
     const Number tiny(1e-300);
     return step.strain / compute_failure_strain(f, Number(step.mean_stress / max(step.von_mises, tiny)),
-                                                Number(step.strain / (step.dt * h.reference_rate)),
+                                                Number(step.strain / (step.dt * damage_reference_rate(h))),
                                                 homologous_temperature(h, step.temperature));
   }
 } // namespace birdstrike

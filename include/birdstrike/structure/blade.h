@@ -134,5 +134,11 @@ namespace birdstrike
     {
       return {};
     }
+    /// Unit, from the middle of the sides at the root to that of those at the tip, undeformed. Nothing without both,
+    /// and where the two lie at one place.
+    virtual std::optional<Point3> span_direction() const
+    {
+      return {};
+    }
   };
 } // namespace birdstrike

@@ -14,6 +14,7 @@
 
 #include "io/parameter_messages.h"
 #include "io/parameter_scan.h"
+#include "io/typed_numbers.h"
 
 namespace birdstrike
 {
@@ -73,7 +74,7 @@ namespace birdstrike
         if (bounds.size() == 3 && list.find_first_of("|,;") == std::string::npos)
           varied.values = range(bounds);
         else
-          for (const std::string &typed : items(separator))
+          for (const std::string &typed : with_units(items(separator), false))
             {
               if (typed.empty())
                 refuse(text, "an empty value.");
@@ -108,6 +109,11 @@ namespace birdstrike
         return separator == ',' && is_vector ? std::vector{list} : split(list, separator);
       }
 
+      std::vector<std::string> with_units(const std::vector<std::string> &typed, const bool is_range) const
+      {
+        return share_unit(typed, is_range, entry(), where.text());
+      }
+
       std::string plain(const std::string &typed) const
       {
         return scan_value(path + "=" + typed, where, known).value;
@@ -120,7 +126,8 @@ namespace birdstrike
           refuse(text, "how many values it is to be is no whole number of at least 2, but " + quote(bounds[2]) + ".");
         if (*count > static_cast<double>(most_points))
           refuse(text, fmt::format("{:.0f} values; at most {} points make a study.", *count, most_points));
-        const auto first = as_number(plain(bounds[0])), last = as_number(plain(bounds[1]));
+        const std::vector<std::string> ends  = with_units({bounds[0], bounds[1]}, true);
+        const auto                     first = as_number(plain(ends[0])), last = as_number(plain(ends[1]));
         if (!first || !last)
           refuse(text, "a range needs two numbers.");
         std::vector<std::string> values;

@@ -196,7 +196,7 @@ namespace birdstrike
     const bool has_value = std::any_of(row.values.begin(), row.values.end(), [](double v) { return !std::isnan(v); });
     const bool has_text =
       std::any_of(row.texts.begin(), row.texts.end(), [](const std::string &text) { return !text.empty(); });
-    if (has_value || has_text)
+    if (has_value || has_text || names.empty())
       all.push_back(std::move(row));
   }
 

@@ -34,7 +34,7 @@ namespace birdstrike
 
   /// What runs came to, side by side: a line a run, and how much it differs from the first. Peaks are those of
   /// summary.json, taken at every step of the run and not at the rows of its history. Quantities that no
-  /// run has are left out. Writes no files.
+  /// run has are left out; of no runs all rows are there, without values. Writes no files.
   class ComparisonTable
   {
   public:

@@ -46,6 +46,12 @@ namespace birdstrike
     {
       return row.group + " " + row.quantity;
     }
+
+    bool has_all(const std::vector<std::string> &words, const std::vector<std::string> &wanted)
+    {
+      return std::ranges::all_of(
+        wanted, [&](const std::string &word) { return std::ranges::find(words, word) != words.end(); });
+    }
   } // namespace
 
   ErrorTarget read_error_target(const std::string &text)
@@ -80,10 +86,8 @@ namespace birdstrike
         if (!is_response(row))
           continue;
         there += (there.empty() ? "" : ", ") + name_of(row);
-        const std::vector<std::string> words   = words_of(name_of(row));
-        const bool                     has_all = std::ranges::all_of(
-                              wanted, [&](const std::string &word) { return std::ranges::find(words, word) != words.end(); });
-        if (!has_all || words.size() > fewest)
+        const std::vector<std::string> words = words_of(name_of(row));
+        if (!has_all(words, wanted) || words.size() > fewest)
           continue;
         if (words.size() < fewest)
           found.clear();
@@ -94,6 +98,21 @@ namespace birdstrike
       throw InputError("--target-error: " + std::string(found.empty() ? "no quantity" : "more than one quantity") +
                        " of this run is '" + quantity + "'.\n  There are: " + there + ".");
     return *found[0];
+  }
+
+  void require_known(const std::string &quantity)
+  {
+    const std::vector<std::string> wanted = words_of(quantity);
+    const ComparisonTable          of_nothing({});
+    std::string                    there;
+    for (const ComparisonRow &row : of_nothing.rows())
+      if (is_response(row))
+        {
+          if (has_all(words_of(name_of(row)), wanted))
+            return;
+          there += (there.empty() ? "" : ", ") + name_of(row);
+        }
+    throw InputError("--target-error: no quantity of any run is '" + quantity + "'.\n  There are: " + there + ".");
   }
 
   bool ClimbAxis::is_refined() const

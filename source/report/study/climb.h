@@ -22,6 +22,9 @@ namespace birdstrike
   /// (mid-chord)". Throws InputError, naming what there is, where none does or two do alike.
   const ComparisonRow &find_row(const std::vector<ComparisonRow> &rows, const std::string &quantity);
 
+  /// Throws InputError for a quantity that no run can have, whatever its parts.
+  void require_known(const std::string &quantity);
+
   /// One direction of refinement: values on its levels, the coarsest first, while all else is at its coarsest.
   struct ClimbAxis
   {

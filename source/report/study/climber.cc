@@ -55,6 +55,7 @@ namespace birdstrike
                    const std::filesystem::path &directory)
     : request(request), forecast(forecast), directory(directory), target(read_error_target(request.target))
   {
+    require_known(target.quantity);
     CaseParameters parameters;
     parameters.read(request.prm_file, request.overrides);
     axes[0].name = "bird";

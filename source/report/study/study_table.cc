@@ -63,7 +63,7 @@ namespace birdstrike
   bool is_response(const ComparisonRow &row)
   {
     static const std::set<std::string> others{"Case", "Balance", "Cost"};
-    return !row.values.empty() && !others.contains(row.group) && !row.quantity.starts_with("largest penetration");
+    return row.texts.empty() && !others.contains(row.group) && !row.quantity.starts_with("largest penetration");
   }
 
   StudyTable::StudyTable(const StudyPlan &plan, const std::vector<PointRun> &runs) : plan(plan), runs(runs)

@@ -132,6 +132,30 @@ namespace birdstrike
                                      : "Move " + parameters.section + "/Aim point, about which it starts."));
     }
 
+    Box extent_of(const FacetsView &facets)
+    {
+      Box box;
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        for (const std::uint32_t n : facets.nodes[f])
+          box.add(facets.position + 3 * n);
+      return box;
+    }
+
+    std::string text_of(const std::array<double, 3> &x)
+    {
+      return fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
+    }
+
+    [[noreturn]] void refuse_miss(const FacetsView &facets, const BirdParameters &parameters)
+    {
+      const Box blade = extent_of(facets);
+      throw InputError(fmt::format("The bird misses the blade: no particle meets it along {0}/Velocity.\n"
+                                   "The blade lies between {1} and {2} m.\n"
+                                   "Change {0}/Aim point, {0}/Chordwise offset or {0}/Velocity, or Blade/Mesh/File "
+                                   "scale of a mesh in another unit than m.",
+                                   parameters.section, text_of(blade.low), text_of(blade.high)));
+    }
+
     /// To the first touch of this surface, part of which moves with the velocity `frame`.
     FirstTouch fly_to(Bird &bird, const FacetsView &facets, const BirdParameters &parameters, const Point3 &frame)
     {
@@ -149,9 +173,7 @@ namespace birdstrike
         refuse_overlap(overlap, parameters);
       touch.flight_time = time_to_first_touch(MovedPoints(bird.points(), Point3::Zero(), velocity).view, facets);
       if (!std::isfinite(touch.flight_time))
-        throw InputError(fmt::format("The bird misses the blade: no particle meets it along {0}/Velocity.\n"
-                                     "Change {0}/Aim point, {0}/Chordwise offset or {0}/Velocity.",
-                                     parameters.section));
+        refuse_miss(facets, parameters);
       touch.flight_time = std::max(0., touch.flight_time - before);
       bird.advance_in_flight(touch.flight_time, frame);
       return touch;

@@ -19,6 +19,13 @@ namespace birdstrike
     /// Spacings between bird and blade at which a bird waits no longer: contact reaches half a one.
     constexpr double reach = 2.;
 
+    std::unique_ptr<const BirdParameters> along(const std::array<double, 3> &span, const BirdParameters &bird)
+    {
+      auto own  = std::make_unique<BirdParameters>(bird);
+      own->span = span;
+      return own;
+    }
+
     Box extent_of(const PointsView &points)
     {
       Box box;
@@ -55,11 +62,13 @@ namespace birdstrike
     }
   } // namespace
 
-  Projectile::Projectile(const BirdCase &parameters, const TimeParameters &time, ThreadPool &pool)
+  Projectile::Projectile(const BirdCase &parameters, const std::array<double, 3> &span, const TimeParameters &time,
+                         ThreadPool &pool)
     : number(parameters.number)
-    , parameters(parameters.bird)
+    , own(along(span, parameters.bird))
+    , parameters(*own)
     , liquid(parameters.liquid)
-    , bird(std::make_unique<Bird>(parameters.bird, parameters.liquid, pool))
+    , bird(std::make_unique<Bird>(*own, parameters.liquid, pool))
     , smallest_step(number == 1 ? "bird" : "bird " + std::to_string(number), time.smallest_step)
     , at_start{bird->n_particles(), bird->packing().mass(), bird->energies().kinetic, bird->momenta().momentum}
     , n_at_start(bird->state().size())

@@ -31,11 +31,18 @@ namespace birdstrike
   class Projectile
   {
   public:
-    Projectile(const BirdCase &parameters, const TimeParameters &time, ThreadPool &pool);
+    /// `span`: of the blade, unit.
+    Projectile(const BirdCase &parameters, const std::array<double, 3> &span, const TimeParameters &time,
+               ThreadPool &pool);
     Projectile(Projectile &&) noexcept;
     ~Projectile();
 
-    const unsigned int       number; ///< 1: section Bird
+    const unsigned int number; ///< 1: section Bird
+
+  private:
+    std::unique_ptr<const BirdParameters> own; // with the span
+
+  public:
     const BirdParameters    &parameters;
     const EosParameters     &liquid;
     std::unique_ptr<Bird>    bird;    ///< none once it has gone

@@ -153,6 +153,19 @@ namespace birdstrike
       LinearSolverChoice  linear_solver;
       std::vector<double> forces, forces_there, correction, tried;
     };
+
+    FailureFacts describe_end(const double factor, const Newton &newton)
+    {
+      FailureFacts facts;
+      facts.what = fmt::format("Static solve: no equilibrium beyond {:.4g} of loads and spin", factor);
+      if (!newton.residuals.empty())
+        facts.what += fmt::format(" (forces left over: {:.2g} of theirs)", newton.residuals.back());
+      if (!newton.why.empty())
+        facts.details = "The last attempt ended with: " + newton.why.substr(0, newton.why.find('\n'));
+      facts.advice = "The blade buckles, flows without bound, fails or is not held. Look at 'birdstrike static' with "
+                     "smaller loads.";
+      return facts;
+    }
   } // namespace
 
   StaticReport solve_static(Equilibrium &equilibrium, const unsigned int n_load_steps,
@@ -184,14 +197,7 @@ namespace birdstrike
             length *= 0.5;
             last_length = 0.;
             if (length < shortest_step)
-              throw NumericalFailure(
-                fmt::format("Static solve: no equilibrium beyond {:.4g} of loads and spin{}.\nThe blade buckles, flows "
-                            "without bound, fails or is not held. Look at 'birdstrike static' with smaller loads.{}",
-                            factor,
-                            newton.residuals.empty()
-                              ? ""
-                              : fmt::format(" (forces left over: {:.2g} of theirs)", newton.residuals.back()),
-                            newton.why.empty() ? "" : "\nThe last attempt ended with: " + newton.why));
+              throw NumericalFailure(describe_end(factor, newton));
             continue;
           }
         equilibrium.accept(step);

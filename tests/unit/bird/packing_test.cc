@@ -1,6 +1,8 @@
 #include <birdstrike/bird/packing.h>
 #include <birdstrike/core/errors.h>
 
+#include <Eigen/Geometry>
+
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -54,6 +56,31 @@ TEST(Packing, TheAxisPassesThroughTheAimPointAlongTheVelocity)
   EXPECT_LT(way.cross(direction).norm(), 1e-15);
   EXPECT_NEAR(way.norm(), 2. * packing.bounding_radius, 1e-15);
   EXPECT_LT((packing.axis - direction).norm(), 1e-15);
+}
+
+// Bird, velocity and span turned by R: so are all particles. Round-off of places below 1 m.
+TEST(Packing, TurnsWithTheBladeInSpace)
+{
+  BirdParameters parameters;
+  parameters.spacing    = 0.004;
+  parameters.velocity   = {40., 90., 150.};
+  parameters.yaw        = 35.;
+  parameters.pitch      = -20.;
+  parameters.roll       = 10.;
+  const Packing packing = compute_packing(parameters, Shape(parameters));
+
+  const Matrix3<double> R      = Eigen::AngleAxisd(2.1, Point3(0.3, -1., 0.7).normalized()).toRotationMatrix();
+  BirdParameters        turned = parameters;
+  for (auto *of : {&turned.velocity, &turned.aim_point, &turned.span})
+    {
+      const Point3 there = R * Point3(of->data());
+      *of                = {there[0], there[1], there[2]};
+    }
+  const Packing other = compute_packing(turned, Shape(turned));
+  ASSERT_EQ(other.points.size(), packing.points.size());
+  EXPECT_LT((other.axis - R * packing.axis).norm(), 1e-14);
+  for (std::size_t k = 0; k < packing.points.size(); ++k)
+    ASSERT_LT((other.points[k] - R * packing.points[k]).norm(), 1e-14);
 }
 
 TEST(Packing, YawTurnsTheAxisByItsAngle)

@@ -104,8 +104,31 @@ TEST(ParameterScan, MissingFileNamesTheNearest)
     {
       expect_parts(error.what(), {"fontal.prm'", "no such file", "frontal.prm'"});
     }
-  EXPECT_THROW(small.file.read(scratch.path().string()), birdstrike::InputError);
+  try // a folder is named as one, with what could be meant in it
+    {
+      small.file.read(scratch.path().string());
+      FAIL();
+    }
+  catch (const birdstrike::InputError &error)
+    {
+      expect_parts(error.what(), {"it is a folder", "in it: frontal.prm", "/frontal.prm'"});
+      EXPECT_EQ(std::string(error.what()).find("Nearest"), std::string::npos) << error.what();
+    }
   EXPECT_THROW(small.file.read("/no/such/folder/case.prm"), birdstrike::InputError);
+}
+
+TEST(ParameterScan, DefaultGivesAnEntryOfAnyKindBack)
+{
+  const ScratchFolder scratch;
+  const std::string   path = scratch.write("case.prm", "subsection Bird\n  set Mass = 3\n  set Shape = flat\n"
+                                                         "  set Title = a text takes any word\nend\n");
+  SmallCase           small;
+  small.file.read(path, {"Bird/Mass=default", "Bird/Shape=default", "Bird/Title=default"});
+  EXPECT_EQ(small.values.mass, SmallParameters().mass);
+  EXPECT_EQ(small.values.shape, SmallParameters().shape);
+  EXPECT_EQ(small.values.title, "");
+  for (const char *entry : {"Bird/Mass", "Bird/Shape", "Bird/Title"})
+    EXPECT_FALSE(small.file.is_given(entry)) << entry;
 }
 
 TEST(ParameterScan, BadOverridesNameThemselves)

@@ -68,6 +68,24 @@ TEST(Failure, RateAndTemperatureMultiply)
     << "what does not heat has no homologous temperature";
 }
 
+// D of Cowper and Symonds, the rate that doubles the stress, is no reference of the damage: at 1000/s r* = 1000 in 1/s
+// as above, also where D = 40.4/s (mild steel), which would make it 24.75, or 6500/s (aluminium), which would make
+// it 1.
+TEST(Failure, TheDamageHasTheReferenceRateOfJohnsonCookStrengthOnly)
+{
+  const Failure f = steel_4340();
+  Hardening     h = heated();
+  h.rate_law      = RateLaw::cowper_symonds;
+  for (const double d : {40.4, 6500.})
+    {
+      h.reference_rate = d;
+      EXPECT_NEAR(compute_damage_increment(f, h, at_triaxiality(0.)), 1e-3 / (3.49 * 1.01381551), 1e-11);
+    }
+  h.rate_law       = RateLaw::johnson_cook;
+  h.reference_rate = 10.; // 1 + 0.002 ln(100) = 1.00921034
+  EXPECT_NEAR(compute_damage_increment(f, h, at_triaxiality(0.)), 1e-3 / (3.49 * 1.00921034), 1e-11);
+}
+
 // Miner's sum over a path of two states: half of the strain to failure in shear, then tension until D = 1.
 TEST(Failure, DamageAddsUpOverAPath)
 {

@@ -44,6 +44,14 @@ TEST(Climb, ReadsTargets)
     EXPECT_THROW(read_error_target(text), InputError) << text;
 }
 
+TEST(Climb, KnowsBeforeAnyRunWhatCanBeAskedFor)
+{
+  for (const char *quantity : {"tip peak", "impulse", "permanent deflection", "peak force", "plastic work"})
+    EXPECT_NO_THROW(require_known(quantity)) << quantity << " may be one of several, which the run decides";
+  for (const char *quantity : {"tip of the iceberg", "impulze", "elements", "wall"})
+    EXPECT_THROW(require_known(quantity), InputError) << quantity;
+}
+
 TEST(Climb, FindsTheQuantityWithTheFewestOtherWords)
 {
   EXPECT_EQ(find_row(rows, "Root peak moment").quantity, "peak bending moment");

@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "simulation/scene.h"
+#include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
 
+#include <stdlib.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 using namespace birdstrike;
 
@@ -80,6 +85,88 @@ TEST(CaseWarnings, NamesEntriesWithoutMeaning)
   EXPECT_NE(warnings[0].text.find("Blade/Mesh/Layers"), std::string::npos);
 }
 
+TEST(CaseWarnings, NamesEntriesThatNoLawReads)
+{
+  const std::vector<std::pair<std::string, std::string>> unused{
+    {"Blade/Material/Hardening=perfect", "Blade/Material/Hardening modulus is set, and means nothing: Hardening is"},
+    {"Blade/Material/Hardening exponent=0.3", "Hardening is linear"},
+    {"Blade/Material/Rate exponent=4", "Rate law is johnson-cook"},
+    {"Blade/Material/Reference rate=10", "Rate factor is 0"},
+    {"Blade/Material/Initial temperature=500", "Adiabatic heating is false"},
+    {"Blade/Material/Melting temperature=1900", "Adiabatic heating is false"},
+    {"Blade/Material/Failure strain=0.1", "Failure is none"},
+    {"Blade/Material/Damage D2=0.3", "Failure is none"},
+    {"Blade/Mesh/Profile/Stagger=30", "Mesh/Generator is flat plate"},
+    {"Blade/Thickness/Leading edge=0.1", "Thickness/Maximum is empty"},
+    {"Blade/Mesh/Row/Pitch=20", "Mesh/Row/Blades is 1"},
+    {"Blade/Rigid/Mass=2", "Blade/Kind is shell"},
+    {"Bird/Equation of state/Bulk modulus=1e9", "Type is murnaghan"}};
+  for (const auto &[entry, why] : unused)
+    {
+      const Warnings warnings = of_inputs({entry});
+      ASSERT_EQ(codes(warnings), std::vector<std::string>{"entry/unused"}) << entry;
+      EXPECT_NE(warnings[0].text.find(why), std::string::npos) << warnings[0].text;
+      const std::string name = entry.substr(0, entry.find('='));
+      EXPECT_NE(warnings[0].text.find(name), std::string::npos) << warnings[0].text; // or longer: Hardening modulus
+    }
+}
+
+// The same entries where a law reads them, and those that say what is there anyway.
+TEST(CaseWarnings, SaysNothingOfEntriesThatAreUsed)
+{
+  const std::string heating = "Blade/Material/Adiabatic heating=true", al = "Blade/Material/Name=Al 2024 Johnson-Cook";
+  for (const std::vector<std::string> &entries : std::vector<std::vector<std::string>>{
+         {"Blade/Material/Hardening=voce", "Blade/Material/Hardening exponent=20"},
+         {"Blade/Material/Rate law=cowper-symonds", "Blade/Material/Reference rate=40",
+          "Blade/Material/Rate exponent=4"},
+         {"Blade/Material/Rate factor=0"},
+         {"Blade/Material/Rate factor=0.01", "Blade/Material/Reference rate=10"},
+         {heating, "Blade/Material/Initial temperature=500", "Blade/Material/Softening exponent=1.1"},
+         {"Blade/Material/Failure=plastic strain", "Blade/Material/Failure strain=0.1"},
+         {al, "Blade/Material/Hardening=johnson-cook", "Blade/Material/Failure=Johnson-Cook",
+          "Blade/Material/Damage D2=0.3"},
+         {al, "Blade/Material/Hardening=johnson-cook", "Blade/Material/Rate factor=0",
+          "Blade/Material/Reference rate=10", "Blade/Material/Failure=Johnson-Cook"},
+         {"Blade/Mesh/Generator=blade", "Blade/Mesh/Profile/Stagger=30", "Blade/Thickness/Maximum=0.004",
+          "Blade/Thickness/Leading edge=0.1", "Blade/Thickness/Value=default"},
+         {"Bird/Equation of state/Type=linear", "Bird/Equation of state/Bulk modulus=1e9"},
+         {"Bird/Equation of state/Type=porous", "Bird/Equation of state/Porosity=0.2"}})
+    EXPECT_EQ(codes(of_inputs(entries)), std::vector<std::string>{}) << entries.back();
+}
+
+// What a run writes as parameters.prm has every entry, and none of them is there by a person's will.
+TEST(CaseWarnings, SaysNothingOfAFileThatWasWritten)
+{
+  CaseParameters written;
+  written.read(frontal);
+  std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-written-XXXXXX").string();
+  const std::filesystem::path folder  = mkdtemp(pattern.data());
+  std::ofstream(folder / "parameters.prm") << written.file.as_prm();
+  CaseParameters again;
+  again.read((folder / "parameters.prm").string());
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(codes(find_input_warnings(again)), std::vector<std::string>{});
+}
+
+TEST(CaseWarnings, AFileThatSetsNothingIsTheDefaultCase)
+{
+  std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-empty-XXXXXX").string();
+  const std::filesystem::path folder  = mkdtemp(pattern.data());
+  for (const auto &[text, is_empty] :
+       {std::pair("", true), std::pair("# set End time = 1\n\nsubsection Time\nend\n", true),
+        std::pair("subsection Time\n  set End time = 1e-3\nend\n", false), std::pair("include other.prm\n", false)})
+    {
+      std::ofstream(folder / "case.prm") << text;
+      std::ofstream(folder / "other.prm") << "";
+      CaseParameters parameters;
+      parameters.read((folder / "case.prm").string());
+      EXPECT_EQ(codes(find_input_warnings(parameters)),
+                is_empty ? std::vector<std::string>{"case/empty"} : std::vector<std::string>{})
+        << text;
+    }
+  std::filesystem::remove_all(folder);
+}
+
 TEST(CaseWarnings, LooksAtTheParts)
 {
   using Codes = std::vector<std::string>;
@@ -124,6 +211,38 @@ TEST(CaseWarnings, AdvisesLayersThatAreAllowed)
   const std::string failing = advice({"Blade/Material/Failure=plastic strain", "Blade/Material/Failure strain=0.2"});
   EXPECT_NE(failing.find("Four layers bend right"), std::string::npos) << failing;
   EXPECT_EQ(failing.find("solid-shells"), std::string::npos) << failing;
+// A plate of 311.2 by 88.9 in mm, read as if these were metres; its root is at x = `from`.
+TEST(CaseWarnings, AMeshInMillimetresIsToldWhichEntryScalesIt)
+{
+  const auto read = [](const double from) {
+    std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-mm-XXXXXX").string();
+    const std::filesystem::path folder  = mkdtemp(pattern.data());
+    std::ofstream               file(folder / "mm.msh");
+    file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 " << from << " -44.45 0\n2 " << from + 311.2
+         << " -44.45 0\n3 " << from + 311.2 << " 44.45 0\n4 " << from
+         << " 44.45 0\n$EndNodes\n$Elements\n3\n1 1 2 10 10 1 4\n2 1 2 11 11 2 3\n3 3 2 1 1 1 2 3 4\n$EndElements\n";
+    file.close();
+    CaseParameters parameters;
+    parameters.read(frontal, {"Blade/Mesh/Generator=file", "Blade/Mesh/File=" + (folder / "mm.msh").string(),
+                              "Blade/Supports/Clamped=10", "Blade/Supports/Tip=11", "Bird/Particle spacing=0.006"});
+    std::string text;
+    try
+      {
+        const Scene scene(parameters);
+        for (const Warning &warning : find_scene_warnings(parameters, scene))
+          text += warning.code == "unit/blade_size" ? warning.text : "";
+      }
+    catch (const InputError &error)
+      {
+        text = error.what();
+      }
+    std::filesystem::remove_all(folder);
+    return text;
+  };
+  EXPECT_NE(read(0.).find("Blade/Mesh/File scale"), std::string::npos) << read(0.);
+  const std::string missed = read(100.);
+  EXPECT_NE(missed.find("between (100, -44.45, 0) and (411.2, 44.45, 0) m"), std::string::npos) << missed;
+  EXPECT_NE(missed.find("Blade/Mesh/File scale"), std::string::npos) << missed;
 }
 
 TEST(CaseWarnings, ABirdOfFewParticlesIsCoarse)

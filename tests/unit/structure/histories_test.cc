@@ -75,6 +75,21 @@ namespace birdstrike::histories_test
       EXPECT_NEAR(now.at("tip.a_z"), 2. * A * w * w * std::cos(2. * w * t), 1e-4 * A * w * w);
     }
 
+    // A formula need not have values before the motion begins: the root at t - h is none. At t = 0 the acceleration is
+    // 10 m/s^2; of t^(7/2) the difference makes h^(3/2) (-5 + 4 2^(7/2) - 3^(7/2)) = -6.5e-9 at h = 1 us, and round-off
+    // is 8 * 1e-16 * 4.5e-11/h^2 = 4e-14.
+    TEST(NodeHistory, AsksNoFormulaForTheTimeBefore0)
+    {
+      BladeParameters p = test::elastic_plate(14, 4);
+      p.supports.driven = "1: uz = 5*t^2 + t^3*sqrt(t)";
+      ThreadPool      pool;
+      const auto      blade = make_blade(p, pool);
+      HistoryRequests requests;
+      requests.nodes       = "tip: 0.3112 0 0";
+      const auto histories = blade->make_histories(requests);
+      EXPECT_NEAR(values_of(histories).at("tip.a_z"), 10., 1e-7);
+    }
+
     // The force on a free node over its mass is what its velocity does: (v(t+dt) - v(t-dt))/(2 dt), to second order in
     // the step. And components in other axes are those of the same vectors.
     TEST(NodeHistory, HasTheAccelerationThatTheVelocityTakes)

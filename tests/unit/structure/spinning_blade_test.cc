@@ -293,6 +293,9 @@ namespace birdstrike::spinning_blade_test
     catch (const NumericalFailure &failure)
       {
         EXPECT_NE(std::string(failure.what()).find("no equilibrium beyond"), std::string::npos) << failure.what();
+        EXPECT_EQ(failure.facts().quantity, "Blade/Spin/Speed");
+        EXPECT_EQ(failure.facts().value, 600.);
+        EXPECT_NE(std::string(failure.what()).find(" rpm' would be "), std::string::npos) << failure.what();
       }
   }
 } // namespace birdstrike::spinning_blade_test

@@ -1,0 +1,147 @@
+#include "simulation/unused_entries.h"
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/material/unused_entries.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace birdstrike
+{
+  namespace
+  {
+    class Finder
+    {
+    public:
+      explicit Finder(const CaseParameters &parameters) : parameters(parameters), blade(parameters.blade)
+      {
+      }
+
+      Warnings find()
+      {
+        for (const std::string &entry : blade.unused_entries())
+          warnings.push_back({"entry/unused", "Blade/" + entry + " is set, and means nothing for a blade of kind '" +
+                                                blade_kinds().name(blade.kind) + "'."});
+        for (std::size_t k = 1; k <= blade.sections.size(); ++k)
+          if (const auto &section = blade.sections[k - 1];
+              section.material_ids.empty() && section != BladeParameters::Section{})
+            warnings.push_back({"entry/unused", "Blade/" + BladeParameters::section_path(k) +
+                                                  "Material ids is empty: no other entry of this section is used."});
+        if (blade.is_deformable())
+          {
+            add_profile();
+            add_thickness();
+            add_metals();
+          }
+        add_row();
+        add_rigid();
+        add_liquids();
+        for (const CaseParameters::FurtherBird &each : parameters.further_birds)
+          if (!each.bird.enabled && parameters.file.is_changed(each.bird.section))
+            warnings.push_back(
+              {"entry/unused", each.bird.section + "/Enabled is false: no other entry of this section is used."});
+        return warnings;
+      }
+
+    private:
+      const CaseParameters  &parameters;
+      const BladeParameters &blade;
+      const BladeParameters  standard;
+      Warnings               warnings;
+
+      void add(const std::string &entry, const bool is_changed, const std::string &reason)
+      {
+        if (is_changed)
+          warnings.push_back({"entry/unused", entry + " is set, and means nothing: " + reason + "."});
+      }
+
+      static bool differ(const double a, const double b) // beyond what a written file rounds
+      {
+        return std::abs(a - b) > 1e-5 * std::abs(b);
+      }
+
+      void add_profile()
+      {
+        if (blade.mesh.generator == MeshGenerator::blade)
+          return;
+        const std::string reason =
+          blade.mesh.generator == MeshGenerator::file ? "Mesh/Generator is file" : "Mesh/Generator is flat plate";
+        const MeshParameters::Profile &p = blade.mesh.profile, &d = standard.mesh.profile;
+        const std::string              path = "Blade/Mesh/Profile/";
+        add(path + "Root radius", differ(p.root_radius, d.root_radius), reason);
+        add(path + "Camber line", p.camber_line != d.camber_line, reason);
+        add(path + "Stacking point", differ(p.stacking_point, d.stacking_point), reason);
+        for (const auto &[name, text, usual] :
+             {std::tuple("Chord law", &p.chord, &d.chord), std::tuple("Stagger", &p.stagger, &d.stagger),
+              std::tuple("Camber", &p.camber, &d.camber), std::tuple("Sweep", &p.sweep, &d.sweep),
+              std::tuple("Lean", &p.lean, &d.lean)})
+          add(path + name, *text != *usual, reason);
+      }
+
+      void add_thickness()
+      {
+        const ThicknessParameters &t = blade.thickness, &d = standard.thickness;
+        if (!t.maximum.empty())
+          return;
+        const std::string path = "Blade/Thickness/", reason = "Thickness/Maximum is empty";
+        add(path + "Leading edge", t.leading_edge != d.leading_edge, reason);
+        add(path + "Trailing edge", t.trailing_edge != d.trailing_edge, reason);
+        add(path + "Maximum station", differ(t.maximum_station, d.maximum_station), reason);
+      }
+
+      void add_row()
+      {
+        const MeshParameters::Row &row = blade.mesh.row;
+        add("Blade/Mesh/Row/Pitch", row.n_blades == 1 && differ(row.pitch, standard.mesh.row.pitch),
+            "Mesh/Row/Blades is 1");
+      }
+
+      void add_rigid()
+      {
+        const BladeParameters::Rigid &r = blade.rigid, &d = standard.rigid;
+        const std::string             path = "Blade/Rigid/";
+        if (blade.kind == BladeKind::rigid)
+          return add(path + "Mass", r.motion == RigidMotion::fixed && differ(r.mass, d.mass), "Rigid/Motion is fixed");
+        const std::string reason = "Blade/Kind is " + blade_kinds().name(blade.kind);
+        add(path + "Surface", r.surface != d.surface, reason);
+        add(path + "Centre", r.centre != d.centre, reason);
+        add(path + "Normal", r.normal != d.normal, reason);
+        add(path + "Length", differ(r.length, d.length), reason);
+        add(path + "Width", differ(r.width, d.width), reason);
+        add(path + "Half thickness", differ(r.half_thickness, d.half_thickness), reason);
+        add(path + "Motion", r.motion != d.motion, reason);
+        add(path + "Mass", differ(r.mass, d.mass), reason);
+      }
+
+      void add_metals()
+      {
+        for (const auto &[number, of_section] : blade.by_section())
+          if (!of_section.is_laminate() &&
+              (number == 0 || blade.sections[number - 1].material.name != BladeParameters::Section::same))
+            for (const UnusedEntry &entry : unused_entries(of_section.material))
+              add("Blade/" + BladeParameters::section_path(number) + "Material/" + entry.name, true, entry.reason);
+      }
+
+      /// What a further bird has of the first one is told of that one alone.
+      void add_liquids()
+      {
+        std::vector<UnusedEntry> of_first;
+        for (const BirdCase &each : parameters.birds())
+          {
+            const std::vector<UnusedEntry> unused = unused_entries(each.liquid);
+            for (const UnusedEntry &entry : unused)
+              add(each.bird.section + "/Equation of state/" + entry.name,
+                  std::ranges::none_of(of_first, [&](const UnusedEntry &other) { return other.name == entry.name; }),
+                  entry.reason);
+            if (each.number == 1)
+              of_first = unused;
+          }
+      }
+    };
+  } // namespace
+
+  Warnings find_unused_entries(const CaseParameters &parameters)
+  {
+    return Finder(parameters).find();
+  }
+} // namespace birdstrike
