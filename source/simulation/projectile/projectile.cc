@@ -143,7 +143,7 @@ namespace birdstrike
 
   BirdOfRun Projectile::report(const bool is_one_of_several) const
   {
-    BirdOfRun report{number, first_id, bird.get(), at_start, aim, parameters.arrival, {}};
+    BirdOfRun report{number, first_id, bird.get(), at_start, aim, parameters.arrival, {}, n_retired};
     if (is_one_of_several)
       for (unsigned int d = 0; const double impulse : momenta().contact_impulse)
         report.impulse[d++] = -impulse;
