@@ -73,6 +73,7 @@ namespace birdstrike
   {
     contact     = std::make_unique<Contact>(contact_parameters);
     first_touch = place_at_first_touch(*bird, blade, parameters);
+    contact->hold_patches(blade.facets());
     bird->set_closing_speed(first_touch.closing_speed);
     is_waiting = parameters.arrival > 0.;
     last_touch = parameters.arrival;
