@@ -1,6 +1,7 @@
 #include "report/comparison/comparison_table.h"
 #include "report/comparison/curve_features.h"
 #include "report/quantities.h"
+#include "report/run_warnings.h"
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/choices.h>
 
@@ -26,6 +27,16 @@ namespace birdstrike
       return subject == Subject::blade     ? !run.column("root_bending_moment").empty() && !is_rigid(run)
              : subject == Subject::contact ? !run.column("contact_force_x").empty()
                                            : true;
+    }
+
+    bool has_warning(const RunRecord &run, const std::string &code)
+    {
+      return std::ranges::any_of(run.summary().warnings(), [&](const Warning &each) { return each.code == code; });
+    }
+
+    void add_name(std::string &names, const std::string &name)
+    {
+      names += (names.empty() ? "'" : ", '") + name + "'";
     }
 
     double compute_impulse(const RunRecord &run)
@@ -146,7 +157,7 @@ namespace birdstrike
         std::string of;
         for (const ComparedRun &run : runs)
           if (has(run.record, quantity(key).subject) && run.record.summary().is_false(key))
-            of += (of.empty() ? "'" : ", '") + run.name + "'";
+            add_name(of, run.name);
         if (!of.empty())
           remarks.push_back(quantity(key).text + " of " + of + ": still rising at the end, no peak yet.");
       }
@@ -168,24 +179,29 @@ namespace birdstrike
   void ComparisonTable::add_permanent_deflection(const std::vector<ComparedRun> &runs)
   {
     ComparisonRow row{"Tip", "permanent deflection", "m", {}, {}};
-    std::string   how, without;
+    std::string   how, pushed, without;
     for (const ComparedRun &run : runs)
       {
-        const RunRecord &record = run.record;
-        const auto       mean   = record.is_complete()
-                                    ? compute_mean_over_last_period(record.column("time"), record.column("tip_mid_chord"))
-                                    : std::nullopt;
+        const RunRecord &record  = run.record;
+        const bool       has_tip = record.is_complete() && !record.column("tip_mid_chord").empty() && !is_rigid(record),
+                   is_pushed     = has_tip && has_warning(record, unfinished_contact);
+        const auto mean          = has_tip && !is_pushed
+                                     ? compute_mean_over_last_period(record.column("time"), record.column("tip_mid_chord"))
+                                     : std::nullopt;
         row.values.push_back(mean ? mean->mean : absent);
         if (mean)
           how += (how.empty() ? "" : "; ") + run.name + ": " + format_quantity(mean->period, "s") + " from " +
                  format_quantity(mean->begin, "s");
-        else if (record.is_complete() && !record.column("tip_mid_chord").empty() && !is_rigid(record))
-          without += (without.empty() ? "'" : ", '") + run.name + "'";
+        else if (has_tip)
+          add_name(is_pushed ? pushed : without, run.name);
       }
     add_row(row);
     if (!how.empty())
       remarks.push_back("Permanent deflection: mean over the last whole period of the tip after its peak (" + how +
                         ").");
+    if (!pushed.empty())
+      remarks.push_back("Permanent deflection: none for " + pushed +
+                        ", where the bird still pushes on the blade at the end; a later Time/End time gives it.");
     if (!without.empty())
       remarks.push_back("Permanent deflection: none for " + without +
                         ", no whole period after the tip's peak; a later Time/End time gives it.");

@@ -94,6 +94,23 @@ TEST_F(Comparison, PermanentDeflectionIsTheMeanOfTheLastPeriod)
                           [](const std::string &note) { return note.find("first: 10 ms") != std::string::npos; }));
 }
 
+// What the tip swings about while it is pushed upon is no permanent deflection, however many periods there are.
+TEST_F(Comparison, ABladeThatIsStillPushedHasNoPermanentDeflection)
+{
+  RecordedRun pushed;
+  pushed.warnings = {"peak/not_reached", "contact/unfinished"};
+  pushed.write(scratch.path() / "second", scratch.write("plate.prm", ""));
+  runs[1].record = RunRecord(scratch.path() / "second");
+  const ComparisonTable table(runs);
+  const ComparisonRow  &row = find(table, "permanent deflection");
+  EXPECT_NEAR(row.values[0], 0.1, 1e-6) << "as in PermanentDeflectionIsTheMeanOfTheLastPeriod";
+  EXPECT_TRUE(std::isnan(row.values[1]));
+  const std::string text = table.as_text();
+  EXPECT_NE(text.find("Permanent deflection: none for 'second', where the bird still pushes"), std::string::npos)
+    << text;
+  EXPECT_EQ(text.find("second: 10 ms"), std::string::npos) << text;
+}
+
 TEST_F(Comparison, SaysWhichCaseWasLostAndWhy)
 {
   const ComparisonTable table(runs);
@@ -158,7 +175,7 @@ TEST_F(Comparison, SaysWhatRootStressOfShellAndSolidIs)
   RecordedRun solid;
   solid.kind = "solid";
   solid.write(scratch.path() / "second", scratch.write("plate.prm", ""));
-  runs[1].record = RunRecord(scratch.path() / "second");
+  runs[1].record         = RunRecord(scratch.path() / "second");
   EXPECT_NE(ComparisonTable(runs).as_text().find("Root stress of a shell"), std::string::npos);
 }
 
