@@ -170,8 +170,9 @@ namespace birdstrike
       if (has(run.record, Subject::blade) && run.record.is_complete())
         kinds.insert(run.record.summary().text("blade/kind"));
     if (kinds.size() > 1)
-      remarks.emplace_back("Root stress of a shell is that of the outermost integration points (0.91 of half the "
-                           "thickness with five Gauss points), of a solid that of its skin, both in the row of "
+      remarks.emplace_back("Root stress of a shell is that of the outermost integration points (of half the "
+                           "thickness 0.95 with seven Gauss points, as by default, 0.91 with five, all with Lobatto), "
+                           "of a solid that of its skin, both in the row of "
                            "elements at the clamped edge: more apart than the blades are. Compare root moments, or "
                            "stresses of one kind on one mesh.");
   }
