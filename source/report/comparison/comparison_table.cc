@@ -106,6 +106,7 @@ namespace birdstrike
     add("Plasticity", {"plastic/max_strain", "plastic/work"}, runs);
     add_computed("Energy", "absorbed by the blade (end less start)", "J", runs, compute_absorbed);
     add("Contact", {"contact/peak_force", "contact/filtered/peak_force"}, runs);
+    say_what_filters_are(runs);
     add_computed("Contact", "impulse (norm)", "N s", runs, compute_impulse);
     add("Contact", {"contact/max_penetration_over_spacing"}, runs);
     add("Balance", {"energy/max_relative_error", "energy/max_hourglass_over_internal"}, runs);
@@ -206,6 +207,21 @@ namespace birdstrike
     if (!without.empty())
       remarks.push_back("Permanent deflection: none for " + without +
                         ", no whole period after the tip's peak; a later Time/End time gives it.");
+  }
+
+  void ComparisonTable::say_what_filters_are(const std::vector<ComparedRun> &runs)
+  {
+    std::set<std::string> classes;
+    std::string           of;
+    for (const ComparedRun &run : runs)
+      if (const std::string name = run.record.summary().text("contact/filtered/class");
+          has(run.record, Subject::contact) && !name.empty())
+        {
+          classes.insert(name);
+          of += (of.empty() ? "'" : ", '") + run.name + "' " + name;
+        }
+    if (classes.size() > 1)
+      remarks.push_back("Filtered forces are not alike, by Output/Channel class: " + of + ".");
   }
 
   void ComparisonTable::add_row(ComparisonRow row)

@@ -111,6 +111,19 @@ TEST_F(Comparison, ABladeThatIsStillPushedHasNoPermanentDeflection)
   EXPECT_EQ(text.find("second: 10 ms"), std::string::npos) << text;
 }
 
+TEST_F(Comparison, SaysWhereFilteredForcesAreNotAlike)
+{
+  EXPECT_EQ(ComparisonTable(runs).as_text().find("Filtered forces"), std::string::npos);
+  RecordedRun unfiltered;
+  unfiltered.channel_class = "none";
+  unfiltered.write(scratch.path() / "second", scratch.write("plate.prm", ""));
+  runs[1].record         = RunRecord(scratch.path() / "second");
+  const std::string text = ComparisonTable(runs).as_text();
+  EXPECT_NE(text.find("Filtered forces are not alike, by Output/Channel class: 'first' CFC 1000, 'second' none."),
+            std::string::npos)
+    << text;
+}
+
 TEST_F(Comparison, SaysWhichCaseWasLostAndWhy)
 {
   const ComparisonTable table(runs);
