@@ -129,26 +129,26 @@ class Run:
         return {name: self[name] for name, unit in self._units.items() if unit == "J"}
 
     def __getattr__(self, table):
-        """The places of nodes.csv, elements.csv, gauges.csv, sections.csv or patches.csv by name."""
-        if table not in ("nodes", "elements", "gauges", "sections", "patches"):
+        """The places of nodes.csv, elements.csv, gauges.csv, sections.csv or patches.csv, the blades of blades.csv, by name."""
+        if table not in ("nodes", "elements", "gauges", "sections", "patches", "blades"):
             raise AttributeError(f"'Run' object has no attribute '{table}'")
         if table not in self._places:
             path = self.folder / f"{table}.csv"
             if not path.is_file():
-                raise KeyError(f"'{self.folder}' has no {path.name}: see Output/Histories.")
+                raise KeyError(f"'{self.folder}' has no {path.name}: see {'Blade/Row' if table == 'blades' else 'Output/Histories'}.")
             self._places[table] = _read_places(path)
         return self._places[table]
 
     @property
     def profiles(self):
-        """Names of what results.h5 holds along lines."""
+        """Names of what results.h5 holds along lines: its groups with "values"; those of curves have none."""
         with h5py.File(self.folder / "results.h5") as file:
-            return sorted(name for name in file if name != "history")
+            return sorted(name for name in file if "values" in file[name])
 
     def profile(self, name):
         """E.g. root_normal_stress_at_peak, a Profile."""
         with h5py.File(self.folder / "results.h5") as file:
-            _require(name, file, f"profile of {self.folder / 'results.h5'}")
+            _require(name, self.profiles, f"profile of {self.folder / 'results.h5'}")
             group = file[name]
             values = group["values"]
             axes = {key: group[key][()] for key in group if key != "values"}

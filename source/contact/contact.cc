@@ -36,9 +36,15 @@ namespace birdstrike
     }
   } // namespace
 
-  Contact::Contact(const ContactParameters &parameters) : parameters(parameters), patches(parameters.pressure_patches())
+  Contact::Contact(const ContactParameters &parameters)
+    : parameters(parameters), patches(parameters.pressure_patches()), moving_patches(patches)
   {
     last.patch_pressures.assign(patches.size(), 0.);
+  }
+
+  void Contact::hold_patches(const FacetsView &facets)
+  {
+    moving_patches.hold(facets);
   }
 
   void Contact::set_clock(const double time)
@@ -214,12 +220,13 @@ namespace birdstrike
       return;
     node_sums.share_masses(scene.facets, pool, weights);
 
-    const ContactLaw constants = law(scene);
-    const auto       add       = [&](const std::size_t begin, const std::size_t end) {
+    const ContactLaw                  constants = law(scene);
+    const std::vector<PressurePatch> &discs     = moving_patches.move(scene.facets);
+    const auto                        add       = [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t b = begin; b < end; ++b)
         if (!touches[b].empty())
           workspace().forces.add(constants, memory,
-                                             {scene.points, scene.facets, sink.points, touches[b], patches, node_sums.of(blocks[b]),
+                                                              {scene.points, scene.facets, sink.points, touches[b], discs, node_sums.of(blocks[b]),
                                   node_sums.mobility_of(blocks[b]), block_reports[b]});
     };
     pool.parallel_for_balanced(blocks.size(), cost.back() < min_cost ? blocks.size() : 1, cost.data(), std::ref(add));

@@ -38,7 +38,8 @@ namespace birdstrike
                       Patterns::Double(0.));
     prm.add_parameter("Pressure patches", patches,
                       "Discs over which the contact pressure is averaged, given as 'name: x y z radius' and separated "
-                      "by semicolons; the pressure is taken where the closest point lies in the disc. [m]");
+                      "by semicolons; the pressure is taken where the closest point lies in the disc, whose centre "
+                      "goes with the surface from where that lies at the start. [m]");
     prm.leave_subsection();
   }
 

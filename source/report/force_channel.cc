@@ -84,7 +84,7 @@ namespace birdstrike
   FilteredForce ForceChannel::filter() const
   {
     FilteredForce filtered;
-    if (means.empty())
+    if (means.empty() && last_time == 0.)
       return filtered;
     const auto          n_quiet = static_cast<std::size_t>(quiet_periods * intervals_per_period);
     std::vector<double> channel;

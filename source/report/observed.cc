@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace birdstrike
 {
@@ -50,6 +51,14 @@ namespace birdstrike
     const double        internal = energy.elastic + energy.plastic + energy.hourglass + energy.viscous;
     if (internal > 1e-2 * balance.initial_energy())
       hourglass_share.update(time, energy.hourglass / internal);
+  }
+
+  void Observed::filter_force(const double channel_class)
+  {
+    FilteredForce filtered = contact.channel().filter();
+    smooth_peak            = filtered.peak;
+    if (channel_class > 0.)
+      filtered_force = std::move(filtered);
   }
 
   void Observed::update_present(const Blade &blade)

@@ -107,12 +107,8 @@ namespace birdstrike
       return {
         {"bird_momentum", "", "N s", [](View run) { return state(run).bird_momentum.momentum; }, "",
          "Momentum that the bird carries, global axes"},
-        {"", "retired/particles", "count", [](View run) { return run.n_retired; }},
-        {"", "retired/mass", "kg",
-         [](View run) {
-           const auto &all = run.bird_at_start;
-           return all.particles > 0 ? all.mass * run.n_retired / all.particles : 0.;
-         }},
+        {"", "retired/particles", "count", [](View run) { return run.n_retired(); }},
+        {"", "retired/mass", "kg", [](View run) { return run.retired_mass(); }},
         {"", "retired/energy", "J", [](View run) { return state(run).bird.retired; }},
       };
     }

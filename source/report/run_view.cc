@@ -33,6 +33,29 @@ namespace birdstrike
     return n;
   }
 
+  double BirdOfRun::retired_mass() const
+  {
+    return at_start.particles > 0
+             ? at_start.mass * static_cast<double>(n_retired) / static_cast<double>(at_start.particles)
+             : 0.;
+  }
+
+  std::size_t RunView::n_retired() const
+  {
+    std::size_t n = 0;
+    for (const BirdOfRun &each : birds)
+      n += each.n_retired;
+    return n;
+  }
+
+  double RunView::retired_mass() const
+  {
+    double mass = 0.;
+    for (const BirdOfRun &each : birds)
+      mass += each.retired_mass();
+    return mass;
+  }
+
   FieldSnapshot RunView::bird_snapshot() const
   {
     FieldSnapshot all;

@@ -105,12 +105,12 @@ namespace birdstrike
         check_metal(run, warnings);
       }
     const auto  &force = run.observed.force;
-    const double peak  = run.observed.filtered_force.peak;
+    const double peak  = run.observed.smooth_peak;
     if (run.contact && peak > 0. && std::hypot(force[0], force[1], force[2]) > small_force * peak)
       warnings.push_back(
-        {"contact/unfinished", "The bird still pushes on the blade at the end of the run, with " +
-                                 format_quantity(std::hypot(force[0], force[1], force[2]), "N") +
-                                 ": impulse, momentum and all that follows are not final (Time/End time)."});
+        {unfinished_contact, "The bird still pushes on the blade at the end of the run, with " +
+                               format_quantity(std::hypot(force[0], force[1], force[2]), "N") +
+                               ": impulse, momentum and all that follows are not final (Time/End time)."});
     if (const double lost = run.contact ? run.contact->released_energy / run.balance.energy_scale() : 0.;
         lost > much_lost)
       warnings.push_back(

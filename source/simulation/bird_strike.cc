@@ -208,7 +208,7 @@ namespace birdstrike
     balance.update(state, now, n_steps);
     row_balance.update(state, now, n_steps);
     observed.update_shares(balance, now);
-    observed.filtered_force = observed.contact.channel().filter();
+    observed.filter_force(parameters.output.channel_class);
     if (scene.blade)
       observed.update_present(*scene.blade);
     if (recorder)

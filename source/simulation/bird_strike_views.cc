@@ -27,7 +27,6 @@ namespace birdstrike
         run.bird_at_start.kinetic_energy += each.at_start.kinetic_energy;
         for (unsigned int d = 0; d < 3; ++d)
           run.bird_at_start.momentum[d] += each.at_start.momentum[d];
-        run.n_retired += each.n_retired;
       }
     if (!scene.birds.empty())
       run.aim = scene.birds.front().aim;

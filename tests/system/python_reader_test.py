@@ -131,6 +131,9 @@ class Reader(unittest.TestCase):
                 np.testing.assert_allclose(sum(parts), whole.values, atol=1e-9 * np.abs(whole.values).max())
             self.assertEqual(run.elements["hot"].stress.values.shape, (len(run.tip.time), 6))
             self.assertLess(abs(run.gauges["g"].strain.values).max(), 0.1)
+            self.assertEqual(run.profiles, plain.profiles)  # tables are none
+            for name in run.profiles:
+                self.assertGreater(run.profile(name).values.size, 0, name)
             with h5py.File(folder / "results.h5") as file:
                 np.testing.assert_array_equal(file["gauges/g.strain"][()], run.gauges["g"].strain.values)
                 self.assertIn("struck", file["gauges/g.strain"].attrs["description"])

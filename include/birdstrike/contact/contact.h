@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/contact/dissipation.h>
+#include <birdstrike/contact/moving_patches.h>
 #include <birdstrike/contact/narrow_phase.h>
 #include <birdstrike/contact/node_sums.h>
 #include <birdstrike/contact/parameters.h>
@@ -50,6 +51,9 @@ namespace birdstrike
   {
   public:
     explicit Contact(const ContactParameters &parameters);
+
+    /// From here on pressure patches go with the surface. Throws InputError for one that lies beside it.
+    void hold_patches(const FacetsView &facets);
 
     /// Where the forces go.
     struct Sink
@@ -114,7 +118,8 @@ namespace birdstrike
     static constexpr const char *step_limit_reason = "contact, stiffness of the touches";
 
     ContactParameters          parameters;
-    std::vector<PressurePatch> patches;
+    std::vector<PressurePatch> patches; // as they are given
+    MovingPatches              moving_patches;
 
     SurfaceTopology          topology;
     PointMemory              memory;

@@ -16,7 +16,7 @@ namespace birdstrike
   struct PressurePatch
   {
     std::string name;
-    Point3      centre; ///< m, fixed in space
+    Point3      centre; ///< m; goes with the surface (moving_patches.h)
     double      radius; ///< m
   };
 

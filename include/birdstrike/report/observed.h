@@ -45,7 +45,8 @@ namespace birdstrike
 
     RemovedParticles removed_particles; ///< where Output/Removed particles asks for them
 
-    FilteredForce filtered_force; ///< at the end of a run
+    FilteredForce filtered_force;   ///< at the end of a run, if Output/Channel class asks for one
+    double        smooth_peak = 0.; ///< N, the filtered force's, also where none is asked for (ContactWatch)
 
     RootSectionReport root_at_peak_stress; ///< the distribution along the chord when the stress peaks
 
@@ -65,6 +66,9 @@ namespace birdstrike
 
     /// The peaks, and what they are taken of.
     void archive(Archive &archive);
+
+    /// At the end; `channel_class` (Hz) of what is asked for, 0: nothing.
+    void filter_force(double channel_class);
 
     /// Before a row, and at the end: what asks all elements.
     void update_present(const Blade &blade);

@@ -12,9 +12,16 @@ namespace birdstrike
   /// Contact forces on parts of the surface (Output/Histories/Patches): those facets whose undeformed centre lies in a
   /// ball or a box. A node counts with the share that they have of the area of its facets, so that patches which cover
   /// the surface without overlap sum up to the whole contact force:
-  ///   F = sum_n w_n f_n,   pressure = |F . n| / A,   impulse = integral of F,
-  /// n the mean normal of the patch, A its area, of the present surface; the impulse by the trapezoidal rule over every
-  /// evaluation of contact, as the half kicks give it to the blade. Facets that erosion bares belong to no patch.
+  ///   F = sum_n w_n f_n,   pressure = |sum_n w_n f_n . n_n| / A,   impulse = integral of F,
+  /// n_n the mean normal of the node's facets in the patch, A the patch's area, of the present surface; the impulse by
+  /// the trapezoidal rule over every evaluation of contact, as the half kicks give it to the blade. Facets that erosion
+  /// bares belong to no patch.
+  ///
+  /// Of a shell each facet stands for both of its sides. The skin of bricks has two facets there, which look opposite
+  /// ways: as the undeformed normals say, each facet of a patch is on one side or the other of the axis that most of
+  /// its area faces, or of the rim between them (more than 60 degrees off the axis). Normals n_n are then those of the
+  /// one side, turned round on the other, without the rim's, and A is the area of the larger side. So both kinds give
+  /// the pressure of a strike from one side, and of strikes from both sides by how much one exceeds the other.
   class PatchForces final : public HistoryTable
   {
   public:
@@ -36,17 +43,28 @@ namespace birdstrike
     {
       std::uint32_t node;
       double        weight;
+      bool          is_on_plane; ///< of symmetry
+    };
+    struct Facet
+    {
+      std::array<std::uint32_t, 4> places; ///< of its nodes, among the patch's
+      double                       side;   ///< 1, -1, or 0 on the rim
     };
     struct Patch
     {
-      std::vector<std::array<std::uint32_t, 4>> facets;
-      std::vector<Weighted>                     nodes;
-      SymmetryPlane                             plane; ///< to the whole patch
-      Point3                                    force = Point3::Zero(), impulse = Point3::Zero(); ///< N, N s
-      double                                    peak = 0.; ///< N, since the last row
+      std::vector<Facet>    facets;
+      std::vector<Weighted> nodes;
+      std::vector<double>   forces; ///< N, [nodes][3], weighted: of the present evaluation
+      SymmetryPlane         plane;  ///< to the whole patch
+      Point3                force = Point3::Zero(), impulse = Point3::Zero(); ///< N, N s
+      double                peak = 0.;                                        ///< N, since the last row
     };
     template <class Holds>
-    void add(const std::string &name, const FacetsView &surface, const Holds &holds); ///< holds(facet, its middle)
+    void   add(const std::string &name, const FacetsView &surface, const Holds &holds); ///< holds(facet, its middle)
+    void   add_columns(const std::string &name, std::size_t n_facets);
+    void   find_sides(Patch &patch) const;
+    Point3 area_vector(const Patch &patch, const Facet &facet) const; ///< m^2, present
+    double pressure(const Patch &patch) const;                        ///< Pa
 
     const double      *position; ///< [n_nodes][3], m
     std::vector<Patch> patches;

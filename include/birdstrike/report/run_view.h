@@ -62,8 +62,11 @@ namespace birdstrike
     const Bird           *bird     = nullptr; ///< none once it has gone
     BirdAtStart           at_start;
     StrikeAim             aim;
-    double                arrival = 0.; ///< s
-    std::array<double, 3> impulse{};    ///< N s, on the blade
+    double                arrival = 0.;  ///< s
+    std::array<double, 3> impulse{};     ///< N s, on the blade
+    std::size_t           n_retired = 0; ///< particles that the computation has let go
+
+    double retired_mass() const; ///< kg; particles of one bird have one mass
   };
 
   /// All that is known of a run at one instant: what every quantity (source/report/quantities.h) is taken from. Parts
@@ -87,7 +90,6 @@ namespace birdstrike
 
     BirdAtStart bird_at_start = {}; ///< of all together
     StrikeAim   aim           = {}; ///< of the first
-    std::size_t n_retired     = 0;  ///< particles that the computation has let go
 
     EndReason   end_reason    = EndReason::none;
     std::size_t n_blade_steps = 0, n_bird_steps = 0;
@@ -99,6 +101,8 @@ namespace birdstrike
 
     bool          has_bird() const; ///< that is computed still
     std::size_t   n_particles() const;
+    std::size_t   n_retired() const;     ///< of all together, as the next
+    double        retired_mass() const;  ///< kg
     FieldSnapshot bird_snapshot() const; ///< of all together, empty if all have gone
   };
 } // namespace birdstrike

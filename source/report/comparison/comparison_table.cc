@@ -1,6 +1,7 @@
 #include "report/comparison/comparison_table.h"
 #include "report/comparison/curve_features.h"
 #include "report/quantities.h"
+#include "report/run_warnings.h"
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/choices.h>
 
@@ -26,6 +27,16 @@ namespace birdstrike
       return subject == Subject::blade     ? !run.column("root_bending_moment").empty() && !is_rigid(run)
              : subject == Subject::contact ? !run.column("contact_force_x").empty()
                                            : true;
+    }
+
+    bool has_warning(const RunRecord &run, const std::string &code)
+    {
+      return std::ranges::any_of(run.summary().warnings(), [&](const Warning &each) { return each.code == code; });
+    }
+
+    void add_name(std::string &names, const std::string &name)
+    {
+      names += (names.empty() ? "'" : ", '") + name + "'";
     }
 
     double compute_impulse(const RunRecord &run)
@@ -95,6 +106,7 @@ namespace birdstrike
     add("Plasticity", {"plastic/max_strain", "plastic/work"}, runs);
     add_computed("Energy", "absorbed by the blade (end less start)", "J", runs, compute_absorbed);
     add("Contact", {"contact/peak_force", "contact/filtered/peak_force"}, runs);
+    say_what_filters_are(runs);
     add_computed("Contact", "impulse (norm)", "N s", runs, compute_impulse);
     add("Contact", {"contact/max_penetration_over_spacing"}, runs);
     add("Balance", {"energy/max_relative_error", "energy/max_hourglass_over_internal"}, runs);
@@ -146,7 +158,7 @@ namespace birdstrike
         std::string of;
         for (const ComparedRun &run : runs)
           if (has(run.record, quantity(key).subject) && run.record.summary().is_false(key))
-            of += (of.empty() ? "'" : ", '") + run.name + "'";
+            add_name(of, run.name);
         if (!of.empty())
           remarks.push_back(quantity(key).text + " of " + of + ": still rising at the end, no peak yet.");
       }
@@ -159,8 +171,9 @@ namespace birdstrike
       if (has(run.record, Subject::blade) && run.record.is_complete())
         kinds.insert(run.record.summary().text("blade/kind"));
     if (kinds.size() > 1)
-      remarks.emplace_back("Root stress of a shell is that of the outermost integration points (0.91 of half the "
-                           "thickness with five Gauss points), of a solid that of its skin, both in the row of "
+      remarks.emplace_back("Root stress of a shell is that of the outermost integration points (of half the "
+                           "thickness 0.95 with seven Gauss points, as by default, 0.91 with five, all with Lobatto), "
+                           "of a solid that of its skin, both in the row of "
                            "elements at the clamped edge: more apart than the blades are. Compare root moments, or "
                            "stresses of one kind on one mesh.");
   }
@@ -168,27 +181,47 @@ namespace birdstrike
   void ComparisonTable::add_permanent_deflection(const std::vector<ComparedRun> &runs)
   {
     ComparisonRow row{"Tip", "permanent deflection", "m", {}, {}};
-    std::string   how, without;
+    std::string   how, pushed, without;
     for (const ComparedRun &run : runs)
       {
-        const RunRecord &record = run.record;
-        const auto       mean   = record.is_complete()
-                                    ? compute_mean_over_last_period(record.column("time"), record.column("tip_mid_chord"))
-                                    : std::nullopt;
+        const RunRecord &record  = run.record;
+        const bool       has_tip = record.is_complete() && !record.column("tip_mid_chord").empty() && !is_rigid(record),
+                   is_pushed     = has_tip && has_warning(record, unfinished_contact);
+        const auto mean          = has_tip && !is_pushed
+                                     ? compute_mean_over_last_period(record.column("time"), record.column("tip_mid_chord"))
+                                     : std::nullopt;
         row.values.push_back(mean ? mean->mean : absent);
         if (mean)
           how += (how.empty() ? "" : "; ") + run.name + ": " + format_quantity(mean->period, "s") + " from " +
                  format_quantity(mean->begin, "s");
-        else if (record.is_complete() && !record.column("tip_mid_chord").empty() && !is_rigid(record))
-          without += (without.empty() ? "'" : ", '") + run.name + "'";
+        else if (has_tip)
+          add_name(is_pushed ? pushed : without, run.name);
       }
     add_row(row);
     if (!how.empty())
       remarks.push_back("Permanent deflection: mean over the last whole period of the tip after its peak (" + how +
                         ").");
+    if (!pushed.empty())
+      remarks.push_back("Permanent deflection: none for " + pushed +
+                        ", where the bird still pushes on the blade at the end; a later Time/End time gives it.");
     if (!without.empty())
       remarks.push_back("Permanent deflection: none for " + without +
                         ", no whole period after the tip's peak; a later Time/End time gives it.");
+  }
+
+  void ComparisonTable::say_what_filters_are(const std::vector<ComparedRun> &runs)
+  {
+    std::set<std::string> classes;
+    std::string           of;
+    for (const ComparedRun &run : runs)
+      if (const std::string name = run.record.summary().text("contact/filtered/class");
+          has(run.record, Subject::contact) && !name.empty())
+        {
+          classes.insert(name);
+          of += (of.empty() ? "'" : ", '") + run.name + "' " + name;
+        }
+    if (classes.size() > 1)
+      remarks.push_back("Filtered forces are not alike, by Output/Channel class: " + of + ".");
   }
 
   void ComparisonTable::add_row(ComparisonRow row)

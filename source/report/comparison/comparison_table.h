@@ -62,6 +62,7 @@ namespace birdstrike
                       const std::vector<ComparedRun> &runs, const std::function<double(const RunRecord &)> &value);
     void add_unreached_peaks(const std::vector<ComparedRun> &runs);
     void say_what_root_stress_is(const std::vector<ComparedRun> &runs);
+    void say_what_filters_are(const std::vector<ComparedRun> &runs);
     void add_permanent_deflection(const std::vector<ComparedRun> &runs);
     void add_row(ComparisonRow row);
   };

@@ -2,6 +2,7 @@
 #include "report/comparison/run_record.h"
 #include "report/measurement/data_table.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/io/output_parameters.h>
 
 #include <cmath>
 #include <cstddef>
@@ -53,11 +54,24 @@ namespace birdstrike
       return curve;
     }
 
+    void require_filtered(const std::filesystem::path &run)
+    {
+      if (std::filesystem::exists(run / "filtered.csv"))
+        return;
+      const std::string of_class = RunRecord(run).summary().text("contact/filtered/class");
+      throw InputError("The run in " + run.string() + " has no filtered contact force: " +
+                       (of_class == channel_classes().name(0.) ? "it was made with Output/Channel class = none."
+                                                               : "it has not ended, or had no contact.") +
+                       "\nThe word 'force' takes filtered.csv; contact_force of history.csv is the force as it is.");
+    }
+
     RunCurve read_column(const std::filesystem::path &run, const std::string &quantity, const std::string &name)
     {
       const auto        slash  = name.find('/');
       const std::string table  = slash == std::string::npos ? "history" : name.substr(0, slash),
                         column = slash == std::string::npos ? name : name.substr(slash + 1);
+      if (table == "filtered")
+        require_filtered(run);
       const DataTable data(run / (table + ".csv"));
       RunCurve        curve{quantity, "", data.column("time").values, {}, false};
       if (data.has(column + "_x") && data.has(column + "_y") && data.has(column + "_z"))

@@ -82,6 +82,7 @@ namespace birdstrike
   {
     contact     = std::make_unique<Contact>(contact_parameters);
     first_touch = place_at_first_touch(*bird, blade, parameters);
+    contact->hold_patches(blade.facets());
     bird->set_closing_speed(first_touch.closing_speed);
     is_waiting = parameters.arrival > 0.;
     last_touch = parameters.arrival;
@@ -152,7 +153,7 @@ namespace birdstrike
 
   BirdOfRun Projectile::report(const bool is_one_of_several) const
   {
-    BirdOfRun report{number, first_id, bird.get(), at_start, aim, parameters.arrival, {}};
+    BirdOfRun report{number, first_id, bird.get(), at_start, aim, parameters.arrival, {}, n_retired};
     if (is_one_of_several)
       for (unsigned int d = 0; const double impulse : momenta().contact_impulse)
         report.impulse[d++] = -impulse;

@@ -94,6 +94,36 @@ TEST_F(Comparison, PermanentDeflectionIsTheMeanOfTheLastPeriod)
                           [](const std::string &note) { return note.find("first: 10 ms") != std::string::npos; }));
 }
 
+// What the tip swings about while it is pushed upon is no permanent deflection, however many periods there are.
+TEST_F(Comparison, ABladeThatIsStillPushedHasNoPermanentDeflection)
+{
+  RecordedRun pushed;
+  pushed.warnings = {"peak/not_reached", "contact/unfinished"};
+  pushed.write(scratch.path() / "second", scratch.write("plate.prm", ""));
+  runs[1].record = RunRecord(scratch.path() / "second");
+  const ComparisonTable table(runs);
+  const ComparisonRow  &row = find(table, "permanent deflection");
+  EXPECT_NEAR(row.values[0], 0.1, 1e-6) << "as in PermanentDeflectionIsTheMeanOfTheLastPeriod";
+  EXPECT_TRUE(std::isnan(row.values[1]));
+  const std::string text = table.as_text();
+  EXPECT_NE(text.find("Permanent deflection: none for 'second', where the bird still pushes"), std::string::npos)
+    << text;
+  EXPECT_EQ(text.find("second: 10 ms"), std::string::npos) << text;
+}
+
+TEST_F(Comparison, SaysWhereFilteredForcesAreNotAlike)
+{
+  EXPECT_EQ(ComparisonTable(runs).as_text().find("Filtered forces"), std::string::npos);
+  RecordedRun unfiltered;
+  unfiltered.channel_class = "none";
+  unfiltered.write(scratch.path() / "second", scratch.write("plate.prm", ""));
+  runs[1].record         = RunRecord(scratch.path() / "second");
+  const std::string text = ComparisonTable(runs).as_text();
+  EXPECT_NE(text.find("Filtered forces are not alike, by Output/Channel class: 'first' CFC 1000, 'second' none."),
+            std::string::npos)
+    << text;
+}
+
 TEST_F(Comparison, SaysWhichCaseWasLostAndWhy)
 {
   const ComparisonTable table(runs);
@@ -158,8 +188,11 @@ TEST_F(Comparison, SaysWhatRootStressOfShellAndSolidIs)
   RecordedRun solid;
   solid.kind = "solid";
   solid.write(scratch.path() / "second", scratch.write("plate.prm", ""));
-  runs[1].record = RunRecord(scratch.path() / "second");
-  EXPECT_NE(ComparisonTable(runs).as_text().find("Root stress of a shell"), std::string::npos);
+  runs[1].record         = RunRecord(scratch.path() / "second");
+  const std::string text = ComparisonTable(runs).as_text();
+  EXPECT_NE(text.find("Root stress of a shell"), std::string::npos);
+  // outermost abscissa of Gauss-Legendre with seven points, the default: 0.9491 (Abramowitz and Stegun, table 25.4)
+  EXPECT_NE(text.find("0.95 with seven Gauss points"), std::string::npos) << text;
 }
 
 TEST_F(Comparison, RowsThatNobodyFillsAreLeftOut)

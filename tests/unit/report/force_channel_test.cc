@@ -111,6 +111,12 @@ TEST(ForceChannel, ImpulseIsKept)
     << "that acts to the end, within an interval";
 }
 
+// 1 kN for 2 us, less than the interval of 5 us: 0.002 N s, as ImpulseIsKept has it.
+TEST(ForceChannel, RecordsLessThanAnInterval)
+{
+  EXPECT_NEAR(impulse_of(filter([](double) { return 1000.; }, 2e-6, 0.5e-6)), 2e-3, 2e-3 * 1e-6);
+}
+
 TEST(ForceChannel, StepsOfTheRunDoNotMatter)
 {
   const auto   force = [](const double t) { return 1e4 * std::max(0., 1. - t / 0.5e-3); };

@@ -32,6 +32,8 @@ struct RecordedRun
   std::vector<std::string>      overrides;
   std::string                   kind   = "shell";
   std::map<std::string, double> metals = {}; ///< their yield stresses, Pa
+  std::vector<std::string>      warnings;    ///< their codes
+  std::string                   channel_class = "CFC 1000";
 
   birdstrike::Summary make_summary(const std::string &name) const
   {
@@ -43,11 +45,14 @@ struct RecordedRun
       json["blade"]["materials"].clear();
     for (const auto &[metal, stress] : metals)
       json["blade"]["materials"].push_back({{"name", metal}, {"yield_stress", stress}});
-    json["tip"]["peak"]                = peak;
-    json["tip"]["peak_reached"]        = !is_rising;
-    json["contact"]["impulse"]         = {3., 0., -4.};
-    json["energy"]["parts"]            = {{"blade_elastic", 2.}, {"blade_plastic", 40.}, {"bird_kinetic", 1000.}};
-    json["root"]["peak_normal_stress"] = 9e8;
+    for (const std::string &code : warnings)
+      json["warnings"].push_back({{"code", code}, {"text", "Something is doubtful."}});
+    json["contact"]["filtered"]["class"] = channel_class;
+    json["tip"]["peak"]                  = peak;
+    json["tip"]["peak_reached"]          = !is_rising;
+    json["contact"]["impulse"]           = {3., 0., -4.};
+    json["energy"]["parts"]              = {{"blade_elastic", 2.}, {"blade_plastic", 40.}, {"bird_kinetic", 1000.}};
+    json["root"]["peak_normal_stress"]   = 9e8;
     for (const auto &[key, value] : more)
       json[nlohmann::ordered_json::json_pointer("/" + key)] = value;
     return made;

@@ -7,6 +7,7 @@
 #include <birdstrike/report/summary.h>
 
 #include <cmath>
+#include <optional>
 
 using namespace birdstrike;
 
@@ -18,6 +19,8 @@ namespace
     CaseParameters parameters;
     Observed       observed;
     Balance        balance{INFINITY};
+
+    std::optional<ContactReport> contact = {};
 
     SoundRun()
     {
@@ -35,9 +38,24 @@ namespace
       balance.update(state, 1e-6 * step, step);
     }
 
+    /// A bird pushes with `force` (N) until `end` (s), after a first touch of 1 MN for a microsecond, and has gone
+    /// afterwards, or has not.
+    void push(const double force, const double end, const double channel_class, const bool has_gone)
+    {
+      constexpr double step = 0.1e-6, first = 1e-6;
+      observed.contact = ContactWatch(channel_class);
+      for (long k = 0, n = std::lround(end / step); k <= n; ++k)
+        {
+          contact.emplace().force = {k * step < first ? 1e6 : has_gone && k == n ? 0. : force, 0., 0.};
+          observed.contact.update(*contact, step);
+        }
+      observed.force = contact->force;
+      observed.filter_force(channel_class);
+    }
+
     std::vector<std::string> codes(const double end = 10e-3) const
     {
-      RunView run{parameters, observed, balance, balance, nullptr, nullptr, false};
+      RunView run{parameters, observed, balance, balance, nullptr, contact ? &*contact : nullptr, false};
       run.time = end;
       std::vector<std::string> all;
       for (const Warning &warning : find_run_warnings(run))
@@ -105,6 +123,22 @@ TEST(RunWarnings, ElementsThatFailInPartAndWhatHangsOnThem)
   run.observed.failure.n_at_root    = 1;
   run.observed.failure.has_lost_tip = true;
   EXPECT_EQ(run.codes(), (Codes{"metal/partly_failed", "metal/failed_at_root", "metal/lost_tip"}));
+}
+
+// 5 kN are half a percent of the first touch as it is and more than 1 % of what a channel shows of it, in 2 us (one
+// interval of the filter is 5 us) as in 2 ms. Whether anybody has asked for the channel does not matter.
+TEST(RunWarnings, ABirdThatStillPushes)
+{
+  for (const double channel_class : {1000., 0.})
+    for (const double end : {2e-6, 4.9e-6, 30e-6, 2e-3})
+      {
+        SoundRun run;
+        run.push(5e3, end, channel_class, false);
+        EXPECT_EQ(run.codes(), Codes{"contact/unfinished"}) << channel_class << " Hz, " << end << " s";
+        EXPECT_EQ(run.observed.filtered_force.values.empty(), channel_class == 0.);
+        run.push(5e3, end, channel_class, true);
+        EXPECT_EQ(run.codes(), Codes{}) << channel_class << " Hz, " << end << " s";
+      }
 }
 
 TEST(RunWarnings, StandInTheSummaryAfterThoseOfTheCase)

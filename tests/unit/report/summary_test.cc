@@ -87,6 +87,22 @@ namespace
   };
 } // namespace
 
+// Particles of one bird have one mass, of two birds two: 10 of 1 g and 30 of 0.1 g are 13 g. By the mean mass of all
+// 400 (0.22 kg of 200 and 200 particles are 0.55 g each) they were 22 g. To round-off.
+TEST(Summary, WeighsWhatLeftByTheBirdItIsOf)
+{
+  const SomeRun some;
+  RunView       run = some.view();
+  run.birds.resize(2);
+  run.birds[0].at_start  = {200, 0.2, 0., {}};
+  run.birds[0].n_retired = 10;
+  run.birds[1].at_start  = {200, 0.02, 0., {}};
+  run.birds[1].n_retired = 30;
+  run.bird_at_start      = {400, 0.22, 0., {}};
+  EXPECT_EQ(Summary(run).number("retired/particles"), 40.);
+  EXPECT_NEAR(Summary(run).number("retired/mass"), 0.013, 1e-15);
+}
+
 TEST(Summary, NamesSkippedWork)
 {
   const SomeRun some;
