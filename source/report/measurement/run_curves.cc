@@ -54,6 +54,8 @@ namespace birdstrike
       return curve;
     }
 
+    constexpr std::string_view filtered_table = "filtered";
+
     void require_filtered(const std::filesystem::path &run)
     {
       if (std::filesystem::exists(run / "filtered.csv"))
@@ -70,7 +72,7 @@ namespace birdstrike
       const auto        slash  = name.find('/');
       const std::string table  = slash == std::string::npos ? "history" : name.substr(0, slash),
                         column = slash == std::string::npos ? name : name.substr(slash + 1);
-      if (table == "filtered")
+      if (table == filtered_table)
         require_filtered(run);
       const DataTable data(run / (table + ".csv"));
       RunCurve        curve{quantity, "", data.column("time").values, {}, false};

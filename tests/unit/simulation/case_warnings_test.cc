@@ -211,6 +211,8 @@ TEST(CaseWarnings, AdvisesLayersThatAreAllowed)
   const std::string failing = advice({"Blade/Material/Failure=plastic strain", "Blade/Material/Failure strain=0.2"});
   EXPECT_NE(failing.find("Four layers bend right"), std::string::npos) << failing;
   EXPECT_EQ(failing.find("solid-shells"), std::string::npos) << failing;
+}
+
 // A plate of 311.2 by 88.9 in mm, read as if these were metres; its root is at x = `from`.
 TEST(CaseWarnings, AMeshInMillimetresIsToldWhichEntryScalesIt)
 {
