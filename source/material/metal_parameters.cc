@@ -89,11 +89,13 @@ namespace birdstrike
                       Patterns::Double(0.));
     prm.add_parameter("Melting temperature", melting_temperature,
                       "Temperature at which no strength is left" + table + "[K]", text);
-    prm.add_parameter("Elongation", elongation,
-                      "Engineering strain at break of a tensile test" + table +
-                        "A run warns where the metal is strained beyond it, ln(1 + elongation) in equivalent plastic "
-                        "strain; 0: unknown. It fails nothing: see Failure. [-]",
-                      text);
+    prm.add_parameter(
+      "Elongation", elongation,
+      "Engineering strain at break of a tensile test" + table +
+        "A run warns where the metal is strained beyond it, ln(1 + elongation) in equivalent plastic "
+        "strain; 0: unknown, and Johnson and Cook's damage constants, where there are any, say what breaks "
+        "it in tension, D1 + D2 exp(D3/3). It fails nothing: see Failure. [-]",
+      text);
     failure.declare(prm);
   }
 

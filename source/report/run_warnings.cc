@@ -58,26 +58,46 @@ namespace birdstrike
                                                               name)});
     }
 
+    struct BreakingStrain
+    {
+      double      value = INFINITY; ///< true strain, -
+      const char *of    = "";
+    };
+
+    /// In a tensile test: by the elongation, else by Johnson and Cook's damage of slow flow at a triaxiality of 1/3 and
+    /// room temperature, D1 + D2 exp(D3/3). Infinite where neither is known.
+    BreakingStrain find_breaking_strain(const Metal &metal)
+    {
+      if (metal.elongation > 0.)
+        return {std::log1p(metal.elongation), "elongation at break"};
+      Failure damage          = metal.failure;
+      damage.law              = FailureLaw::johnson_cook;
+      const double in_tension = compute_failure_strain(damage, 1. / 3., 1., 0.);
+      if (in_tension > Failure::smallest_strain) // else it has no constants
+        return {in_tension, "failure strain in tension by Johnson and Cook's damage"};
+      return {};
+    }
+
     void check_metal(const RunView &run, Warnings &warnings)
     {
-      double smallest = INFINITY; // true strain at break, of the metals that know it
-      bool   can_fail = false;
+      BreakingStrain smallest; // of the metals that know it
+      bool           can_fail = false;
       for (const auto &[number, of_section] : run.parameters.blade.by_section())
         {
           can_fail = can_fail || of_section.material_can_fail();
           if (of_section.is_laminate())
             continue;
-          if (const double elongation = of_section.material.metal().elongation; elongation > 0.)
-            smallest = std::min(smallest, std::log1p(elongation));
+          if (const auto strain = find_breaking_strain(of_section.material.metal()); strain.value < smallest.value)
+            smallest = strain;
         }
       const PeakPlasticStrain &most = run.observed.plastic;
-      if (!can_fail && most.value > smallest)
+      if (!can_fail && most.value > smallest.value)
         warnings.push_back(
           {"metal/elongation",
-           fmt::format("Equivalent plastic strain reaches {:.3g} at ({:.4g}, {:.4g}, {:.4g}) m, beyond the metal's "
-                       "elongation at break ({:.3g} true strain): it would tear there, and no failure is set "
+           fmt::format("Equivalent plastic strain reaches {:.3g} at ({:.4g}, {:.4g}, {:.4g}) m, beyond the metal's {} "
+                       "({:.3g} true strain): it would tear there, and no failure is set "
                        "(Blade/Material/Failure).",
-                       most.value, most.position[0], most.position[1], most.position[2], smallest)});
+                       most.value, most.position[0], most.position[1], most.position[2], smallest.of, smallest.value)});
       const FailureReport &failure = run.observed.failure;
       if (failure.n_partly > 0)
         warnings.push_back({"metal/partly_failed",

@@ -10,7 +10,7 @@ namespace birdstrike
   constexpr auto unfinished_contact = "contact/unfinished";
 
   /// What a run that has ended should not be believed in without a look: errors of the balance, peaks that are only the
-  /// end of the run, metal strained beyond its elongation, elements that have failed in part, contact that still acts.
-  /// Codes "balance/...", "peak/...", "metal/...", "contact/...".
+  /// end of the run, metal strained beyond what breaks it in tension, elements that have failed in part, contact that
+  /// still acts. Codes "balance/...", "peak/...", "metal/...", "contact/...".
   Warnings find_run_warnings(const RunView &run);
 } // namespace birdstrike

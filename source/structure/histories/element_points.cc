@@ -98,23 +98,20 @@ namespace birdstrike
   {
     const Watched &one = watched[k];
     PointValues    now;
-    const auto     state = blade.elements.state(one.element);
-    now.plastic_strain   = one.layer == 0 ? state.plastic_strain : state.max_plastic_strain;
-    now.is_failed        = blade.elements.is_failed(one.element);
+    const double   position = one.is_turned ? -one.layer : one.layer;
+    now.is_failed           = blade.elements.is_failed(one.element);
+    const auto take         = [&](const auto &state) {
+      now.plastic_strain = state.plastic_strain;
+      now.stress         = state.stress;
+    };
+    if (one.layer == 0)
+      take(blade.elements.state(one.element));
+    else
+      take(blade.elements.face_state(one.element, {one.axis, position}));
     if (now.is_failed)
-      return now;
-    now.stress            = state.stress;
-    const double position = one.is_turned ? -one.layer : one.layer;
-    if (one.layer != 0)
       {
         now.stress = {};
-        for (unsigned int c = 0; c < 8; ++c)
-          if ((c >> one.axis & 1u ? 1. : -1.) == position)
-            {
-              const auto at = blade.elements.corner_stress(one.element, c);
-              for (unsigned int i = 0; i < 6; ++i)
-                now.stress[i] += 0.25 * at[i];
-            }
+        return now;
       }
     std::array<Point3, 8> rest, x;
     for (unsigned int c = 0; c < 8; ++c)

@@ -42,8 +42,8 @@ namespace birdstrike
   };
 
   /// Watched points of bricks: the mean of the element (layer 0), or the middle of the face on the side of minus (-1)
-  /// or plus (1) the blade's normal: the mean of the stresses at its corners, and the largest plastic strain of the
-  /// element's points. Without a clamped root the faces are those of the element's third axis.
+  /// or plus (1) the blade's normal (SolidElements::face_state; with the brick's own stress across, for a face may lie
+  /// within the blade or under the bird). Without a clamped root the faces are those of the element's third axis.
   class SolidPoints
   {
   public:

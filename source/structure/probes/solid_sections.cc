@@ -1,5 +1,4 @@
 #include "structure/probes/solid_sections.h"
-#include <birdstrike/material/radial_return.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,16 +28,6 @@ namespace birdstrike
           }
       return found;
     }
-
-    /// Scales the deviator so that von Mises' stress is no more than the flow stress.
-    void limit(const double flow_stress, std::array<double, 6> &s)
-    {
-      double stress[6];
-      std::copy(s.begin(), s.end(), stress);
-      if (const double q = von_mises(stress); q > flow_stress)
-        scale_deviator(flow_stress / q, stress);
-      std::copy(stress, stress + 6, s.begin());
-    }
   } // namespace
 
   SolidRootSection::SolidRootSection(const SolidMesh &mesh, const BladeEnd &root) : root(root)
@@ -66,12 +55,10 @@ namespace birdstrike
     for (const std::size_t f : faces)
       {
         const Face &face = mesh.boundary[f];
-        Facet       facet{face.cell, face.nodes, {}, (middle(mesh, face) - root.middle).dot(root.chord)};
-        const auto &cell = mesh.cells[face.cell];
-        for (unsigned int k = 0; k < 4; ++k)
-          facet.corners[k] =
-            static_cast<unsigned int>(std::find(cell.begin(), cell.end(), face.nodes[k]) - cell.begin());
-        made.push_back(facet);
+        made.push_back({face.cell,
+                        face.nodes,
+                        {face.side / 2, face.side % 2 == 0 ? -1. : 1.},
+                        (middle(mesh, face) - root.middle).dot(root.chord)});
       }
     std::sort(made.begin(), made.end(),
               [](const Facet &a, const Facet &b) { return a.chord_position < b.chord_position; });
@@ -83,19 +70,9 @@ namespace birdstrike
   {
     if (elements.is_failed(facet.cell))
       return 0.;
-    std::array<double, 6> mean{};
-    for (const unsigned int corner : facet.corners)
-      {
-        const auto at = elements.corner_stress(facet.cell, corner);
-        for (unsigned int c = 0; c < 6; ++c)
-          mean[c] += 0.25 * at[c];
-      }
-    const Hardening &hardening = elements.section(facet.cell).material.hardening;
-    const double     flow = compute_flow_stress(hardening, elements.state(facet.cell).plastic_strain, 0., 1., 1.).value;
-    limit(flow, mean);
     const auto   x       = [&](const unsigned int k) { return Point3(position + 3 * facet.nodes[k]); };
     const Point3 outward = (x(2) - x(0)).cross(x(3) - x(1)).normalized();
-    return stress_along(turned(root.span), turned(outward), mean);
+    return stress_along(turned(root.span), turned(outward), elements.face_state(facet.cell, facet.face, 0.).stress);
   }
 
   RootSectionReport SolidRootSection::compute_report(const double *force, const double *position,

@@ -114,6 +114,33 @@ TEST(RunWarnings, StrainBeyondTheElongation)
   EXPECT_EQ(run.codes(), Codes{}) << "it tears where it must";
 }
 
+// Al 2024 has no elongation but damage constants: slow tension breaks it at 0.13 + 0.13 exp(-1.5/3) = 0.2088.
+TEST(RunWarnings, StrainBeyondTheDamageOfAMetalWithoutElongation)
+{
+  SoundRun run;
+  run.parameters.blade.material.name = "Al 2024 Johnson-Cook";
+  run.observed.plastic.value         = 0.208;
+  EXPECT_EQ(run.codes(), Codes{});
+  run.observed.plastic.value = 0.209;
+  EXPECT_EQ(run.codes(), Codes{"metal/elongation"});
+  run.parameters.blade.material.elongation = "0.3"; // what is given comes first: true strain 0.262
+  EXPECT_EQ(run.codes(), Codes{});
+  run.parameters.blade.material.elongation  = "table";
+  run.parameters.blade.material.failure.law = FailureLaw::johnson_cook;
+  EXPECT_EQ(run.codes(), Codes{}) << "it tears where it must";
+}
+
+TEST(RunWarnings, AMetalOfWhichNothingIsKnownIsNotJudged)
+{
+  SoundRun run;
+  auto    &metal = run.parameters.blade.material;
+  metal.name     = "custom";
+  metal.density = metal.young = metal.yield = "1e6";
+  metal.poisson                             = "0.3";
+  run.observed.plastic.value                = 0.9;
+  EXPECT_EQ(run.codes(), Codes{});
+}
+
 TEST(RunWarnings, ElementsThatFailInPartAndWhatHangsOnThem)
 {
   SoundRun run;

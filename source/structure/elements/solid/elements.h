@@ -2,6 +2,8 @@
 
 #include "structure/elements/solid/group.h"
 
+#include <optional>
+
 namespace birdstrike
 {
   /// State of one element for output.
@@ -11,6 +13,13 @@ namespace birdstrike
     double                plastic_strain;     ///< equivalent, mean of the element, -
     double                max_plastic_strain; ///< largest of its points, -
     double                volume;             ///< m^3
+  };
+
+  /// State at the middle of a face.
+  struct SolidFaceState
+  {
+    std::array<double, 6> stress;         ///< as SolidState's
+    double                plastic_strain; ///< equivalent, of the points nearest to the face, -
   };
 
   /// Selective mass scaling of one element: `factor` (>= 1) times the inertia against differences along `axis` of its
@@ -58,6 +67,14 @@ namespace birdstrike
     SolidState state(std::size_t element) const;
     /// xx, yy, zz, xy, yz, zx (Pa) in global axes at a corner (0..7): the mean and what varies within the element.
     std::array<double, 6> corner_stress(std::size_t element, unsigned corner) const;
+    /// At the middle of a face. Where the stress across it is `given` (0 on a free one), that of the brick, which is a
+    /// mean over it and beside a clamp most of the others, is replaced and the strains in the face are kept,
+    ///   s + (given - s_nn) (n n + nu/(1 - nu) (1 - n n)).
+    /// What is linear through a brick overshoots at a face when it yields (by half in a brick that bends fully
+    /// plastic): the stress is taken back to what the points nearest to the face carry (SolidGroup::compute_strength),
+    /// as plane stress is, with the stress across as it is,
+    ///   s_nn 1 + f (s - s_nn 1),   f = q_points/q.
+    SolidFaceState face_state(std::size_t element, const SolidFace &face, std::optional<double> given = {}) const;
 
   private:
     class Trial; ///< of factors

@@ -23,6 +23,19 @@ namespace birdstrike
     double value[4];
   };
 
+  /// A face of a cell: across an axis of its reference cube, where the coordinate is -1 or 1.
+  struct SolidFace
+  {
+    unsigned int axis;
+    double       side;
+  };
+
+  /// What the points nearest to a face carry.
+  struct SolidStrength
+  {
+    double stress = 0., plastic_strain = 0.; ///< von Mises', Pa (Cauchy), and the equivalent one, -
+  };
+
   /// Bricks of one section: their state and kernels.
   class SolidGroup : public ElementGroup<SolidBatch, SolidRecord, SolidForce, SolidErosion>
   {
@@ -67,6 +80,14 @@ namespace birdstrike
     double                compute_volume_ratio(std::size_t element, std::size_t point) const; ///< J there
     /// At natural coordinates of the mesh's cell, of one point and of solid-shells.
     std::array<double, 6> stabilised_stress(std::size_t element, const std::array<double, 3> &xi) const;
+    std::array<double, 6> stress_at(std::size_t element, const std::array<double, 3> &xi) const; ///< of all, Cauchy's
+    one_point_solid::Stabilisation<double> take_stabilisation(std::size_t element) const;
+    /// Of each point its von Mises stress as its flow counts it, which in flow has rate, heat and its own plastic
+    /// strain in it, or the static flow stress where that is more. The points: of B-bar the four next to the face,
+    /// mean; the only one of one-point bricks, with what varies; of solid-shells the outermost layer, across another
+    /// axis the mean of all.
+    SolidStrength compute_strength(std::size_t element, const SolidFace &face) const;
+    Point3        compute_normal(std::size_t element, const SolidFace &face) const; ///< at its middle, either way
 
     SolidSection                           section;
     AlignedVector<MassFactors<Lanes>>      mass_factors; ///< [n_batches] with scaled masses, else none

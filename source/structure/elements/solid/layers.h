@@ -57,7 +57,7 @@ namespace birdstrike
             const auto &t       = stress[k];
             auto       &p       = section.point[k];
             p.trace             = t[0];
-            p.rest              = 0.75 * t[1] * t[1] + 3. * (t[2] * t[2] + t[3] * t[3] + t[4] * t[4]);
+            p.rest              = compute_rest(t);
             p.varying           = squares.varying + (z * z) * squares.bent;
             p.yield             = points[k].yield;
             const Number trial2 = 0.25 * t[0] * t[0] + p.rest + p.varying;

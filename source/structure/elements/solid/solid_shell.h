@@ -110,6 +110,14 @@ namespace birdstrike
       }
     };
 
+    /// What all but the trace make of von Mises' square of a stress in the frame, relative to the one across: r^2 of
+    /// SolidShellReturn.
+    template <class Number>
+    [[gnu::always_inline]] inline Number compute_rest(const Number (&t)[5])
+    {
+      return 0.75 * t[1] * t[1] + 3. * (t[2] * t[2] + t[3] * t[3] + t[4] * t[4]);
+    }
+
     /// Work per volume of what varies in the plane on its strains.
     template <class Number>
     [[gnu::always_inline]] inline Number compute_varying_work(const one_point_solid::Stabilisation<Number> &s,
