@@ -68,8 +68,9 @@ namespace birdstrike
     /// xx, yy, zz, xy, yz, zx (Pa) in global axes at a corner (0..7): the mean and what varies within the element.
     std::array<double, 6> corner_stress(std::size_t element, unsigned corner) const;
     /// At the middle of a face. Where the stress across it is `given` (0 on a free one), that of the brick, which is a
-    /// mean over it and beside a clamp most of the others, is replaced and the strains in the face are kept,
-    ///   s + (given - s_nn) (n n + nu/(1 - nu) (1 - n n)).
+    /// mean over it and beside a clamp hundreds of MPa, is replaced and the others are kept, whose moment and force
+    /// balance those of the section beyond,
+    ///   s + (given - s_nn) n n.
     /// What is linear through a brick overshoots at a face when it yields (by half in a brick that bends fully
     /// plastic): the stress is taken back to what the points nearest to the face carry (SolidGroup::compute_strength),
     /// as plane stress is, with the stress across as it is,

@@ -222,9 +222,8 @@ namespace birdstrike
       across += (c < 3 ? 1. : 2.) * nn[c] * stress[c];
     if (given)
       {
-        const double nu = group.section.material.elasticity.poisson, change = *given - across;
         for (int c = 0; c < 6; ++c)
-          stress[c] += change / (1. - nu) * ((1. - 2. * nu) * nn[c] + (c < 3 ? nu : 0.));
+          stress[c] += (*given - across) * nn[c];
         across = *given;
       }
     const double   q = von_mises(stress), f = q > carried.stress ? carried.stress / q : 1.;
