@@ -156,7 +156,7 @@ def main():
     parser.add_argument("--frozen", nargs="*", help="scenes once found wrong (scene.json of --keep), instead of drawn ones")
     parser.add_argument("--only", choices=KINDS, nargs="+", help="kinds of scenes that take turns, instead of all")
     parser.add_argument("--keep", help="folder for the files of scenes that fail, stop or are refused")
-    parser.add_argument("--limit", type=float, default=60., help="seconds a run may take")
+    parser.add_argument("--limit", type=float, default=300., help="seconds a run may take")
     options = parser.parse_args()
     program, verdicts, worst = os.path.abspath(options.program), [], {}
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:

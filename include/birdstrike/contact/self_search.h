@@ -17,6 +17,8 @@ namespace birdstrike
   /// collects the pairs nearer than the sum of half thicknesses and a margin. Until the nodes have moved relative to
   /// one another by most of the margin, a call costs one comparison a node (0.3 ns).
   ///
+  /// A sheet that lies in one plane does not meet itself, but once facets have failed the rims of a hole may.
+  ///
   /// A node never meets its own neighbourhood: the facets it belongs to, and those connected with them that are nearer,
   /// undeformed, than twice the sum of half thicknesses (fine meshes, noses, corners). Bent sheets stay apart from
   /// themselves by this: a piece of twice the thickness would have to turn by more than 200 degrees.
@@ -61,7 +63,10 @@ namespace birdstrike
     void   look(const FacetsView &facets, const SurfaceTopology &topology, double step,
                 const std::vector<std::array<std::uint32_t, 2>> &touched);
     void   set_margin(const FacetsView &facets, double step);
-    void   add_candidates(const FacetsView &facets, const SurfaceTopology &topology, std::uint32_t patch);
+    void   add_candidates(const FacetsView &facets, const SurfaceTopology &topology,
+                          const std::vector<SurfacePatches::Pair> &of_patches, bool rims_alone);
+    void   add_candidates(const FacetsView &facets, const SurfaceTopology &topology, std::uint32_t patch,
+                          bool rims_alone);
     void   mark_neighborhood(const FacetsView &facets, const SurfaceTopology &topology, std::uint32_t point);
     double reference_distance(const FacetsView &facets, std::uint32_t point, std::uint32_t facet) const;
 
@@ -78,7 +83,7 @@ namespace birdstrike
 
     std::uint64_t revision = 0, looks = 0;
     std::size_t   n_facets = 0;
-    double        margin = 0., last_motion = 0.; // m
-    bool          is_known = false;
+    double        margin = 0., last_motion = 0.;     // m
+    bool          is_known = false, is_torn = false; // facets have failed
   };
 } // namespace birdstrike

@@ -33,8 +33,18 @@ namespace birdstrike
     /// Takes boxes and normals at the present positions.
     void look(const FacetsView &facets);
 
-    /// Pairs that may come within `reach` (m), sorted. Those of `always` are taken whenever their boxes are near.
-    const std::vector<Pair> &find_close(const FacetsView &facets, double reach, std::vector<Pair> always);
+    /// Finds the pairs that may come within `reach` (m). Those of `always` are taken whenever their boxes are near.
+    void find_close(const FacetsView &facets, double reach, std::vector<Pair> always);
+
+    const std::vector<Pair> &close_pairs() const ///< sorted
+    {
+      return close;
+    }
+    /// Neighbours that have not turned back on one another, sorted: graphs over a plane, whose rims alone may meet.
+    const std::vector<Pair> &flat_pairs() const
+    {
+      return flat;
+    }
 
     void archive(Archive &archive, const FacetsView &facets);
 
@@ -91,6 +101,7 @@ namespace birdstrike
     void   find_neighbors(const FacetsView &facets, const std::vector<double> &reference, double range);
     void   find_edge(const FacetsView &facets);
     bool   may_meet(const FacetsView &facets, std::uint32_t a, std::uint32_t b) const;
+    bool   are_neighbors(std::uint32_t a, std::uint32_t b) const;
     bool   is_behind(const FacetsView &facets, const Patch &one, const Patch &other) const;
     double cone_angle(const Patch &one, const Patch &other) const;
 
@@ -98,7 +109,7 @@ namespace birdstrike
     std::vector<std::uint32_t> owner_of_facet, owner_of_point, order;
     std::vector<Point3>        normals; // of facets, unit
     std::vector<Box>           facet_boxes;
-    std::vector<Pair>          close;
+    std::vector<Pair>          close, flat;
     double                     edge      = 0.;
     bool                       has_loose = false;
   };

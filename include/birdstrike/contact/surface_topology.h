@@ -41,6 +41,11 @@ namespace birdstrike
     /// Whether the closest point with these weights lies on a free edge or at a node of one.
     bool is_on_rim(const FacetsView &facets, std::uint32_t facet, const std::array<double, 4> &weights) const;
 
+    bool is_on_rim(const std::uint32_t node) const ///< of a free edge
+    {
+      return rim_node[node] != 0;
+    }
+
     /// Number of the connected piece of surface; sides are remembered piece by piece.
     std::int32_t piece(const std::uint32_t facet) const
     {

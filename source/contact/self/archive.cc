@@ -26,6 +26,7 @@ namespace birdstrike
   {
     const auto group = archive.group("search");
     archive("is known", is_known);
+    archive("is torn", is_torn);
     archive("revision", revision);
     archive("facets", n_facets);
     archive("looks", looks);

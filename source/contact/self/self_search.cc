@@ -29,7 +29,12 @@ namespace birdstrike
   void SelfSearch::set_surface(const FacetsView &facets, const SurfaceTopology &topology)
   {
     if (reference.size() != 3 * facets.n_nodes)
-      reference.assign(facets.position, facets.position + 3 * facets.n_nodes);
+      {
+        reference.assign(facets.position, facets.position + 3 * facets.n_nodes);
+        is_torn = false;
+      }
+    else
+      is_torn = true;
     patches.update(facets, reference, own_range * 2. * topology.max_half_thickness());
     list_facets_of_nodes(facets);
     revision = facets.revision;
@@ -148,12 +153,23 @@ namespace birdstrike
           const std::uint32_t a = patches.patch_of_point(point), b = patches.patch_of_facet(facets_of_node[e]);
           always.push_back({{std::min(a, b), std::max(a, b)}});
         }
-    const auto &close = patches.find_close(facets, 2. * topology.max_half_thickness() + margin, std::move(always));
-    if (close.empty())
+    patches.find_close(facets, 2. * topology.max_half_thickness() + margin, std::move(always));
+    add_candidates(facets, topology, patches.close_pairs(), false);
+    if (is_torn)
+      add_candidates(facets, topology, patches.flat_pairs(), true);
+    std::sort(pairs.begin(), pairs.end(), [](const Candidate &a, const Candidate &b) {
+      return a.point != b.point ? a.point < b.point : a.facet < b.facet;
+    });
+  }
+
+  void SelfSearch::add_candidates(const FacetsView &facets, const SurfaceTopology &topology,
+                                  const std::vector<SurfacePatches::Pair> &of_patches, const bool rims_alone)
+  {
+    if (of_patches.empty())
       return;
     for (auto &list : partners)
       list.clear();
-    for (const auto &[a, b] : close)
+    for (const auto &[a, b] : of_patches)
       {
         partners[a].push_back(b);
         if (a != b)
@@ -161,16 +177,22 @@ namespace birdstrike
       }
     for (std::uint32_t p = 0; p < patches.size(); ++p)
       if (!partners[p].empty())
-        add_candidates(facets, topology, p);
-    std::sort(pairs.begin(), pairs.end(), [](const Candidate &a, const Candidate &b) {
-      return a.point != b.point ? a.point < b.point : a.facet < b.facet;
-    });
+        add_candidates(facets, topology, p, rims_alone);
   }
 
-  void SelfSearch::add_candidates(const FacetsView &facets, const SurfaceTopology &topology, const std::uint32_t patch)
+  void SelfSearch::add_candidates(const FacetsView &facets, const SurfaceTopology &topology, const std::uint32_t patch,
+                                  const bool rims_alone)
   {
+    const auto has_rim = [&](const std::uint32_t facet) {
+      for (unsigned int k = 0; k < 4; ++k)
+        if (facets.neighbor[facet][k] == FacetsView::free_edge && is_edge(facets.nodes[facet], k))
+          return true;
+      return false;
+    };
     for (const std::uint32_t point : patches.points_of(patch))
       {
+        if (rims_alone && !topology.is_on_rim(point))
+          continue;
         const double reach = topology.half_thickness(point) + topology.max_half_thickness() + margin;
         Box          here;
         here.add(facets.position + 3 * point);
@@ -178,7 +200,7 @@ namespace birdstrike
         for (const std::uint32_t other : partners[patch])
           if (patches.box(other).separation(here) <= reach)
             for (const std::uint32_t f : patches.facets_of(other))
-              if (patches.facet_box(f).separation(here) <= reach)
+              if (patches.facet_box(f).separation(here) <= reach && (!rims_alone || has_rim(f)))
                 near_facets.push_back(f);
         if (near_facets.empty())
           continue;

@@ -165,12 +165,10 @@ namespace birdstrike
       }
   }
 
-  const std::vector<SurfacePatches::Pair> &SurfacePatches::find_close(const FacetsView &facets, const double reach,
-                                                                      std::vector<Pair> always)
+  void SurfacePatches::find_close(const FacetsView &facets, const double reach, std::vector<Pair> always)
   {
     close.clear();
-    if (patches.empty())
-      return close;
+    flat.clear();
     std::sort(always.begin(), always.end());
     Box all;
     for (const Patch &patch : patches)
@@ -197,17 +195,24 @@ namespace birdstrike
           const Pair pair{{std::min(order[i], order[j]), std::max(order[i], order[j])}};
           if (std::binary_search(always.begin(), always.end(), pair) || may_meet(facets, pair[0], pair[1]))
             close.push_back(pair);
+          else if (are_neighbors(pair[0], pair[1]))
+            flat.push_back(pair);
         }
     std::sort(close.begin(), close.end());
-    return close;
+    std::sort(flat.begin(), flat.end());
   }
 
   bool SurfacePatches::may_meet(const FacetsView &facets, const std::uint32_t a, const std::uint32_t b) const
   {
     const Patch &one = patches[a], &other = patches[b];
-    if (std::binary_search(one.neighbors.begin(), one.neighbors.end(), b))
+    if (are_neighbors(a, b))
       return cone_angle(one, other) > widest_cone;
     return facets.two_sided || !(is_behind(facets, one, other) && is_behind(facets, other, one));
+  }
+
+  bool SurfacePatches::are_neighbors(const std::uint32_t a, const std::uint32_t b) const
+  {
+    return std::binary_search(patches[a].neighbors.begin(), patches[a].neighbors.end(), b);
   }
 
   double SurfacePatches::cone_angle(const Patch &one, const Patch &other) const
