@@ -63,7 +63,7 @@ namespace birdstrike
 
   void Observed::update_present(const Blade &blade)
   {
-    plastic = blade.peak_plastic_strain();
+    plastic = blade.peak_plastic_strains();
     failure = blade.failure();
     probes  = blade.probes();
     force   = blade.contact_force();

@@ -203,9 +203,10 @@ namespace birdstrike
         {"", "root/peak_moment_reached", "", [](View run) { return is_reached(run.observed.root_moment, run); },
          "Root peak moment"},
         {"", "root/peak_force", "N", [](View run) { return run.observed.root_force.value(); }, "peak force"},
-        {"max_plastic_strain", "plastic/max_strain", "-", [](View run) { return run.observed.plastic.value; },
-         "peak plastic strain", "Largest equivalent plastic strain of any integration point"},
-        {"", "plastic/position", "m", [](View run) { return run.observed.plastic.position; }},
+        {"max_plastic_strain", "plastic/max_strain", "-",
+         [](View run) { return find_largest(run.observed.plastic).value; }, "peak plastic strain",
+         "Largest equivalent plastic strain of any integration point"},
+        {"", "plastic/position", "m", [](View run) { return find_largest(run.observed.plastic).position; }},
         {"", "plastic/work", "J", [](View run) { return state(run).blade.plastic; }, "plastic work"},
       };
     }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace birdstrike
 {
@@ -19,6 +20,7 @@ namespace birdstrike
     constexpr double much_lost         = 0.01; ///< -, of the energy scale, by contact's springs
     constexpr double small_force       = 0.01; ///< of the filtered peak
     constexpr double deep              = 0.5;  ///< particle spacings
+    constexpr double much_strain       = 0.05; ///< -, equivalent plastic: brittle metals break there
 
     void check_balance(const RunView &run, Warnings &warnings)
     {
@@ -78,26 +80,36 @@ namespace birdstrike
       return {};
     }
 
+    /// Of a metal that cannot fail here: whether it would have torn, and whether that can be told.
+    void check_strain(const BladeParameters &of_section, const PeakPlasticStrain &most, Warnings &warnings)
+    {
+      const BreakingStrain breaking = find_breaking_strain(of_section.material.metal());
+      const std::string    entry    = "Blade/" + BladeParameters::section_path(most.section) + "Material/";
+      const std::string reached = fmt::format("Equivalent plastic strain reaches {:.3g} at ({:.4g}, {:.4g}, {:.4g}) m",
+                                              most.value, most.position[0], most.position[1], most.position[2]);
+      if (most.value > breaking.value)
+        warnings.push_back({"metal/elongation",
+                            fmt::format("{}, beyond the metal's {} ({:.3g} true strain): it would tear there, and no "
+                                        "failure is set ({}Failure).",
+                                        reached, breaking.of, breaking.value, entry)});
+      else if (std::isinf(breaking.value) && most.value > much_strain)
+        warnings.push_back(
+          {"metal/no_elongation", fmt::format("{}. Whether the metal tears there cannot be told: it has neither an "
+                                              "elongation at break nor constants of failure ({}Elongation).",
+                                              reached, entry)});
+    }
+
     void check_metal(const RunView &run, Warnings &warnings)
     {
-      BreakingStrain smallest; // of the metals that know it
-      bool           can_fail = false;
-      for (const auto &[number, of_section] : run.parameters.blade.by_section())
-        {
-          can_fail = can_fail || of_section.material_can_fail();
-          if (of_section.is_laminate())
-            continue;
-          if (const auto strain = find_breaking_strain(of_section.material.metal()); strain.value < smallest.value)
-            smallest = strain;
-        }
-      const PeakPlasticStrain &most = run.observed.plastic;
-      if (!can_fail && most.value > smallest.value)
-        warnings.push_back(
-          {"metal/elongation",
-           fmt::format("Equivalent plastic strain reaches {:.3g} at ({:.4g}, {:.4g}, {:.4g}) m, beyond the metal's {} "
-                       "({:.3g} true strain): it would tear there, and no failure is set "
-                       "(Blade/Material/Failure).",
-                       most.value, most.position[0], most.position[1], most.position[2], smallest.of, smallest.value)});
+      const auto                               sections = run.parameters.blade.by_section();
+      std::map<std::size_t, PeakPlasticStrain> most; // of a row the blade that is strained most
+      for (const PeakPlasticStrain &peak : run.observed.plastic)
+        if (const auto [found, is_new] = most.emplace(peak.section, peak); found->second.value < peak.value)
+          found->second = peak;
+      for (const auto &[number, peak] : most)
+        if (const BladeParameters &of_section = sections.at(number);
+            !of_section.is_laminate() && !of_section.material_can_fail())
+          check_strain(of_section, peak, warnings);
       const FailureReport &failure = run.observed.failure;
       if (failure.n_partly > 0)
         warnings.push_back({"metal/partly_failed",

@@ -68,7 +68,7 @@ namespace birdstrike
       table.add("root: transverse force", root.transverse_force, "N");
       table.add("root: bending moment", root.bending_moment, "N m");
       table.add("root: largest normal stress", root.peak_stress(), "Pa");
-      table.add("largest plastic strain", blade.peak_plastic_strain().value, "-");
+      table.add("largest plastic strain", find_largest(blade.peak_plastic_strains()).value, "-");
       table.add("stored energy", energy.elastic, "J");
       return table.text();
     }
@@ -90,7 +90,7 @@ namespace birdstrike
                                     {"bending_moment", root.bending_moment},
                                     {"peak_normal_stress", root.peak_stress()},
                                     {"units", "N, N, N m, Pa"}};
-      json["max_plastic_strain"] = blade.peak_plastic_strain().value;
+      json["max_plastic_strain"] = find_largest(blade.peak_plastic_strains()).value;
       json["elastic_energy"]     = {{"value", blade.energies().elastic}, {"unit", "J"}};
       for (const ProbeValues &probe : blade.probes())
         json["probes"][probe.name] = {

@@ -107,15 +107,15 @@ namespace birdstrike
     {
       return motion.probes();
     }
-    BladeHistories            make_histories(const HistoryRequests &requests) const override;
-    RootSectionReport         root_section() const override;
-    TipDeflection             tip_deflection() const override;
-    std::vector<BladeLoads>   loads_of_row() const override;
-    std::vector<BladeBalance> balance_of_row() const override;
-    PeakPlasticStrain         peak_plastic_strain() const override;
-    FailureReport             failure() const override;
-    std::optional<SpanLine>   span_line() const override;
-    std::optional<Point3>     span_direction() const override;
+    BladeHistories                 make_histories(const HistoryRequests &requests) const override;
+    RootSectionReport              root_section() const override;
+    TipDeflection                  tip_deflection() const override;
+    std::vector<BladeLoads>        loads_of_row() const override;
+    std::vector<BladeBalance>      balance_of_row() const override;
+    std::vector<PeakPlasticStrain> peak_plastic_strains() const override;
+    FailureReport                  failure() const override;
+    std::optional<SpanLine>        span_line() const override;
+    std::optional<Point3>          span_direction() const override;
 
     const Rotor *rotor() const override
     {

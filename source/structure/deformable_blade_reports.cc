@@ -199,11 +199,15 @@ namespace birdstrike
   }
 
   template <class Kind>
-  PeakPlasticStrain DeformableBlade<Kind>::peak_plastic_strain() const
+  std::vector<PeakPlasticStrain> DeformableBlade<Kind>::peak_plastic_strains() const
   {
-    const auto   peak = elements.max_plastic_strain();
-    const Point3 c    = mesh.centroid(peak.element);
-    return {peak.value, peak.element, {{c[0], c[1], c[2]}}};
+    std::vector<PeakPlasticStrain> result;
+    for (const auto &peak : elements.max_plastic_strains())
+      {
+        const Point3 c = mesh.centroid(peak.element);
+        result.push_back({peak.value, peak.element, {{c[0], c[1], c[2]}}, sections.number[result.size()]});
+      }
+    return result;
   }
 
   template <class Kind>

@@ -274,7 +274,7 @@ namespace birdstrike
     return {along, along, along};
   }
 
-  PeakPlasticStrain RigidPlate::peak_plastic_strain() const
+  std::vector<PeakPlasticStrain> RigidPlate::peak_plastic_strains() const
   {
     return {};
   }

@@ -41,7 +41,7 @@ namespace birdstrike
     std::vector<ProbeValues> probes() const override;
     RootSectionReport        root_section() const override;
     TipDeflection            tip_deflection() const override; ///< displacement along the normal, positive with the bird
-    PeakPlasticStrain        peak_plastic_strain() const override;
+    std::vector<PeakPlasticStrain> peak_plastic_strains() const override;
 
     double speed() const; ///< m/s along the normal
 

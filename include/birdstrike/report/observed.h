@@ -29,12 +29,12 @@ namespace birdstrike
   /// those of energies over a fixed stride of steps: none depends on when output is due.
   struct Observed
   {
-    RootSectionReport        root;
-    TipDeflection            tip;
-    PeakPlasticStrain        plastic;
-    FailureReport            failure;
-    std::vector<ProbeValues> probes;
-    std::array<double, 3>    force{}; ///< N, of contact on the blade
+    RootSectionReport              root;
+    TipDeflection                  tip;
+    std::vector<PeakPlasticStrain> plastic; // of sections
+    FailureReport                  failure;
+    std::vector<ProbeValues>       probes;
+    std::array<double, 3>          force{}; ///< N, of contact on the blade
 
     SignedPeak   tip_peak; ///< m, mid-chord
     FirstMaximum first_tip_peak;

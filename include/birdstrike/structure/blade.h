@@ -91,9 +91,10 @@ namespace birdstrike
     virtual std::vector<ProbeValues> probes() const   = 0;
 
     /// Section forces at the support; empty lists where nothing is clamped.
-    virtual RootSectionReport root_section() const        = 0;
-    virtual TipDeflection     tip_deflection() const      = 0;
-    virtual PeakPlasticStrain peak_plastic_strain() const = 0; ///< of failed elements too
+    virtual RootSectionReport root_section() const   = 0;
+    virtual TipDeflection     tip_deflection() const = 0;
+    /// Of each section that has elements (a row: of each blade's); of failed elements too.
+    virtual std::vector<PeakPlasticStrain> peak_plastic_strains() const = 0;
 
     /// Of each blade of a row, by place; empty: one blade.
     virtual std::vector<BladeLoads> loads_of_row() const

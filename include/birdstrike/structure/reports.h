@@ -142,8 +142,11 @@ namespace birdstrike
   {
     double                value   = 0.;
     std::size_t           element = 0;
-    std::array<double, 3> position{}; ///< m, reference centroid
+    std::array<double, 3> position{};  ///< m, reference centroid
+    std::size_t           section = 0; ///< as BladeParameters::by_section() counts them
   };
+
+  PeakPlasticStrain find_largest(const std::vector<PeakPlasticStrain> &of_sections); ///< none: zero
 
   /// A watched node.
   struct ProbeValues

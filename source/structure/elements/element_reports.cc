@@ -249,14 +249,15 @@ namespace birdstrike
   }
 
   template <class Group>
-  typename Elements<Group>::MaxPlasticStrain Elements<Group>::max_plastic_strain() const
+  std::vector<typename Elements<Group>::MaxPlasticStrain> Elements<Group>::max_plastic_strains() const
   {
-    MaxPlasticStrain result;
+    std::vector<MaxPlasticStrain> result(groups.size());
     for (std::size_t e = 0; e < n_elements(); ++e)
       {
-        const auto [group, k] = find(e);
-        if (const double strain = group.largest_plastic_strain(k); strain > result.value && group.is_owned(k))
-          result = {strain, e};
+        const auto [group, k]    = find(e);
+        MaxPlasticStrain &so_far = result[static_cast<std::size_t>(&group - groups.data())];
+        if (const double strain = group.largest_plastic_strain(k); strain > so_far.value && group.is_owned(k))
+          so_far = {strain, e};
       }
     return result;
   }

@@ -126,7 +126,7 @@ namespace birdstrike
       double      value   = 0.;
       std::size_t element = 0;
     };
-    MaxPlasticStrain max_plastic_strain() const;
+    std::vector<MaxPlasticStrain> max_plastic_strains() const; // by section
 
     std::size_t    n_sections() const;
     const Section &section(std::size_t element) const;

@@ -103,9 +103,9 @@ TEST(RunWarnings, PeaksThatAreTheEndOfTheRun)
 TEST(RunWarnings, StrainBeyondTheElongation)
 {
   SoundRun run; // Ti-6Al-4V tears at 14 %: true strain 0.131
-  run.observed.plastic.value = 0.130;
+  run.observed.plastic = {{.value = 0.130}};
   EXPECT_EQ(run.codes(), Codes{});
-  run.observed.plastic.value = 0.132;
+  run.observed.plastic = {{.value = 0.132}};
   EXPECT_EQ(run.codes(), Codes{"metal/elongation"});
   run.parameters.blade.material.elongation = "0.2";
   EXPECT_EQ(run.codes(), Codes{});
@@ -119,9 +119,9 @@ TEST(RunWarnings, StrainBeyondTheDamageOfAMetalWithoutElongation)
 {
   SoundRun run;
   run.parameters.blade.material.name = "Al 2024 Johnson-Cook";
-  run.observed.plastic.value         = 0.208;
+  run.observed.plastic               = {{.value = 0.208}};
   EXPECT_EQ(run.codes(), Codes{});
-  run.observed.plastic.value = 0.209;
+  run.observed.plastic = {{.value = 0.209}};
   EXPECT_EQ(run.codes(), Codes{"metal/elongation"});
   run.parameters.blade.material.elongation = "0.3"; // what is given comes first: true strain 0.262
   EXPECT_EQ(run.codes(), Codes{});
@@ -130,15 +130,38 @@ TEST(RunWarnings, StrainBeyondTheDamageOfAMetalWithoutElongation)
   EXPECT_EQ(run.codes(), Codes{}) << "it tears where it must";
 }
 
-TEST(RunWarnings, AMetalOfWhichNothingIsKnownIsNotJudged)
+TEST(RunWarnings, AMetalOfWhichNothingIsKnownIsSaidToBeSo)
 {
   SoundRun run;
   auto    &metal = run.parameters.blade.material;
   metal.name     = "custom";
   metal.density = metal.young = metal.yield = "1e6";
   metal.poisson                             = "0.3";
-  run.observed.plastic.value                = 0.9;
+  run.observed.plastic                      = {{.value = 0.049}};
   EXPECT_EQ(run.codes(), Codes{});
+  run.observed.plastic = {{.value = 0.051}};
+  EXPECT_EQ(run.codes(), Codes{"metal/no_elongation"});
+  metal.failure.law = FailureLaw::plastic_strain;
+  EXPECT_EQ(run.codes(), Codes{}) << "it tears where it must";
+}
+
+// A soft skin may be strained as far as it bears, whatever the metal below it would bear: each section is held against
+// its own metal, and of a row, whose sections come again, the blade that is strained most.
+TEST(RunWarnings, EachSectionsStrainAgainstItsOwnMetal)
+{
+  SoundRun run; // the blade's own: Ti-6Al-4V, 0.131
+  auto    &skin            = run.parameters.blade.sections[0];
+  skin.material_ids        = "1";
+  skin.material            = run.parameters.blade.material;
+  skin.material.elongation = "0.5"; // true strain 0.405
+  run.observed.plastic     = {{.value = 0.130, .section = 0}, {.value = 0.404, .section = 1}};
+  EXPECT_EQ(run.codes(), Codes{});
+  run.observed.plastic = {{.value = 0.001, .section = 0}, {.value = 0.406, .section = 1}};
+  EXPECT_EQ(run.codes(), Codes{"metal/elongation"});
+  run.observed.plastic = {{.value = 0.001, .section = 0}, {.value = 0.132, .section = 0}};
+  EXPECT_EQ(run.codes(), Codes{"metal/elongation"});
+  run.observed.plastic = {{.value = 0.132, .section = 0}, {.value = 0.406, .section = 1}};
+  EXPECT_EQ(run.codes(), (Codes{"metal/elongation", "metal/elongation"}));
 }
 
 TEST(RunWarnings, ElementsThatFailInPartAndWhatHangsOnThem)

@@ -45,7 +45,7 @@ namespace
         blade.probes();
         blade.root_section();
         blade.tip_deflection();
-        blade.peak_plastic_strain();
+        blade.peak_plastic_strains();
         blade.failure();
         blade.span_line();
       }
