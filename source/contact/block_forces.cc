@@ -2,7 +2,6 @@
 #include "contact/couple.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace birdstrike
 {
@@ -171,7 +170,7 @@ namespace birdstrike
     const auto  &x       = target.points.position;
     const Point3 closest = Point3(x[0][touch.point], x[1][touch.point], x[2][touch.point]) - touch.offset;
     for (std::size_t k = 0; k < target.patches.size(); ++k)
-      if (const double radius = target.patches[k].radius; (closest - target.patches[k].centre).norm() <= radius)
-        target.report.patch_pressures[k] += force.dot(touch.normal.normalized()) / (std::numbers::pi * radius * radius);
+      if (const PressurePatch &patch = target.patches[k]; (closest - patch.centre).norm() <= patch.radius)
+        target.report.patch_pressures[k] += force.dot(touch.normal.normalized()) / patch.area;
   }
 } // namespace birdstrike

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace birdstrike
@@ -25,6 +27,40 @@ namespace birdstrike
     {
       const Point3 along = (x[2] - x[0]).normalized(), normal = compute_area_vector(x).normalized();
       return {along, normal, normal.cross(along)};
+    }
+    /// Of the disc in the plane of the first and last of `axes`, by places spread evenly over it (a sunflower's). Of
+    /// half a scene what lies beyond the plane is its mirror image.
+    double compute_covered_share(const FacetsView &facets, const PressurePatch &disc, const std::array<Point3, 3> &axes)
+    {
+      constexpr unsigned int n        = 4096;
+      const auto             in_plane = [&](const Point3 &x) -> std::array<double, 2> {
+        return {(x - disc.centre).dot(axes[0]), (x - disc.centre).dot(axes[2])};
+      };
+      std::vector<std::array<std::array<double, 2>, 4>> near;
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        if (const auto x = corners(facets, facets.nodes[f]);
+            compute_closest_point(disc.centre, x).distance_squared <= 2. * disc.radius * disc.radius)
+          near.push_back({in_plane(x[0]), in_plane(x[1]), in_plane(x[2]), in_plane(x[3])});
+      const auto side = [](const auto &a, const auto &b, const auto &p) { // of the line from a to b
+        return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+      };
+      const auto is_in = [&](const auto &a, const auto &b, const auto &c, const auto &p) {
+        const double one = side(a, b, p), two = side(b, c, p), three = side(c, a, p);
+        return (one >= 0. && two >= 0. && three >= 0.) || (one <= 0. && two <= 0. && three <= 0.);
+      };
+      unsigned int n_covered = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double r = disc.radius * std::sqrt((i + 0.5) / n), angle = i * std::numbers::pi * (3. - std::sqrt(5.));
+          Point3       x = disc.centre + r * (std::cos(angle) * axes[0] + std::sin(angle) * axes[2]);
+          if (facets.plane.exists())
+            x[1] = std::abs(x[1]);
+          const auto p = in_plane(x);
+          n_covered += std::any_of(near.begin(), near.end(), [&](const auto &q) {
+            return is_in(q[0], q[1], q[2], p) || is_in(q[0], q[2], q[3], p);
+          });
+        }
+      return n_covered / double(n);
     }
   } // namespace
 
@@ -50,13 +86,16 @@ namespace birdstrike
               held.nodes   = facets.nodes[f];
               held.weights = near.weights;
             }
-        if (!(least <= patch.radius * patch.radius))
+        const auto   of_facet = axes(corners(facets, held.nodes));
+        const double covered =
+          least <= patch.radius * patch.radius ? compute_covered_share(facets, patch, of_facet) : 0.;
+        if (covered == 0.)
           throw InputError(fmt::format("Contact/Pressure patches: '{}' at ({:.6g}, {:.6g}, {:.6g}) m with a radius of "
                                        "{:.4g} m holds nothing of the blade, which is {:.4g} m away.\nGive a place on "
                                        "its surface.",
                                        patch.name, patch.centre[0], patch.centre[1], patch.centre[2], patch.radius,
                                        std::sqrt(least)));
-        const auto of_facet = axes(corners(facets, held.nodes));
+        moved[p].area = covered * patch.area;
         for (unsigned int d = 0; d < 3; ++d)
           held.own[d] = of_facet[d].dot(arm);
         held.start = held.place(facets);

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <numbers>
+
 namespace birdstrike
 {
   using namespace dealii;
@@ -39,7 +41,8 @@ namespace birdstrike
     prm.add_parameter("Pressure patches", patches,
                       "Discs over which the contact pressure is averaged, given as 'name: x y z radius' and separated "
                       "by semicolons; the pressure is taken where the closest point lies in the disc, whose centre "
-                      "goes with the surface from where that lies at the start. [m]");
+                      "goes with the surface from where that lies at the start. What of a disc lies beyond an edge "
+                      "does not count. [m]");
     prm.leave_subsection();
   }
 
@@ -72,7 +75,7 @@ namespace birdstrike
           if (other.name == name)
             throw InputError(entry + ": two are called '" + name +
                              "'.\nGive each a name of its own: it names their curves.");
-        result.push_back({name, {x[0], x[1], x[2]}, x[3]});
+        result.push_back({name, {x[0], x[1], x[2]}, x[3], std::numbers::pi * x[3] * x[3]});
       }
     return result;
   }

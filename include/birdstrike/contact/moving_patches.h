@@ -19,7 +19,8 @@ namespace birdstrike
   public:
     explicit MovingPatches(std::vector<PressurePatch> patches);
 
-    /// Throws InputError for one whose disc nothing of the surface lies in.
+    /// Finds where they are held, and how much of each disc the surface covers, seen along the normal there: pressure
+    /// is over that. Throws InputError for one whose disc nothing of the surface lies in.
     void hold(const FacetsView &facets);
 
     const std::vector<PressurePatch> &move(const FacetsView &facets); ///< to where the surface is

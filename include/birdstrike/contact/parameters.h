@@ -18,6 +18,7 @@ namespace birdstrike
     std::string name;
     Point3      centre; ///< m; goes with the surface (moving_patches.h)
     double      radius; ///< m
+    double      area;   ///< m^2: the disc's, as far as the surface covers it (moving_patches.h)
   };
 
   /// How points and facets push one another. Section `Contact`. Raises InputError from check() and pressure_patches().

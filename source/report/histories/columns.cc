@@ -48,7 +48,7 @@ namespace birdstrike
 
     void add_pressures(const RunView *run, std::vector<HistoryColumn> &columns)
     {
-      const auto patches = run == nullptr ? std::vector<PressurePatch>{{"NAME", {}, 0.}}
+      const auto patches = run == nullptr ? std::vector<PressurePatch>{{"NAME", {}, 0., 0.}}
                            : run->contact ? run->parameters.contact.pressure_patches()
                                           : std::vector<PressurePatch>{};
       for (std::size_t p = 0; p < patches.size(); ++p)

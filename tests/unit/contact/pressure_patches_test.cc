@@ -74,6 +74,56 @@ TEST(PressurePatches, BesideTheSurfaceAreRefused)
     }
 }
 
+// Half of a disc about a place on an edge covers the blade, a quarter of one about a corner: forces are over that, to
+// one of the 4096 places by which the share is found in each of its rows across the disc.
+TEST(PressurePatches, WhatLiesBeyondAnEdgeDoesNotCount)
+{
+  const auto read = [](const bool is_half) {
+    FreeMasses scene;
+    scene.add_plate(12, is_half ? 6 : 12, 0.002, 0., Point3(0., is_half ? 0. : -0.012, 0.));
+    if (is_half)
+      {
+        scene.plane = SymmetryPlane(true);
+        for (auto &neighbors : scene.neighbor)
+          neighbors[0] = neighbors[0] == FacetsView::free_edge ? FacetsView::symmetry_edge : neighbors[0];
+      }
+    for (unsigned int i = 0; i < 8; ++i)
+      for (int j = is_half ? 0 : -8; j < 8; ++j)
+        {
+          FreeMasses::Point point;
+          point.position = Point3(3.5e-3 + 1e-3 * i, 5e-4 + 1e-3 * j, 5.1e-4); // no edge within their reach
+          scene.add_point(point);
+        }
+    ContactParameters parameters = without_damper();
+    parameters.patches           = "inside: 0.012 0 0 0.005; edge: 0 0 0 0.0052; corner: 0 0.012 0 0.008";
+    Contact contact(parameters);
+    contact.hold_patches(scene.facets());
+    ThreadPool pool;
+    scene.compute_contact(contact, 1e-7, pool);
+    for (auto &z : scene.x[2])
+      z = 4e-4;
+    scene.compute_contact(contact, 1e-7, pool);
+    return contact.report().patch_pressures;
+  };
+  const double force = 1e-6 * 1e9 * 0.1; // N of each point
+  for (const bool is_half : {false, true})
+    {
+      const auto count = [](const double x, const double y, const double radius) {
+        int n = 0;
+        for (int i = 0; i < 8; ++i)
+          for (int j = -8; j < 8; ++j)
+            n += std::hypot(3.5 + i - x, 0.5 + j - y) <= radius;
+        return n;
+      };
+      const auto   pressures = read(is_half);
+      const double pi        = std::numbers::pi * 1e-6;
+      EXPECT_NEAR(pressures[0], count(12., 0., 5.) * force / (25. * pi), 1e-9 * pressures[0]);
+      EXPECT_NEAR(pressures[1], count(0., 0., 5.2) * force / (0.5 * 27.04 * pi), 0.01 * pressures[1]);
+      EXPECT_NEAR(pressures[2], count(0., 12., 8.) * force / (0.25 * 64. * pi), 0.01 * pressures[2]);
+      EXPECT_GT(count(0., 12., 8.), 5);
+    }
+}
+
 TEST(PressurePatches, FeelThePressureOfTheirPoints)
 {
   FreeMasses scene;
