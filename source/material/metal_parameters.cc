@@ -144,10 +144,14 @@ namespace birdstrike
       {
         const double length = points[k + 1][0] - points[k][0], slope = (points[k + 1][1] - points[k][1]) / length;
         if (!(length > 0.) || !(slope >= 0.) || !(slope < young))
-          throw InputError(fmt::format("{}: from point {} to {} the strain must grow and the stress not fall, nor rise "
-                                       "faster than elastically.\nRead: {:g}: {:g}; {:g}: {:g}.",
-                                       here, k + 1, k + 2, points[k][0], points[k][1], points[k + 1][0],
-                                       points[k + 1][1]));
+          throw InputError(fmt::format("{}: from point {} to {} {}.\nRead: {:g}: {:g} Pa; {:g}: {:g} Pa.", here, k + 1,
+                                       k + 2,
+                                       !(length > 0.)   ? "the strain does not grow"
+                                       : !(slope >= 0.) ? "the stress falls"
+                                                        : fmt::format("the slope, {:.4g} Pa, is no less than Young's "
+                                                                      "modulus, {:.4g} Pa",
+                                                                      slope, young),
+                                       points[k][0], points[k][1], points[k + 1][0], points[k + 1][1]));
         h.curve.segments[k] = {points[k][0], length, slope};
       }
   }
@@ -206,6 +210,11 @@ namespace birdstrike
     if (has_modulus && modulus == "table" && h.modulus == 0.)
       throw InputError(where + "Hardening modulus is not given, and the table has none for '" + name +
                        "'.\nGive a number, or set Hardening = perfect.");
+    // a table of another law has no exponent: 1 would be linear hardening
+    if (h.law == HardeningLaw::johnson_cook && exponent == "table" &&
+        metal_table().at(name).hardening.law != HardeningLaw::johnson_cook)
+      throw InputError(where + "Hardening exponent is not given, and the table has none for '" + name +
+                       "'.\nGive n of A + B p^n, or set Hardening = linear.");
     if (h.law == HardeningLaw::swift && h.exponent > 1.)
       throw InputError(where + "Hardening exponent: " + std::to_string(h.exponent) +
                        " was read; Swift's law needs one from 0 to 1.");

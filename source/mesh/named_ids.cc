@@ -62,6 +62,13 @@ namespace birdstrike
     return all;
   }
 
+  bool NamedIds::names(const unsigned int id) const
+  {
+    return std::any_of(ids_of.begin(), ids_of.end(), [&](const auto &named) {
+      return std::find(named.second.begin(), named.second.end(), id) != named.second.end();
+    });
+  }
+
   std::string NamedIds::list() const
   {
     std::string names;

@@ -115,7 +115,8 @@ namespace birdstrike
         warnings.push_back({"metal/partly_failed",
                             fmt::format("{} elements carry on with {} failed points, the most in the one at ({:.4g}, "
                                         "{:.4g}, {:.4g}) m: they are not among the failed elements (fields: "
-                                        "failed_points).",
+                                        "failed_points; Blade/Material/Failed share lets an element go before its last "
+                                        "point fails).",
                                         failure.n_partly, failure.n_points, failure.partly_at[0], failure.partly_at[1],
                                         failure.partly_at[2])});
       if (failure.n_at_root > 0)

@@ -170,7 +170,8 @@ namespace birdstrike
       table.add("velocity", vector_text(projectile.parameters.velocity, "m/s"));
       if (projectile.parameters.arrival > 0.)
         table.add("arrival", projectile.parameters.arrival, "s");
-      table.add("speed relative to the blade", fmt::format("{:.5g} m/s", aim.speed));
+      table.add("velocity relative to the blade",
+                fmt::format("{:.5g} m/s, {}", aim.speed, vector_text(aim.velocity, "m/s")));
       table.add("angle to its surface",
                 fmt::format("{:.4g} degrees, normal speed {:.5g} m/s", aim.angle, aim.normal_speed));
       if (aim.normal_speed > 0.)

@@ -1,5 +1,5 @@
 #include "simulation/read_case.h"
-#include "simulation/case_warnings.h"
+#include "simulation/warnings/case_warnings.h"
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 

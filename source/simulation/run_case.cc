@@ -1,5 +1,5 @@
 #include "simulation/bird_strike.h"
-#include "simulation/case_warnings.h"
+#include "simulation/warnings/case_warnings.h"
 #include "simulation/checkpoints.h"
 #include "simulation/explain.h"
 #include "simulation/read_case.h"

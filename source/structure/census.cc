@@ -1,4 +1,6 @@
 #include "structure/census.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/mesh/node_columns.h>
 
 #include <algorithm>
 #include <limits>
@@ -33,6 +35,23 @@ namespace birdstrike
       return census;
     }
 
+    /// Of a mesh from a file: in its shortest column; 0 where it has none.
+    unsigned int count_layers(const VolumeMesh &mesh)
+    {
+      try
+        {
+          const NodeColumns columns(mesh);
+          std::uint32_t     fewest = std::numeric_limits<std::uint32_t>::max();
+          for (std::size_t c = 0; c + 1 < columns.begin.size(); ++c)
+            fewest = std::min(fewest, columns.begin[c + 1] - columns.begin[c] - 1);
+          return fewest;
+        }
+      catch (const InputError &)
+        {
+          return 0;
+        }
+    }
+
     double area_of(const SurfaceMesh &mesh)
     {
       double area = 0.;
@@ -53,6 +72,7 @@ namespace birdstrike
   {
     BladeCensus census = count(mesh);
     census.area        = area_of(mesh.skin);
+    census.n_layers    = mesh.layers > 0 ? mesh.layers : count_layers(mesh);
     return census;
   }
 

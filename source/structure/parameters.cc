@@ -102,8 +102,8 @@ namespace birdstrike
       prm.enter_subsection("Supports");
       prm.add_parameter(
         "Clamped", p.clamped,
-        "Boundary ids or names whose nodes are held in all their unknowns, e.g. '0, 2' or 'root'. A file "
-        "names its own, built-in parts have root, tip, leading_edge, trailing_edge. [-]",
+        "Boundary ids or names whose nodes are held in all their unknowns, e.g. '0, 2' or 'root'. Built-in parts "
+        "have root (0), tip (1), leading_edge, trailing_edge; where a file names its sides, this must be given. [-]",
         Anything());
       prm.add_parameter(
         "Hub", p.hub,

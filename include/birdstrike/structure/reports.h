@@ -46,6 +46,7 @@ namespace birdstrike
     double                area          = 0.;          ///< m^2, of the mid-surface, or of the skin of a solid
     double                smallest_edge = 0.;          ///< m
     std::array<double, 3> smallest_at{};               ///< m, centroid of the element with that edge
+    unsigned int          n_layers               = 0;  ///< of bricks, all through; 0: none, or no layers
     double                largest_edge_ratio     = 1.; ///< longest over shortest `smallest_edge` of all elements
     std::size_t           n_held_dofs            = 0;  ///< of what is computed, as are bytes
     std::size_t           n_elements_with_points = 0;  ///< that hold points through the thickness at present

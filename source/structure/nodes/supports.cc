@@ -116,16 +116,24 @@ namespace birdstrike
   template <class Mesh>
   void Supports::find_roles(const BladeParameters::Supports &parameters, const Mesh &mesh)
   {
+    // The defaults name root and tip of the built-in parts. Where a file names its sides, 0 is every one that it does
+    // not name, and 1 the first that it does.
+    const BladeParameters::Supports standard;
+    const bool                      are_named = mesh.boundary_names.list() != "none" && !mesh.boundary_names.names(0);
+    if (are_named && parameters.clamped == standard.clamped && parameters.hub.empty())
+      throw InputError("Blade/Supports/Clamped = " + standard.clamped +
+                       " (its default) holds every side that no name of the mesh stands for.\nName the root, Clamped = "
+                       "..., or hold nothing, Clamped = (empty). Names in this mesh: " +
+                       mesh.boundary_names.list() + ".");
     clamped_ids = require_ids(parameters.clamped, mesh, "Clamped");
     root_ids    = require_ids(parameters.hub, mesh, "Hub");
     clamped_ids.insert(clamped_ids.end(), root_ids.begin(), root_ids.end());
     if (root_ids.empty())
       root_ids = clamped_ids;
     require_ids(parameters.free, mesh, "Free");
-    // The default names the tip of the built-in plate, which a file need not have.
-    if (parameters.tip != BladeParameters::Supports().tip)
+    if (parameters.tip != standard.tip)
       tip_ids = require_ids(parameters.tip, mesh, "Tip");
-    else
+    else if (!are_named) // a file need not have a tip
       for (const unsigned int id : mesh.boundary_names.parse(parameters.tip, "Blade/Supports/Tip"))
         if (mesh.has_boundary_id(id))
           tip_ids.push_back(id);

@@ -48,6 +48,8 @@ TEST(MetalParameters, BadValuesAreRefused)
   parameters.hardening = "johnson-cook"; // the table has no hardening modulus for this alloy
   EXPECT_THROW(parameters.metal(), InputError);
   parameters.modulus = "331e6";
+  EXPECT_THROW(parameters.metal(), InputError) << "nor an exponent: 1 is linear hardening";
+  parameters.exponent = "0.34";
   EXPECT_NO_THROW(parameters.metal());
 }
 

@@ -1,4 +1,4 @@
-#include "simulation/case_warnings.h"
+#include "simulation/warnings/case_warnings.h"
 
 #include <gtest/gtest.h>
 

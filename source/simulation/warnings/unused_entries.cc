@@ -1,4 +1,4 @@
-#include "simulation/unused_entries.h"
+#include "simulation/warnings/unused_entries.h"
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/material/unused_entries.h>
 
@@ -29,6 +29,7 @@ namespace birdstrike
                                                   "Material ids is empty: no other entry of this section is used."});
         if (blade.is_deformable())
           {
+            add_mesh();
             add_profile();
             add_thickness();
             add_metals();
@@ -58,6 +59,22 @@ namespace birdstrike
       static bool differ(const double a, const double b) // beyond what a written file rounds
       {
         return std::abs(a - b) > 1e-5 * std::abs(b);
+      }
+
+      void add_mesh()
+      {
+        if (blade.mesh.generator != MeshGenerator::file)
+          return;
+        const MeshParameters &m = blade.mesh, &d = standard.mesh;
+        const std::string     path = "Blade/Mesh/", reason = "Mesh/Generator is file";
+        add(path + "Length", differ(m.length, d.length), reason);
+        add(path + "Chord", differ(m.chord, d.chord), reason);
+        add(path + "Elements along span", m.n_span != d.n_span, reason);
+        add(path + "Elements along chord", m.n_chord != d.n_chord, reason);
+        add(path + "Span grading", differ(m.span_grading, d.span_grading), reason);
+        add(path + "Chord grading", differ(m.chord_grading, d.chord_grading), reason);
+        add(path + "Layers", m.n_layers != d.n_layers, reason);
+        add(path + "Layer grading", differ(m.layer_grading, d.layer_grading), reason);
       }
 
       void add_profile()

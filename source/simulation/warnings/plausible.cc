@@ -1,4 +1,4 @@
-#include "simulation/plausible.h"
+#include "simulation/warnings/plausible.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,9 @@
-#include "simulation/case_warnings.h"
+#include "simulation/warnings/case_warnings.h"
 #include "simulation/explain.h"
-#include "simulation/plausible.h"
 #include "simulation/scene.h"
-#include "simulation/unused_entries.h"
+#include "simulation/warnings/mesh_warnings.h"
+#include "simulation/warnings/plausible.h"
+#include "simulation/warnings/unused_entries.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/facet_grid.h>
@@ -24,6 +25,7 @@ namespace birdstrike
     const Units of_density{{"g/cm^3", 1e3}, {"t/mm^3", 1e12}, {"kg/mm^3", 1e9}};
     const Units of_stress{{"GPa", 1e9}, {"MPa", 1e6}}; // the larger one first: 113.8 is no rubber
     const Units of_length{{"mm", 1e-3}};
+    const Units of_strain{{"%", 1e-2}};
 
     void check_metals(const BladeParameters &blade, Warnings &warnings)
     {
@@ -49,7 +51,21 @@ namespace birdstrike
           check({"young", where + "Young's modulus", metal.elasticity.young, "Pa", 5e5, 2e12, of_stress}, warnings);
           if (metal.hardening.law == HardeningLaw::elastic)
             continue;
-          check({"yield", where + "Yield stress", metal.hardening.yield, "Pa", 1e5, 1e10, of_stress}, warnings);
+          const bool is_curve = metal.hardening.law == HardeningLaw::curve;
+          check({"yield", where + (is_curve ? "Hardening curve: yield stress" : "Yield stress"), metal.hardening.yield,
+                 "Pa", 1e5, 1e10, of_stress},
+                warnings);
+          if (metal.hardening.curve.n_segments > 0)
+            {
+              const auto &last = metal.hardening.curve.segments[metal.hardening.curve.n_segments - 1];
+              check({"curve_strain", where + "Hardening curve: last strain", last.begin + last.length, "(true strain)", 1e-4,
+                     3., of_strain},
+                    warnings);
+            }
+          if (metal.failure.law == FailureLaw::plastic_strain)
+            check({"failure_strain", where + "Failure strain", metal.failure.plastic_strain, "(true strain)", 1e-3, 3.,
+                   of_strain},
+                  warnings);
           const double strain = metal.hardening.yield / metal.elasticity.young;
           if (warnings.size() == n_before && strain > 0.1)
             warnings.push_back({"material/yield_strain",
@@ -83,29 +99,6 @@ namespace birdstrike
                {{"rad", 57.29577951}}},
               warnings);
       check({"spacing", bird.section + "/Particle spacing", bird.spacing, "m", 1e-4, 0.05, of_length}, warnings);
-    }
-
-    void check_layers(const BladeParameters &blade, Warnings &warnings)
-    {
-      if (blade.kind != BladeKind::solid || blade.mesh.generator == MeshGenerator::file)
-        return;
-      for (const auto &[number, of_section] : blade.by_section())
-        {
-          const SolidFormulation kind      = of_section.solid_formulation();
-          const unsigned int     n_layers  = blade.mesh.n_layers;
-          const bool             can_yield = of_section.material.metal().hardening.law != HardeningLaw::elastic;
-          const char            *why       = nullptr;
-          if (kind == SolidFormulation::b_bar && n_layers < 4)
-            why = "fully integrated bricks lock in bending (first frequency of a thin plate +23 % with two layers)";
-          else if (kind == SolidFormulation::one_point && n_layers < 4 && can_yield)
-            why = "such a section yields as few points or as a whole, not layer by layer";
-          if (why != nullptr)
-            warnings.push_back(
-              {"blade/layers",
-               fmt::format("Blade/Mesh/Layers = {} with Blade/{}Element/Formulation = {}: {}. {} bend right.", n_layers,
-                           BladeParameters::section_path(number), of_section.formulation_name(), why,
-                           of_section.can_fail() ? "Four layers" : "One layer of solid-shells, or four layers,")});
-        }
     }
 
     /// Of a shell: how many facets are thicker than `thickest` times their shortest side.
@@ -235,6 +228,11 @@ namespace birdstrike
       warnings.push_back({"case/empty", "The parameter file sets nothing: but for --set this is the default case."});
     if (blade.is_deformable())
       check_metals(blade, warnings);
+    if (blade.is_deformable() && blade.mesh.generator == MeshGenerator::blade && Rotor(blade.spin).turns() &&
+        !parameters.file.is_given("Blade/Spin/Axis"))
+      warnings.push_back({"blade/axis_not_given",
+                          "Blade/Spin/Axis is not given: the blade turns about z, while stagger "
+                          "and sweep of Mesh/Profile are those of an engine whose axis is y."});
     for (const BirdCase &each : parameters.birds())
       check_bird(each.bird, warnings);
     check({"end_time", "Time/End time", parameters.time.end_time, "s", 0., 0.5, {{"ms", 1e-3}, {"us", 1e-6}}},
@@ -244,34 +242,10 @@ namespace birdstrike
 
   Warnings find_scene_warnings(const CaseParameters &parameters, const Scene &scene)
   {
-    Warnings               warnings;
-    const BladeParameters &blade = parameters.blade;
+    Warnings warnings;
     if (scene.blade && scene.blade->is_deformable())
       {
-        const BladeCensus census = scene.blade->census();
-        check({"blade_size", "Largest length of the blade (root of its area)", std::sqrt(census.area), "m", 3e-3, 3.,
-               of_length},
-              warnings);
-        if (blade.mesh.generator == MeshGenerator::file && !warnings.empty())
-          warnings.back().text +=
-            " Blade/Mesh/File scale is the length of the file's unit in m: 0.001 of a mesh in mm.";
-        const double size = std::sqrt(census.area), thickness = scene.blade->kind() == BladeKind::shell
-                                                                  ? census.mass / (blade.density() * census.area)
-                                                                  : 0.;
-        if (thickness > size)
-          warnings.push_back(
-            {"unit/thickness", fmt::format("Mean thickness of the shell = {:.6g} m, more than its length "
-                                           "({:.3g} m, root of its area). Was Blade/Thickness meant in "
-                                           "mm?",
-                                           thickness, size)});
-        if (const auto line = scene.blade->span_line();
-            line && (Point3(line->tip.data()) - Point3(line->root.data())).norm() < 1e-6 * size)
-          warnings.push_back({"blade/tip_is_root", "The tip row is the clamped root: there is no tip deflection "
-                                                   "(Blade/Supports/Clamped, Hub and Tip)."});
-        check({"blade_mass", "Mass of the blade", census.mass, "kg", 1e-4, 200., {{"g", 1e-3}}}, warnings);
-        if (census.n_held_dofs == 0)
-          warnings.push_back({"blade/free", "Nothing holds the blade: it flies off (Blade/Supports)."});
-        check_layers(blade, warnings);
+        check_mesh(parameters, *scene.blade, warnings);
         check_thick_shells(scene, warnings);
       }
     for (const Projectile &each : scene.birds)

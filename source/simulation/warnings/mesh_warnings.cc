@@ -1,0 +1,154 @@
+#include "simulation/warnings/mesh_warnings.h"
+#include "simulation/warnings/plausible.h"
+#include <birdstrike/core/closest_point.h>
+#include <birdstrike/core/contact_views.h>
+#include <birdstrike/io/case_parameters.h>
+#include <birdstrike/structure/blade.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike
+{
+  namespace
+  {
+    void check_layers(const BladeParameters &blade, const unsigned int n_layers, Warnings &warnings)
+    {
+      if (blade.kind != BladeKind::solid || n_layers == 0)
+        return;
+      const bool is_file = blade.mesh.generator == MeshGenerator::file;
+      for (const auto &[number, of_section] : blade.by_section())
+        {
+          const SolidFormulation kind      = of_section.solid_formulation();
+          const bool             can_yield = of_section.material.metal().hardening.law != HardeningLaw::elastic;
+          const char            *why       = nullptr;
+          if (kind == SolidFormulation::b_bar && n_layers < 4)
+            why = "fully integrated bricks lock in bending (first frequency of a thin plate +23 % with two layers)";
+          else if (kind == SolidFormulation::one_point && n_layers < 4 && can_yield)
+            why = "such a section yields as few points or as a whole, not layer by layer";
+          if (why != nullptr)
+            warnings.push_back(
+              {"blade/layers",
+               fmt::format("{} = {} with Blade/{}Element/Formulation = {}: {}. {} bend right.",
+                           is_file ? "Layers of bricks in Blade/Mesh/File" : "Blade/Mesh/Layers", n_layers,
+                           BladeParameters::section_path(number), of_section.formulation_name(), why,
+                           of_section.can_fail() ? "Four layers" : "One layer of solid-shells, or four layers,")});
+        }
+    }
+
+    void check_thickness(const CaseParameters &parameters, const Blade &blade, const BladeCensus &census,
+                         Warnings &warnings)
+    {
+      if (blade.kind() != BladeKind::shell)
+        return;
+      const double size = std::sqrt(census.area), thickness = census.mass / (parameters.blade.density() * census.area);
+      const auto   doubt = [&](const std::string &text) {
+        warnings.push_back(
+            {"unit/thickness",
+           fmt::format("Mean thickness of the shell = {:.6g} m, {} its length "
+                           "({:.3g} m, root of its area). {}",
+                         thickness, thickness > size ? "more than" : "a ten-thousandth or less of", size, text)});
+      };
+      if (thickness > size)
+        doubt("Was Blade/Thickness meant in mm?");
+      else if (thickness < 1e-4 * size)
+        doubt("Is Blade/Thickness right? It is in m, and 'mm' stands for 0.001.");
+      const auto is_given = [&](const char *entry) {
+        return parameters.file.is_given(std::string("Blade/Thickness/") + entry);
+      };
+      if (parameters.blade.mesh.generator == MeshGenerator::file && !is_given("Value") && !is_given("Maximum") &&
+          !is_given("Table") && !is_given("By material"))
+        warnings.push_back({"blade/thickness_not_given",
+                            fmt::format("Blade/Thickness is not given: the shell is {:.4g} mm thick, as the default "
+                                        "plate. What a mesh file says of thickness and metal is not read.",
+                                        1e3 * thickness)});
+    }
+
+    void check_supports(const CaseParameters &parameters, const Blade &blade, const BladeCensus &census,
+                        Warnings &warnings)
+    {
+      std::size_t n_held = 0; // in all translations
+      for (const SupportCensus &support : census.supports)
+        n_held += support.is_held[0] && support.is_held[1] && support.is_held[2] ? support.n_nodes : 0;
+      if (census.n_held_dofs == 0)
+        warnings.push_back({"blade/free", "Nothing holds the blade: it flies off (Blade/Supports)."});
+      else if (n_held == census.n_nodes)
+        warnings.push_back({"blade/all_held",
+                            "Every node of the blade is held (Blade/Supports: are coordinates of Held "
+                            "boxes in m?)."});
+      const auto line = blade.span_line();
+      if (!line && parameters.blade.mesh.generator == MeshGenerator::file)
+        warnings.push_back({"blade/no_tip", "No side of the mesh is named as root or as tip row: there is no tip "
+                                            "deflection (Blade/Supports/Clamped or Hub, and Tip)."});
+      if (!line)
+        return;
+      const double length = (Point3(line->tip.data()) - Point3(line->root.data())).norm(),
+                   size   = std::sqrt(census.area);
+      if (length < 1e-6 * size)
+        warnings.push_back({"blade/tip_is_root", "The tip row is the clamped root: there is no tip deflection "
+                                                 "(Blade/Supports/Clamped, Hub and Tip)."});
+      if (parameters.blade.mesh.generator == MeshGenerator::blade && length > 2. * parameters.blade.mesh.length)
+        warnings.push_back(
+          {"unit/stacking",
+           fmt::format("Root and tip are {:.4g} m apart, {:.3g} times Blade/Mesh/Length: were Sweep and "
+                       "Lean of Blade/Mesh/Profile meant in mm?",
+                       length, length / parameters.blade.mesh.length)});
+    }
+
+    /// Nodes of the surface at the same place, to a millionth of the smallest edge: how many lie on one that comes
+    /// before.
+    void check_joints(const FacetsView &facets, const BladeCensus &census, Warnings &warnings)
+    {
+      std::vector<bool> is_of_surface(facets.n_nodes, false);
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        for (const std::uint32_t node : facets.nodes[f])
+          is_of_surface[node] = true;
+      std::vector<Point3> places;
+      for (std::size_t n = 0; n < facets.n_nodes; ++n)
+        if (is_of_surface[n])
+          places.emplace_back(facets.position + 3 * n);
+      std::sort(places.begin(), places.end(), [](const Point3 &a, const Point3 &b) { return a[0] < b[0]; });
+      const double  near    = 1e-6 * census.smallest_edge;
+      std::size_t   n_pairs = 0;
+      const Point3 *first   = nullptr;
+      for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = i + 1; j < places.size() && places[j][0] - places[i][0] <= near; ++j)
+          if ((places[j] - places[i]).squaredNorm() <= near * near)
+            {
+              ++n_pairs;
+              first = first == nullptr ? &places[i] : first;
+            }
+      if (n_pairs > 0)
+        warnings.push_back(
+          {"blade/not_joined",
+           fmt::format("{} pairs of nodes at the same place, one at ({:.4g}, {:.4g}, {:.4g}) m, are not "
+                       "joined: the blade is cut there. Merge coincident nodes if it is not meant to be.",
+                       n_pairs, (*first)[0], (*first)[1], (*first)[2])});
+    }
+  } // namespace
+
+  void check_mesh(const CaseParameters &parameters, const Blade &blade, Warnings &warnings)
+  {
+    const BladeCensus census  = blade.census();
+    const bool        is_file = parameters.blade.mesh.generator == MeshGenerator::file;
+    const std::size_t before  = warnings.size();
+    check({"blade_size",
+           "Largest length of the blade (root of its area)",
+           std::sqrt(census.area),
+           "m",
+           3e-3,
+           3.,
+           {{"mm", 1e-3}}},
+          warnings);
+    if (is_file && warnings.size() > before)
+      warnings.back().text += " Blade/Mesh/File scale is the length of the file's unit in m: 0.001 of a mesh in mm.";
+    check_thickness(parameters, blade, census, warnings);
+    check({"blade_mass", "Mass of the blade", census.mass, "kg", 1e-4, 200., {{"g", 1e-3}}}, warnings);
+    check_supports(parameters, blade, census, warnings);
+    if (is_file)
+      check_joints(blade.facets(), census, warnings);
+    check_layers(parameters.blade, census.n_layers, warnings);
+  }
+} // namespace birdstrike

@@ -1,0 +1,176 @@
+#include "simulation/warnings/case_warnings.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/scene.h"
+#include <birdstrike/core/errors.h>
+#include <birdstrike/io/case_parameters.h>
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+using namespace birdstrike;
+
+// What a mesh leaves to be guessed: sides that nobody names, thickness, joints, units.
+namespace mesh_warnings
+{
+  using Codes = std::vector<std::string>;
+
+  const std::string frontal = BIRDSTRIKE_SOURCE_DIR "/prm/frontal.prm";
+
+  /// Codes of both kinds, or the words of what is refused.
+  Codes codes_of(std::vector<std::string> overrides)
+  {
+    overrides.insert(overrides.begin(), "Bird/Particle spacing=0.004"); // fast
+    CaseParameters parameters;
+    Codes          codes;
+    try
+      {
+        parameters.read(frontal, overrides);
+        const Scene scene(parameters);
+        for (const Warnings &some : {find_input_warnings(parameters), find_scene_warnings(parameters, scene)})
+          for (const Warning &warning : some)
+            codes.push_back(warning.code);
+      }
+    catch (const InputError &error)
+      {
+        codes.emplace_back(error.what());
+      }
+    return codes;
+  }
+
+  Codes of_file(const std::string &file, const std::vector<std::string> &overrides)
+  {
+    std::vector<std::string> all{"Blade/Mesh/Generator=file", "Blade/Mesh/File=" + file,
+                                 "Blade/Mesh/Elements along span=28", "Blade/Mesh/Elements along chord=8"}; // defaults
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return codes_of(all);
+  }
+
+  const std::string shells = BIRDSTRIKE_SOURCE_DIR "/meshes/plate-28x8.msh",
+                    bricks = BIRDSTRIKE_SOURCE_DIR "/meshes/plate-28x8x1.msh";
+} // namespace mesh_warnings
+
+TEST(MeshWarnings, WhereAFileNamesItsSidesTheRootMustBeNamed)
+{
+  using namespace mesh_warnings;
+  // the default, 0, would hold the long edges, which the file does not name, and leave the root free
+  const Codes refused = of_file(shells, {"Blade/Supports/Clamped=0", "Blade/Supports/Tip=tip"});
+  ASSERT_EQ(refused.size(), 1U);
+  EXPECT_NE(refused[0].find("Names in this mesh:"), std::string::npos) << refused[0];
+  EXPECT_EQ(of_file(shells, {"Blade/Supports/Clamped=root", "Blade/Supports/Tip=tip"}), Codes{});
+  EXPECT_EQ(of_file(shells, {"Blade/Supports/Clamped=", "Blade/Supports/Hub=root", "Blade/Supports/Tip=tip"}), Codes{});
+  EXPECT_EQ(of_file(shells, {"Blade/Supports/Clamped=root"}), Codes{"blade/no_tip"}) << "1 is the root here";
+}
+
+TEST(MeshWarnings, AThicknessThatNobodyGaveIsSaid)
+{
+  std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-thick-XXXXXX").string();
+  const std::filesystem::path folder  = mkdtemp(pattern.data());
+  for (const std::string thickness : {"", "set Value = 4e-3", "set Maximum = 4e-3"})
+    {
+      std::ofstream(folder / "case.prm") << "subsection Blade\n subsection Mesh\n set Generator = file\n set File = "
+                                         << mesh_warnings::shells
+                                         << "\n end\n subsection Supports\n set Clamped = root\n set Tip = tip\n end\n"
+                                         << " subsection Thickness\n"
+                                         << thickness << "\n end\nend\n";
+      CaseParameters parameters;
+      parameters.read((folder / "case.prm").string(), {"Bird/Particle spacing=0.004"});
+      const Warnings warnings = find_scene_warnings(parameters, Scene(parameters));
+      EXPECT_EQ(warnings.size(), thickness.empty() ? 1U : 0U) << thickness;
+      EXPECT_TRUE(warnings.empty() || warnings[0].code == "blade/thickness_not_given") << warnings[0].text;
+    }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(MeshWarnings, LayersOfAFileAreCountedToo)
+{
+  using namespace mesh_warnings;
+  const std::vector<std::string> solid{"Blade/Kind=solid", "Blade/Supports/Clamped=root", "Blade/Supports/Tip=tip"};
+  EXPECT_EQ(of_file(bricks, solid), Codes{"blade/layers"}) << "automatic is one point there";
+  auto with_solid_shells = solid;
+  with_solid_shells.push_back("Blade/Element/Formulation=solid-shell");
+  EXPECT_EQ(of_file(bricks, with_solid_shells), Codes{});
+}
+
+TEST(MeshWarnings, LengthsOfAnotherUnit)
+{
+  using namespace mesh_warnings;
+  EXPECT_EQ(codes_of({"Blade/Thickness/Value=4.27e-6"}), Codes{"unit/thickness"}) << "0.00427 mm";
+  EXPECT_EQ(codes_of({"Blade/Supports/Held boxes=0 -50 -5 312 50 5: ux uy uz"}), Codes{"blade/all_held"});
+  EXPECT_EQ(codes_of({"Blade/Supports/Held boxes=0 -50 -5 0.3 50 5: ux uy uz"}), Codes{});
+  const std::vector<std::string> blade{"Blade/Mesh/Generator=blade", "Bird/Chordwise offset=0"};
+  const auto                     with = [&](const std::string &more) {
+    auto all = blade;
+    all.push_back(more);
+    const Codes codes = codes_of(all);
+    return std::count(codes.begin(), codes.end(), "unit/stacking");
+  };
+  EXPECT_EQ(with("Blade/Mesh/Profile/Lean=5e-3*s"), 0);
+  EXPECT_EQ(with("Blade/Mesh/Profile/Lean=5*s"), 1);
+}
+
+TEST(MeshWarnings, StrainsInPercent)
+{
+  using namespace mesh_warnings;
+  EXPECT_EQ(codes_of({"Blade/Material/Failure=plastic strain", "Blade/Material/Failure strain=14"}),
+            Codes{"unit/failure_strain"});
+  EXPECT_EQ(codes_of({"Blade/Material/Failure=plastic strain", "Blade/Material/Failure strain=0.14"}), Codes{});
+  EXPECT_EQ(codes_of({"Blade/Material/Hardening=curve", "Blade/Material/Hardening modulus=table",
+                      "Blade/Material/Yield stress=table",
+                      "Blade/Material/Hardening curve=0: 880 MPa; 2: 915 MPa; 10: 1200 MPa"}),
+            Codes{"unit/curve_strain"});
+}
+
+TEST(MeshWarnings, ABladeOfAnEngineTurnsAboutAnAxisThatIsGiven)
+{
+  using namespace mesh_warnings;
+  const auto of_inputs = [](std::vector<std::string> overrides) {
+    overrides.insert(overrides.end(), {"Blade/Mesh/Generator=blade", "Blade/Spin/Speed=300"});
+    CaseParameters parameters;
+    parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/quickstart.prm", overrides);
+    Codes codes;
+    for (const Warning &warning : find_input_warnings(parameters))
+      codes.push_back(warning.code);
+    return codes;
+  };
+  EXPECT_EQ(of_inputs({}), Codes{"blade/axis_not_given"});
+  EXPECT_EQ(of_inputs({"Blade/Spin/Axis=0, 0, 1"}), Codes{});
+}
+
+// Two squares of 0.1 m side by side; along their common side the second has nodes of its own, all or one of them.
+TEST(MeshWarnings, NodesThatAreNotJoined)
+{
+  std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-slit-XXXXXX").string();
+  const std::filesystem::path folder  = mkdtemp(pattern.data());
+  for (const bool is_slit : {false, true})
+    {
+      std::ofstream file(folder / "two.msh");
+      file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n1 0 0 0\n2 0.1 0 0\n3 0.2 0 0\n4 0 0.1 0\n5 0.1 0.1 0\n"
+              "6 0.2 0.1 0\n7 0 0.2 0\n8 0.1 0.2 0\n9 0.2 0.2 0\n"
+           << "$EndNodes\n$Elements\n8\n1 1 2 10 10 1 4\n2 1 2 10 10 4 7\n3 1 2 11 11 3 6\n4 1 2 11 11 6 9\n"
+           << "5 3 2 1 1 1 2 5 4\n6 3 2 1 1 2 3 6 5\n7 3 2 1 1 4 5 8 7\n8 3 2 1 1 5 6 9 8\n$EndElements\n";
+      file.close();
+      if (is_slit) // node 2 of the second square is a node of its own
+        {
+          std::ofstream slit(folder / "two.msh");
+          slit << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n1 0 0 0\n2 0.1 0 0\n3 0.2 0 0\n4 0 0.1 0\n"
+                  "5 0.1 0.1 0\n6 0.2 0.1 0\n7 0 0.2 0\n8 0.1 0.2 0\n9 0.2 0.2 0\n10 0.1 0 0\n"
+               << "$EndNodes\n$Elements\n8\n1 1 2 10 10 1 4\n2 1 2 10 10 4 7\n3 1 2 11 11 3 6\n4 1 2 11 11 6 9\n"
+               << "5 3 2 1 1 1 2 5 4\n6 3 2 1 1 10 3 6 5\n7 3 2 1 1 4 5 8 7\n8 3 2 1 1 5 6 9 8\n$EndElements\n";
+        }
+      CaseParameters parameters;
+      parameters.read(mesh_warnings::frontal,
+                      {"Blade/Mesh/Generator=file", "Blade/Mesh/File=" + (folder / "two.msh").string(),
+                       "Blade/Supports/Clamped=10", "Blade/Supports/Tip=11", "Bird/Enabled=false"});
+      std::string text;
+      for (const Warning &warning : find_scene_warnings(parameters, Scene(parameters)))
+        text += warning.code == "blade/not_joined" ? warning.text : "";
+      EXPECT_EQ(text.starts_with("1 pairs of nodes at the same place, one at (0.1, 0, 0) m"), is_slit) << text;
+      EXPECT_EQ(text.empty(), !is_slit);
+    }
+  std::filesystem::remove_all(folder);
+}
