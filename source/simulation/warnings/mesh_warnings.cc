@@ -1,5 +1,6 @@
 #include "simulation/warnings/mesh_warnings.h"
 #include "simulation/warnings/plausible.h"
+#include <birdstrike/core/box.h>
 #include <birdstrike/core/closest_point.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/io/case_parameters.h>
@@ -106,15 +107,23 @@ namespace birdstrike
         for (const std::uint32_t node : facets.nodes[f])
           is_of_surface[node] = true;
       std::vector<Point3> places;
+      Box                 all;
       for (std::size_t n = 0; n < facets.n_nodes; ++n)
         if (is_of_surface[n])
-          places.emplace_back(facets.position + 3 * n);
-      std::sort(places.begin(), places.end(), [](const Point3 &a, const Point3 &b) { return a[0] < b[0]; });
+          {
+            places.emplace_back(facets.position + 3 * n);
+            all.add(places.back().data());
+          }
+      unsigned int axis = 0; // the longest: rows of nodes at one place of it are short
+      for (unsigned int d = 1; d < 3; ++d)
+        if (all.high[d] - all.low[d] > all.high[axis] - all.low[axis])
+          axis = d;
+      std::sort(places.begin(), places.end(), [&](const Point3 &a, const Point3 &b) { return a[axis] < b[axis]; });
       const double  near    = 1e-6 * census.smallest_edge;
       std::size_t   n_pairs = 0;
       const Point3 *first   = nullptr;
       for (std::size_t i = 0; i < places.size(); ++i)
-        for (std::size_t j = i + 1; j < places.size() && places[j][0] - places[i][0] <= near; ++j)
+        for (std::size_t j = i + 1; j < places.size() && places[j][axis] - places[i][axis] <= near; ++j)
           if ((places[j] - places[i]).squaredNorm() <= near * near)
             {
               ++n_pairs;
