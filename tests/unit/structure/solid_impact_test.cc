@@ -48,7 +48,7 @@ namespace solid_impact_test
           result.length = std::max(result.length, model.position[3 * k + 2]);
           result.radius = std::max(result.radius, std::hypot(model.position[3 * k], model.position[3 * k + 1]));
         }
-      result.plastic_strain = model.elements.max_plastic_strain().value;
+      result.plastic_strain = model.elements.max_plastic_strains().front().value;
       result.hourglass      = model.elements.hourglass_energy() / initial;
       result.viscous        = model.elements.viscous_energy() / initial;
       result.kinetic        = motion.kinetic_energy() / initial;
