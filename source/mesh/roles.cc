@@ -157,33 +157,39 @@ namespace birdstrike
     if (!is_present())
       return other;
     other.collect(mesh, ids, blade);
-    other.middle = centre + R * (middle - centre);
+    other.middle   = centre + R * (middle - centre);
+    other.centroid = centre + R * (centroid - centre);
     for (Point3 *axis : {&other.span, &other.chord, &other.normal})
       *axis = R * *axis;
     return other;
   }
 
   template <int dim>
-  BladeEnd::BladeEnd(const BladeMesh<dim> &mesh, const SpanEnd end, const std::vector<unsigned int> &ids)
+  BladeEnd::BladeEnd(const BladeMesh<dim> &mesh, const SpanEnd end, const std::vector<unsigned int> &ids,
+                     const std::vector<double> &stiffness)
   {
     collect(mesh, ids, 0);
-    double size = 0., weight = 0.;
+    double size = 0., carried = 0., weight = 0.;
     for (const std::size_t s : sides)
       {
         const SideGeometry g = geometry_of(mesh, mesh.boundary[s], end);
+        const double       c = end == SpanEnd::root && !stiffness.empty() ? stiffness[mesh.boundary[s].cell] : 1.;
         size += g.size;
+        carried += c * g.size;
         middle += g.size * g.middle;
-        span += (dim == 2 ? g.weight : 1.) * g.off;
-        normal += g.weight * g.normal;
-        weight += g.weight * g.normal.norm();
+        centroid += c * g.size * g.middle;
+        span += c * (dim == 2 ? g.weight : 1.) * g.off;
+        normal += c * g.weight * g.normal;
+        weight += c * g.weight * g.normal.norm();
       }
     middle /= size;
+    centroid /= carried;
     if (!mesh.symmetry_nodes.empty())
-      middle[1] = 0.; // of the whole
+      middle[1] = centroid[1] = 0.; // of the whole
     if constexpr (dim == 3)
       if (mesh.layers == 0 && !sides.empty())
         normal = weight * thin_axis(mesh, sides, middle);
-    if (sides.empty() || span.norm() < 1e-6 * size || normal.norm() < 1e-6 * weight)
+    if (sides.empty() || span.norm() < 1e-6 * carried || normal.norm() < 1e-6 * weight)
       {
         *this = {}; // nothing here, or all around: no single end to speak of
         return;
@@ -198,8 +204,9 @@ namespace birdstrike
 
   template <int dim>
   BladeRoles::BladeRoles(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &root_ids,
-                         const std::vector<unsigned int> &tip_ids, const Approach &approach)
-    : root(mesh, SpanEnd::root, root_ids), tip(mesh, SpanEnd::tip, tip_ids)
+                         const std::vector<unsigned int> &tip_ids, const Approach &approach,
+                         const std::vector<double> &stiffness)
+    : root(mesh, SpanEnd::root, root_ids, stiffness), tip(mesh, SpanEnd::tip, tip_ids)
   {
     bool runs_through = true;
     if constexpr (dim == 3)
@@ -213,14 +220,16 @@ namespace birdstrike
       }
   }
 
-  template BladeEnd::BladeEnd(const BladeMesh<2> &, SpanEnd, const std::vector<unsigned int> &);
-  template BladeEnd::BladeEnd(const BladeMesh<3> &, SpanEnd, const std::vector<unsigned int> &);
+  template BladeEnd::BladeEnd(const BladeMesh<2> &, SpanEnd, const std::vector<unsigned int> &,
+                              const std::vector<double> &);
+  template BladeEnd::BladeEnd(const BladeMesh<3> &, SpanEnd, const std::vector<unsigned int> &,
+                              const std::vector<double> &);
   template BladeEnd BladeEnd::of_blade(const BladeMesh<2> &, const std::vector<unsigned int> &, std::uint32_t,
                                        const Matrix3<double> &, const Point3 &) const;
   template BladeEnd BladeEnd::of_blade(const BladeMesh<3> &, const std::vector<unsigned int> &, std::uint32_t,
                                        const Matrix3<double> &, const Point3 &) const;
   template BladeRoles::BladeRoles(const BladeMesh<2> &, const std::vector<unsigned int> &,
-                                  const std::vector<unsigned int> &, const Approach &);
+                                  const std::vector<unsigned int> &, const Approach &, const std::vector<double> &);
   template BladeRoles::BladeRoles(const BladeMesh<3> &, const std::vector<unsigned int> &,
-                                  const std::vector<unsigned int> &, const Approach &);
+                                  const std::vector<unsigned int> &, const Approach &, const std::vector<double> &);
 } // namespace birdstrike

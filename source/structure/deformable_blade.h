@@ -148,6 +148,7 @@ namespace birdstrike
     typename Kind::Elements          elements;
     PressedFacets                    pressed;
     NodalMechanics<Kind::n_unknowns> motion;
+    std::vector<double>              stiffness; ///< of the elements in tension along the span of the root
     BladeRoles                       roles;
     typename Kind::Root              root;
     TipRow                           tip;

@@ -136,7 +136,7 @@ namespace birdstrike
     if (hub.turns() && requests.is_any() && requests.axes != HistoryRequests().axes)
       throw InputError(
         "Output/Histories/Axes: on a blade that turns components are in global axes.\nSet it to global.");
-    BladeHistories histories = make_blade_histories<Kind>({mesh, elements, motion, roles, plane}, requests);
+    BladeHistories histories = make_blade_histories<Kind>({mesh, elements, motion, roles, stiffness, plane}, requests);
     histories.warnings.insert(histories.warnings.begin(), probe_warnings.begin(), probe_warnings.end());
     return histories;
   }

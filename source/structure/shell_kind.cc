@@ -6,6 +6,7 @@
 #include <birdstrike/mesh/nodal_thickness.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace birdstrike
@@ -71,6 +72,28 @@ namespace birdstrike
   {
     return ShellElements(points_of(mesh), mesh.cells, mass.element_thickness,
                          make_sections<ShellSection>(table, make_section), pool);
+  }
+
+  std::vector<double> ShellKind::stiffness_along(const Point3 &direction, const Mesh &mesh, const Mesh::Mass &mass,
+                                                 const Elements &elements)
+  {
+    std::vector<double> stiffness = mass.element_thickness;
+    for (std::size_t e = 0; e < stiffness.size(); ++e)
+      {
+        const ShellSection &section = elements.section(e);
+        if (!section.laminate)
+          {
+            stiffness[e] *= section.material.elasticity.young;
+            continue;
+          }
+        const Point3 normal    = mesh.area_vector(e).normalized();
+        const Point3 reference = section.laminate->reference;
+        const Point3 first = (reference - reference.dot(normal) * normal).normalized(), second = normal.cross(first);
+        const double cos = direction.dot(first), sin = direction.dot(second), norm = std::hypot(cos, sin);
+        stiffness[e] *= norm > 0. ? section.laminate->uniaxial(cos / norm, sin / norm).modulus
+                                  : section.laminate->uniaxial(1., 0.).modulus;
+      }
+    return stiffness;
   }
 
   NodalMechanics<6>::Masses ShellKind::masses(const Mesh::Mass &mass)

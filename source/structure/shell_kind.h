@@ -29,6 +29,12 @@ namespace birdstrike
     static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const SectionTable &sections,
                                        ThreadPool &pool);
     static Nodes::Masses masses(const Mesh::Mass &mass);
+
+    /// N/m, of the elements in tension along a direction (zero: an unknown one): Young's modulus times thickness, of
+    /// plies that of a membrane that does not bend.
+    static std::vector<double> stiffness_along(const Point3 &direction, const Mesh &mesh, const Mesh::Mass &mass,
+                                               const Elements &elements);
+
     static PressedFacets find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads);
     static Surface       make_surface(const Mesh &mesh, const Mesh::Mass &mass);
     static std::size_t   n_nodes_in_contact(const Mesh &mesh, bool can_fail);

@@ -44,6 +44,15 @@ namespace birdstrike
     return SolidElements(points_of(mesh), mesh.cells, make_sections<SolidSection>(table, make_section), pool);
   }
 
+  std::vector<double> SolidKind::stiffness_along(const Point3 &, const Mesh &mesh, const Mesh::Mass &,
+                                                 const Elements &elements)
+  {
+    std::vector<double> stiffness;
+    for (std::size_t e = 0; e < mesh.cells.size(); ++e)
+      stiffness.push_back(elements.section(e).material.elasticity.young);
+    return stiffness;
+  }
+
   NodalMechanics<3>::Masses SolidKind::masses(const Mesh::Mass &mass)
   {
     return {mass.node, {}};

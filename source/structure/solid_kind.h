@@ -34,6 +34,11 @@ namespace birdstrike
     static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const SectionTable &sections,
                                        ThreadPool &pool);
     static Nodes::Masses masses(const Mesh::Mass &mass);
+
+    /// Pa, of the elements: Young's modulus.
+    static std::vector<double> stiffness_along(const Point3 &direction, const Mesh &mesh, const Mesh::Mass &mass,
+                                               const Elements &elements);
+
     static PressedFacets find_pressed(const Mesh &mesh, const BladeParameters::Loads &loads);
     static Surface       make_surface(const Mesh &mesh, const Mesh::Mass &mass);
     static std::size_t   n_nodes_in_contact(const Mesh &mesh, bool can_fail);

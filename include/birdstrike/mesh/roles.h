@@ -19,8 +19,9 @@ namespace birdstrike
   /// from the struck side, as orientation.h says.
   ///
   /// Of a shell the normal is that of the surface of the cells at this end. Forces pass through the edges of the root:
-  /// there cells count by the length of their edge, and the span is square to each edge. The row of the tip moves with
-  /// the cells behind it: there they count by area, and the chord is square to the mean way to their centroids.
+  /// there cells count by what they carry of a tension, the length of their edge times their stiffness, and the span is
+  /// square to each edge. The row of the tip moves with the cells behind it: there they count by area, and the chord is
+  /// square to the mean way to their centroids.
   ///
   /// Of a built-in solid it is the mean of the cells' third axis, which runs along the mid-surface normal of the shell
   /// of the same part; of a solid from a file the principal axis of the cut's second moment of area of which that
@@ -29,9 +30,11 @@ namespace birdstrike
   struct BladeEnd
   {
     BladeEnd() = default; ///< absent
-    /// The sides with these boundary ids; absent where there is none, or where they run all around.
+    /// The sides with these boundary ids; absent where there is none, or where they run all around. `stiffness` of the
+    /// cells in tension: of a shell N/m, modulus times thickness, of a solid Pa; empty: all alike.
     template <int dim>
-    BladeEnd(const BladeMesh<dim> &mesh, SpanEnd end, const std::vector<unsigned int> &ids);
+    BladeEnd(const BladeMesh<dim> &mesh, SpanEnd end, const std::vector<unsigned int> &ids,
+             const std::vector<double> &stiffness = {});
 
     /// The same end of another blade of the row, whose points are those of the first turned by R about a centre (m).
     template <int dim>
@@ -48,9 +51,10 @@ namespace birdstrike
       is_turned = !is_turned;
     }
 
-    std::vector<std::size_t>   sides;                   ///< of the mesh's `boundary`
-    std::vector<std::uint32_t> nodes;                   ///< on them, owned, sorted
-    Point3                     middle = Point3::Zero(); ///< m
+    std::vector<std::size_t>   sides;                     ///< of the mesh's `boundary`
+    std::vector<std::uint32_t> nodes;                     ///< on them, owned, sorted
+    Point3                     middle   = Point3::Zero(); ///< m, of the line (face)
+    Point3                     centroid = Point3::Zero(); ///< m, of its stiffness: a tension there bends nothing
     Point3                     span = Point3::Zero(), chord = Point3::Zero(), normal = Point3::Zero(); ///< unit
     bool                       is_turned = false; ///< the normal is not that of the mesh
 
@@ -72,7 +76,7 @@ namespace birdstrike
   struct BladeRoles
   {
     BladeRoles() = default;
-    /// Ends by boundary ids.
+    /// Ends by boundary ids; `stiffness` as of a BladeEnd.
     ///
     /// Both normals look to one side of the blade: away from the one that is struck, where the bird aims; without a
     /// bird that of the tip decides, that of the root without a tip. The twist between these places is taken from the
@@ -80,7 +84,8 @@ namespace birdstrike
     /// less than a right angle.
     template <int dim>
     BladeRoles(const BladeMesh<dim> &mesh, const std::vector<unsigned int> &root_ids,
-               const std::vector<unsigned int> &tip_ids, const Approach &approach);
+               const std::vector<unsigned int> &tip_ids, const Approach &approach,
+               const std::vector<double> &stiffness = {});
 
     BladeEnd root, tip;
   };

@@ -45,7 +45,7 @@ namespace birdstrike
 
   template <int dim>
   SectionCut<dim>::SectionCut(const BladeMesh<dim> &mesh, const BladeRoles &roles, const double station,
-                              const SymmetryPlane plane)
+                              const SymmetryPlane plane, const std::vector<double> &stiffness)
     : plane(plane)
   {
     const Point3      way = roles.tip.middle - roles.root.middle, along = way.normalized();
@@ -53,7 +53,7 @@ namespace birdstrike
     if (station > 0.)
       for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
         is_beyond[cell] = (mesh.centroid(cell) - roles.root.middle).dot(along) > station * way.norm();
-    find_cut(mesh, is_beyond);
+    find_cut(mesh, is_beyond, stiffness);
     if (station > 0. && (cut.empty() || beyond.empty()))
       throw InputError(fmt::format("Output/Histories/Stations: no row of elements ends at {:g} of the span: all lie on "
                                    "one side.\nGive a share farther from root and tip, or finer elements.",
@@ -63,7 +63,7 @@ namespace birdstrike
         std::erase_if(beyond, [&](const std::uint32_t n) {
           return std::binary_search(roles.root.nodes.begin(), roles.root.nodes.end(), n);
         });
-        centroid = roles.root.middle;
+        centroid = roles.root.centroid;
         axes     = rows_of(roles.root.span, roles.root.chord, roles.root.normal);
         return;
       }
@@ -77,7 +77,8 @@ namespace birdstrike
   }
 
   template <int dim>
-  void SectionCut<dim>::find_cut(const BladeMesh<dim> &mesh, const std::vector<bool> &is_beyond)
+  void SectionCut<dim>::find_cut(const BladeMesh<dim> &mesh, const std::vector<bool> &is_beyond,
+                                 const std::vector<double> &stiffness)
   {
     constexpr unsigned int n_sides = 2 * dim;
     std::vector<int>       sides_of(mesh.nodes.size(), 0); // 1: before, 2: beyond, 3: both
@@ -91,7 +92,8 @@ namespace birdstrike
         if (const std::int32_t other = mesh.neighbors[cell][side]; is_beyond[cell] && other >= 0 && !is_beyond[other])
           {
             const auto   nodes = mesh.side_nodes(cell, side);
-            const double size  = size_of(mesh, nodes);
+            const double mean  = stiffness.empty() ? 1. : 0.5 * (stiffness[cell] + stiffness[other]);
+            const double size  = mean * size_of(mesh, nodes);
             total += size;
             for (const std::uint32_t n : nodes)
               weight[n] += size / static_cast<double>(nodes.size());

@@ -16,9 +16,11 @@ namespace birdstrike
   /// negative of all element forces f, m on the nodes beyond the cut (LS-DYNA sums the first over a set of nodes and a
   /// set of elements, *DATABASE_CROSS_SECTION_SET):
   ///   F = - sum f,   M = - sum ((x - c) x f + m)   over nodes beyond,
-  /// about the present centroid c of the cut. The force is constant along an element: where inertia or loads act along
-  /// the span it is that of half an element beyond the cut. So F = contact and loads beyond less d/dt of the momentum
-  /// beyond. At station 0 the cut is the root, F and M what the blade exerts on its support (RootSectionReport).
+  /// about the present centroid c of the cut, that of what it carries of a tension: sides count by length (area)
+  /// times stiffness, the mean of the elements on both sides. So a tension through it has no moment. The force is
+  /// constant along an element: where inertia or loads act along the span it is that of half an element beyond the cut.
+  /// So F = contact and loads beyond less d/dt of the momentum beyond. At station 0 the cut is the root, F and M what
+  /// the blade exerts on its support (RootSectionReport).
   struct SectionForces
   {
     Point3          force, moment; ///< N, N m, global axes, of the whole
@@ -41,8 +43,10 @@ namespace birdstrike
   class SectionCut
   {
   public:
-    /// `station`: share of the span, 0 <= station < 1. Throws InputError where nothing lies beyond.
-    SectionCut(const BladeMesh<dim> &mesh, const BladeRoles &roles, double station, SymmetryPlane plane);
+    /// `station`: share of the span, 0 <= station < 1; `stiffness` of the elements as of BladeRoles. Throws InputError
+    /// where nothing lies beyond.
+    SectionCut(const BladeMesh<dim> &mesh, const BladeRoles &roles, double station, SymmetryPlane plane,
+               const std::vector<double> &stiffness = {});
 
     /// Whether a node has lost all its elements.
     using IsFree = std::function<bool(std::uint32_t)>;
@@ -57,7 +61,7 @@ namespace birdstrike
     }
 
   private:
-    void            find_cut(const BladeMesh<dim> &mesh, const std::vector<bool> &is_beyond);
+    void find_cut(const BladeMesh<dim> &mesh, const std::vector<bool> &is_beyond, const std::vector<double> &stiffness);
     Matrix3<double> fit_rotation(const double *position, const IsFree &is_free) const;
 
     struct Weighted
@@ -67,7 +71,7 @@ namespace birdstrike
     };
     SymmetryPlane              plane;
     std::vector<std::uint32_t> beyond;    ///< nodes without the cut's
-    std::vector<Weighted>      cut;       ///< by the length (area) of the sides; sum 1; none at the root
+    std::vector<Weighted>      cut;       ///< by what their sides carry; sum 1; none at the root
     std::vector<std::uint32_t> attached;  ///< nodes of the elements at the cut
     std::vector<Point3>        reference; ///< m, of these
     Point3                     centroid;  ///< m, at rest

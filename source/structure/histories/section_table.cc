@@ -31,7 +31,7 @@ namespace birdstrike
               throw InputError(entry + " holds " + text + ".\nAllowed: shares of the span from 0 to below 1.");
             if (std::ranges::find(columns, "span" + text + ".N", &Column::name) != columns.end())
               throw InputError(entry + " holds " + text + " twice.\nGive each station once.");
-            cuts.emplace_back(blade.mesh, blade.roles, station, blade.plane);
+            cuts.emplace_back(blade.mesh, blade.roles, station, blade.plane, blade.stiffness);
             add_columns("span" + text);
           }
       }

@@ -17,6 +17,7 @@ namespace birdstrike
     const typename Kind::Elements &elements;
     const typename Kind::Nodes    &motion;
     const BladeRoles              &roles;
+    const std::vector<double>     &stiffness; ///< of the elements, as of the roles
     SymmetryPlane                  plane;
   };
 

@@ -26,7 +26,7 @@ namespace birdstrike
         const Point3  m = n_unknowns == 6 ? Point3(entries[3], entries[4], entries[5]) : Point3::Zero();
         const Point3  x(position[3 * n], position[3 * n + 1], position[3 * n + 2]);
         total += f;
-        moment += m + (x - root.middle).cross(f);
+        moment += m + (x - root.centroid).cross(f);
       }
     report.normal_force     = total.dot(root.span);
     report.transverse_force = total.dot(root.normal);

@@ -13,7 +13,7 @@
 namespace birdstrike
 {
   /// The clamped section as that of a beam: force and moment of the nodal forces [n_nodes][n_unknowns] (N, N m) that
-  /// elements exert at positions [n_nodes][3] (m), in the axes of the root.
+  /// elements exert at positions [n_nodes][3] (m), about its centroid, in the axes of the root.
   RootSectionReport compute_section_forces(const BladeEnd &root, const double *force, const double *position,
                                            unsigned int n_unknowns);
 
