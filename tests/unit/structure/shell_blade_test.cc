@@ -215,8 +215,11 @@ namespace birdstrike::shell_blade_test
       EXPECT_NEAR(root.transverse_force, 1., 1e-3);
       EXPECT_NEAR(root.bending_moment / 0.3112, 1., 1e-3);
       EXPECT_NEAR(root.normal_force, 0., 1e-3);
-      // Equilibrium again: the mean over the chord of the face stress, half an element from the root, is M y / I.
-      const double face = 6. * (0.3112 - 0.5 * 0.3112 / 14) / (0.0889 * 0.00427 * 0.00427);
+      // Equilibrium again: the mean over the chord of the stress, half an element from the root, is M y / I at the
+      // outermost of the points through the thickness.
+      const double outermost =
+        make_thickness_points(p.element.rule, p.element.n_points).position[p.element.n_points - 1];
+      const double face = outermost * 6. * (0.3112 - 0.5 * 0.3112 / 14) / (0.0889 * 0.00427 * 0.00427);
       double       mean = 0.;
       for (const double s : root.stress_struck)
         mean += s / root.stress_struck.size();

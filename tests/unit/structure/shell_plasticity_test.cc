@@ -190,6 +190,37 @@ namespace shell_plasticity_test
     EXPECT_EQ(e.layer_plastic_strain(0, ShellLayer::middle), 0.);
   }
 
+  TEST(ShellPlasticity, StressIsThatOfTheOutermostPointBeforeItIsKept)
+  {
+    // A square that is bent, E t/2 k at the face and x times this at the outermost point, with nu = 0: once the face
+    // meets the yield stress points are made, and none of them flows yet. The stress goes on in proportion, to
+    // round-off.
+    for (const auto formulation : all_formulations)
+      for (const unsigned int n_points : {3u, 5u, 7u})
+        {
+          ShellSection section                = titanium(HardeningLaw::perfect, 0., formulation);
+          section.material.elasticity.poisson = 0.;
+          section.has_thinning                = false;
+          section.n_points                    = n_points;
+          const double t = 0.01, yield = section.material.hardening.yield, young = section.material.elasticity.young;
+          Model model(make_grid(1, 1, [](const double x, const double y) { return Point3(x, y, 0.); }), t, section);
+          const auto     &e    = model.elements;
+          const double    x    = e.thickness_points(0).position[n_points - 1];
+          Eigen::VectorXd bend = Eigen::VectorXd::Zero(24);
+          for (const unsigned int corner : {1u, 3u})
+            bend[6 * corner + 4] = 0.99 * 2. * yield / young / t; // about y
+          model.move(bend);
+          EXPECT_EQ(e.n_promoted(), 0u);
+          EXPECT_NEAR(std::abs(e.layer_stress(0, ShellLayer::top)[0]) / (0.99 * x * yield), 1., 1e-9);
+          EXPECT_EQ(e.layer_stress(0, ShellLayer::top)[0], e.point_stress(0, n_points - 1)[0]);
+          model.move(bend * (0.02 / 0.99));
+          EXPECT_EQ(e.n_promoted(), 1u);
+          EXPECT_EQ(e.max_plastic_strains().front().value, 0.);
+          EXPECT_NEAR(std::abs(e.layer_stress(0, ShellLayer::top)[0]) / (1.01 * x * yield), 1., 1e-9);
+          EXPECT_NEAR(e.layer_stress(0, ShellLayer::bottom)[0] / e.layer_stress(0, ShellLayer::top)[0], -1., 1e-9);
+        }
+  }
+
   TEST(ShellPlasticity, StabilisationOfAPlasticElementIsCapped)
   {
     // membrane hourglass mode on an element that is stretched far beyond yield: the force stays near that of yield

@@ -53,12 +53,13 @@ namespace birdstrike
     }
 
     ShellState state(std::size_t element) const;
-    /// sxx, syy, sxy (Pa) in the element frame; the mean of the points in the plane.
+    /// sxx, syy, sxy (Pa) in the element frame; the mean of the points in the plane. Of metals at the outermost
+    /// (middle) point of the rule through the thickness, whether it has yielded or not; of plies at the face.
     std::array<double, 3> layer_stress(std::size_t element, ShellLayer layer) const;
     /// sxx, syy, szz, sxy, syz, szx (Pa) in global axes.
     std::array<double, 6> global_layer_stress(std::size_t element, ShellLayer layer) const;
-    /// Normal stress (Pa) of the bottom and of the top layer along a direction without its part out of the element's
-    /// plane; zero of a failed element.
+    /// Normal stress (Pa) of the bottom and of the top layer, as layer_stress, along a direction without its part out
+    /// of the element's plane; zero of a failed element.
     std::array<double, 2> outer_stresses_along(std::size_t element, const Point3 &direction) const;
     /// The integration points through the thickness, and which of them is nearest to a share of half of it.
     const ThicknessPoints &thickness_points(std::size_t element) const;

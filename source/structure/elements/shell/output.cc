@@ -113,9 +113,10 @@ namespace birdstrike
     std::array<double, 3> result{};
     for (std::size_t i = 0; i < group.n_in_plane; ++i)
       {
-        const auto  &points = group.points_of(b, i);
-        const auto  &s      = group.section_of(b, i);
-        const double cauchy = share * lane(group.contraction(b, i), k);
+        const auto        &points = group.points_of(b, i);
+        const auto        &s      = group.section_of(b, i);
+        const unsigned int point  = point_of(layer, group.rule().n); // also of a section that keeps none yet
+        const double       cauchy = share * lane(group.contraction(b, i), k);
         if (group.laminate)
           {
             const auto of_ply = group.ply_stress(e, i, int(layer) - 1.);
@@ -125,9 +126,9 @@ namespace birdstrike
           }
         for (int c = 0; c < 3; ++c)
           if (points.empty())
-            result[c] += cauchy * (lane(s.mean[c], k) + (int(layer) - 1) * lane(s.outer[c], k));
+            result[c] += cauchy * (lane(s.mean[c], k) + group.rule().position[point] * lane(s.outer[c], k));
           else
-            result[c] += cauchy * lane(points[point_of(layer, points.size())].stress[c], k);
+            result[c] += cauchy * lane(points[point].stress[c], k);
       }
     return result;
   }
