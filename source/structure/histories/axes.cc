@@ -1,4 +1,5 @@
 #include "structure/histories/axes.h"
+#include <birdstrike/core/closest_point.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/mesh/orientation.h>
@@ -14,15 +15,47 @@ namespace birdstrike
 
     const char *const axes_entry = "Output/Histories/Axes";
 
-    /// Which of the nodes with a facet is nearest.
-    std::uint32_t find_nearest(const SurfaceMesh &surface, const Point3 &point)
+    /// Unit, of the facets at each node, by area, that look along a direction or against it, turned along it; zero at
+    /// nodes without any.
+    std::vector<Point3> find_nodal_normals(const SurfaceMesh &surface, const Point3 &towards)
     {
-      std::uint32_t nearest = surface.cells[0][0];
+      constexpr double    least_cosine = 0.5; // facets of rims look elsewhere
+      std::vector<Point3> normals(surface.nodes.size(), Point3::Zero());
+      for (std::size_t f = 0; f < surface.cells.size(); ++f)
+        {
+          const Point3 area   = surface.area_vector(f);
+          const double cosine = area.dot(towards) / area.norm();
+          if (std::abs(cosine) > least_cosine)
+            for (const std::uint32_t n : surface.cells[f])
+              normals[n] += (cosine > 0. ? 1. : -1.) * area;
+        }
+      for (Point3 &normal : normals)
+        if (normal.norm() > 0.)
+          normal.normalize();
+      return normals;
+    }
+
+    /// Normals of the nodes at the nearest place of the surface, by its weights in its facet: continuous from facet to
+    /// facet. Of facets that are equally near, as both faces of a body may be, the mean: their order has no say.
+    Point3 interpolate_normal(const SurfaceMesh &surface, const std::vector<Point3> &normals, const Point3 &point)
+    {
+      constexpr double                  tie = 1e-9; // of the size of a facet: round-off of places
+      std::vector<ClosestPoint<double>> closest;
+      double                            smallest = INFINITY;
       for (const auto &cell : surface.cells)
-        for (const std::uint32_t n : cell)
-          if ((surface.node(n) - point).squaredNorm() < (surface.node(nearest) - point).squaredNorm())
-            nearest = n;
-      return nearest;
+        {
+          std::array<Point3, 4> x;
+          for (unsigned int k = 0; k < 4; ++k)
+            x[k] = surface.node(cell[k]);
+          closest.push_back(compute_closest_point(point, x));
+          smallest = std::min(smallest, std::sqrt(closest.back().distance_squared));
+        }
+      Point3 sum = Point3::Zero();
+      for (std::size_t f = 0; f < surface.cells.size(); ++f)
+        if (std::sqrt(closest[f].distance_squared) <= smallest + tie * std::sqrt(surface.area_vector(f).norm()))
+          for (unsigned int k = 0; k < 4; ++k)
+            sum += closest[f].weights[k] * normals[surface.cells[f][k]];
+      return sum;
     }
 
     /// Of root and tip by the share of the span.
@@ -62,20 +95,10 @@ namespace birdstrike
     if (!roles.root.is_present())
       throw InputError(entry + " needs the axes of the blade, which follow from its root, and this blade has none.\n"
                                "Name the root in Blade/Supports/Clamped or Hub.");
-    constexpr double    least_cosine = 0.5; // facets of rims look elsewhere
-    const Point3        towards      = interpolate_normal(roles, point);
-    const std::uint32_t nearest      = find_nearest(surface, point);
-    Point3              normal       = Point3::Zero();
-    for (std::size_t f = 0; f < surface.cells.size(); ++f)
-      if (std::find(surface.cells[f].begin(), surface.cells[f].end(), nearest) != surface.cells[f].end())
-        {
-          const Point3 area   = surface.area_vector(f);
-          const double cosine = area.dot(towards) / area.norm();
-          if (std::abs(cosine) > least_cosine)
-            normal += (cosine > 0. ? 1. : -1.) * area;
-        }
-    normal     = normal.norm() > 0. ? Point3(normal.normalized()) : towards;
-    Point3 way = roles.tip.is_present() ? Point3(roles.tip.middle - roles.root.middle) : roles.root.span;
+    const Point3 towards = interpolate_normal(roles, point);
+    const Point3 there   = interpolate_normal(surface, find_nodal_normals(surface, towards), point);
+    const Point3 normal  = there.norm() > 0. ? Point3(there.normalized()) : towards;
+    Point3       way     = roles.tip.is_present() ? Point3(roles.tip.middle - roles.root.middle) : roles.root.span;
     way -= way.dot(normal) * normal;
     const Point3    span = way.normalized();
     Matrix3<double> rows;

@@ -24,8 +24,9 @@ namespace birdstrike
     std::array<std::string, 6> tensor_names() const;
   };
 
-  /// Span, chord and normal of the undeformed blade at a point: normal that of the surface there (facets of the nearest
-  /// node of the surface that look along the blade's normal, between those of root and tip), away from the struck side;
+  /// Span, chord and normal of the undeformed blade at a point: normal that of the surface there (at nodes the mean
+  /// of their facets that look along the blade's normal, between those of root and tip; within a facet between its
+  /// nodes), away from the struck side;
   /// span from the middle of the root to that of the tip without its part along the normal; chord square to both, from
   /// the leading to the trailing edge (orientation.h). Rows of the rotation. Throws InputError, naming the entry, where
   /// the blade has no clamped root.
