@@ -102,7 +102,7 @@ namespace birdstrike
     Sides root, tip, others;
     for (const Side &side : mesh.boundary)
       (contains(root_ids, side.id) ? root : contains(tip_ids, side.id) ? tip : others).push_back(side);
-    const BladeEnd end(mesh, SpanEnd::tip, tip_ids);
+    const BladeEnd end = BladeRoles(mesh, root_ids, tip_ids, {}).tip;
     if (root.empty() || !end.is_present())
       refuse(root.empty() ? "the blade has no root" : "the blade has no tip");
     const std::vector<Sides> free = pieces_of(others);

@@ -218,6 +218,19 @@ namespace birdstrike
         root.turn();
         tip.turn();
       }
+    constexpr double least_cosine = 0.5; // of ends that face one another, not of two edges that meet
+    if (root.is_present() && tip.is_present() && root.span.dot(tip.span) < -least_cosine &&
+        chord_at(tip.normal, -tip.span).dot(tip.chord) < 0.)
+      tip.chord = -tip.chord;
+  }
+
+  Point3 BladeRoles::chord_at(const Point3 &normal, const Point3 &span) const
+  {
+    if (!root.is_present())
+      return chord_along(normal, span);
+    // normals are those of one side from root to tip, so that normal, span and chord have one sense of rotation
+    const bool is_right_handed = root.normal.cross(root.span).dot(root.chord) > 0.;
+    return (is_right_handed ? 1. : -1.) * normal.cross(span).normalized();
   }
 
   template BladeEnd::BladeEnd(const BladeMesh<2> &, SpanEnd, const std::vector<unsigned int> &,

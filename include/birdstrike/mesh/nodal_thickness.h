@@ -16,7 +16,7 @@ namespace birdstrike
   ///   s = d_root / (d_root + d_tip)                           distances to the edges of root and tip,
   ///   c = (x - a).(b - a) / |b - a|^2, in [0, 1]              a, b: leading and trailing edge at this s.
   /// On the built-in plate both are its own; of a blade c is that of BladeShape where s is. Leading is the edge where
-  /// the chord of the tip begins (orientation.h).
+  /// the chord begins (orientation.h).
   ///
   /// Throws InputError for a table that cannot be read, is not positive or leaves out a node; for a blade without root
   /// or tip, or whose other edges are not two lines from one to the other.

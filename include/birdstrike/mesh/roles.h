@@ -87,6 +87,10 @@ namespace birdstrike
                const std::vector<unsigned int> &tip_ids, const Approach &approach,
                const std::vector<double> &stiffness = {});
 
+    /// Along the chord at a place of the blade with this normal, away from the struck side, and this span, from root to
+    /// tip: unit, running on from that of the root however the sections turn in between.
+    Point3 chord_at(const Point3 &normal, const Point3 &span) const;
+
     BladeEnd root, tip;
   };
 } // namespace birdstrike

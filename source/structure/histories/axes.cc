@@ -2,7 +2,6 @@
 #include <birdstrike/core/closest_point.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/text_lists.h>
-#include <birdstrike/mesh/orientation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +101,7 @@ namespace birdstrike
     way -= way.dot(normal) * normal;
     const Point3    span = way.normalized();
     Matrix3<double> rows;
-    rows << span.transpose(), chord_along(normal, span).transpose(), normal.transpose();
+    rows << span.transpose(), roles.chord_at(normal, span).transpose(), normal.transpose();
     return rows;
   }
 

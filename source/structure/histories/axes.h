@@ -28,8 +28,8 @@ namespace birdstrike
   /// of their facets that look along the blade's normal, between those of root and tip; within a facet between its
   /// nodes), away from the struck side;
   /// span from the middle of the root to that of the tip without its part along the normal; chord square to both, from
-  /// the leading to the trailing edge (orientation.h). Rows of the rotation. Throws InputError, naming the entry, where
-  /// the blade has no clamped root.
+  /// the leading to the trailing edge (BladeRoles::chord_at). Rows of the rotation. Throws InputError, naming the
+  /// entry, where the blade has no clamped root.
   Matrix3<double> find_blade_axes(const SurfaceMesh &surface, const BladeRoles &roles, const Point3 &point,
                                   const std::string &entry);
 

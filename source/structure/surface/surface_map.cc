@@ -53,11 +53,20 @@ namespace birdstrike
     class MapOfCuts final : public SurfaceMap
     {
     public:
-      MapOfCuts(const SurfaceMesh &surface, const Point3 &root, const Point3 &tip) : root(root), span_line(tip - root)
+      MapOfCuts(const SurfaceMesh &surface, const BladeRoles &roles)
+        : root(roles.root.middle), span_line(roles.tip.middle - root)
       {
         for (const auto &cell : surface.cells)
           facets.push_back(
             {surface.node(cell[0]), surface.node(cell[1]), surface.node(cell[2]), surface.node(cell[3])});
+        constexpr std::size_t n_cuts = 65; // a degree from one to the next where sections turn as those of blades do
+        Point3                along  = roles.root.chord;
+        for (std::size_t k = 0; k < n_cuts; ++k)
+          {
+            if (const std::vector<Point3> line = find_line(double(k) / (n_cuts - 1)); !line.empty())
+              along = long_axis(line, along);
+            chords.push_back(along);
+          }
       }
 
       Point3 position(const double span, const double chord) const override
@@ -109,6 +118,7 @@ namespace birdstrike
 
       Point3                             root, span_line;
       std::vector<std::array<Point3, 4>> facets;
+      std::vector<Point3> chords; ///< of cuts at equal distances from root to tip, as that of the root runs
 
       /// The ends themselves may lie a hair beside their plane.
       static double within(const double share)
@@ -116,8 +126,9 @@ namespace birdstrike
         return std::clamp(share, 1e-6, 1. - 1e-6);
       }
 
-      /// The direction in which the pieces of a cut are longest: the principal one of their second moment.
-      static Point3 long_axis(const std::vector<Point3> &line)
+      /// The direction in which the pieces of a cut are longest, the principal one of their second moment, to the side
+      /// of another.
+      static Point3 long_axis(const std::vector<Point3> &line, const Point3 &along)
       {
         const auto each_piece = [&line](const auto &f) {
           for (std::size_t k = 0; k < line.size(); k += 2)
@@ -135,7 +146,7 @@ namespace birdstrike
           moment += size * arm * arm.transpose();
         });
         const Point3 axis = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(moment).eigenvectors().col(2);
-        return sign_by_axes(axis, {{1, 2, 0}}) * axis;
+        return axis.dot(along) < 0. ? Point3(-axis) : axis;
       }
 
       /// The middle of what of a cut lies farthest along a direction: a point, or the end of a body.
@@ -158,11 +169,12 @@ namespace birdstrike
         return 0.5 * (low + high);
       }
 
-      Section cut(const double span) const
+      /// Two ends of each piece of a cut.
+      std::vector<Point3> find_line(const double span) const
       {
-        const Point3 through = root + within(span) * span_line;
-        const auto   height  = [&](const Point3 &p) { return (p - through).dot(span_line); };
-        Section      section;
+        const Point3        through = root + within(span) * span_line;
+        const auto          height  = [&](const Point3 &p) { return (p - through).dot(span_line); };
+        std::vector<Point3> line;
         for (const auto &corner : facets)
           for (const std::array<int, 3> &triangle : {std::array<int, 3>{{0, 1, 2}}, {{0, 2, 3}}})
             {
@@ -173,13 +185,21 @@ namespace birdstrike
                   add_crossing(a, height(a), b, height(b), ends);
                 }
               if (ends.size() == 2)
-                section.line.insert(section.line.end(), ends.begin(), ends.end());
+                line.insert(line.end(), ends.begin(), ends.end());
             }
+        return line;
+      }
+
+      Section cut(const double span) const
+      {
+        Section section;
+        section.line = find_line(span);
         if (section.line.empty())
           throw InputError(
             "Bird/Aim span fraction: the mesh of the blade has no section there, square to the line from "
             "the middle of its root to the middle of its tip.\nGive Bird/Aim point.");
-        const Point3 axis = long_axis(section.line);
+        const double last = static_cast<double>(chords.size() - 1);
+        const Point3 axis = long_axis(section.line, chords[std::lround(within(span) * last)]);
         section.leading   = find_edge(section.line, -axis);
         section.trailing  = find_edge(section.line, axis);
         return section;
@@ -194,7 +214,7 @@ namespace birdstrike
       const BladeRoles     roles(mesh, supports.root_ids, supports.tip_ids, {});
       if (!roles.root.is_present() || !roles.tip.is_present())
         return nullptr;
-      return std::make_unique<MapOfCuts>(mesh.surface(), roles.root.middle, roles.tip.middle);
+      return std::make_unique<MapOfCuts>(mesh.surface(), roles);
     }
   } // namespace
 

@@ -88,6 +88,53 @@ namespace birdstrike::roles_test
     expect_one_side_of_a_twisted_blade<3>();
   }
 
+  // Sections turn from 70 to 110 degrees about x: the root's chord runs towards +y, cos(70 deg), and so does its
+  // continuation at the tip, which has y = cos(110 deg), whichever side is struck. 40 degrees on 24 elements: an end
+  // has the mean of its cells, half an element from it, 0.8 degrees or 0.015.
+  template <int dim>
+  void expect_one_sense_of_the_chord()
+  {
+    BladeParameters p;
+    p.mesh.generator       = MeshGenerator::blade;
+    p.mesh.length          = 0.3;
+    p.mesh.chord           = 0.1;
+    p.mesh.n_span          = 24;
+    p.mesh.n_chord         = 8;
+    p.mesh.n_layers        = 1;
+    p.mesh.profile.stagger = "70 + 40*s";
+    p.is_halved            = false;
+    const BladeMesh<dim> mesh(p);
+    const auto           along = [](const double degrees) {
+      return Point3(0., std::cos(degrees * M_PI / 180.), std::sin(degrees * M_PI / 180.));
+    };
+    for (const double side : {1., -1., 0.})
+      {
+        const BladeRoles roles(mesh, root_id, tip_id, {Point3(0.15, 0., 0.), side * 200. * along(170.)});
+        EXPECT_LT((roles.root.chord - along(70.)).norm(), 0.02) << dim << side;
+        EXPECT_LT((roles.tip.chord - along(110.)).norm(), 0.02) << dim << side;
+        for (const double degrees : {75., 90., 105.})
+          {
+            const double sign = roles.root.normal.dot(along(160.)) > 0. ? 1. : -1.;
+            EXPECT_LT((roles.chord_at(sign * along(degrees + 90.), Point3::UnitX()) - along(degrees)).norm(), 1e-12);
+          }
+      }
+  }
+
+  TEST(BladeRoles, TheChordRunsOnFromThatOfTheRoot)
+  {
+    expect_one_sense_of_the_chord<2>();
+    expect_one_sense_of_the_chord<3>();
+  }
+
+  // Edges that meet face no common way: each has the sign of its own.
+  TEST(BladeRoles, ChordsOfEdgesThatMeetAreTheirOwn)
+  {
+    const ShellMesh  mesh(plate(6, 4, 2));
+    const BladeRoles roles(mesh, {2}, {1}, {});
+    expect_near(roles.root.chord, Point3::UnitX());
+    expect_near(roles.tip.chord, Point3::UnitY());
+  }
+
   // Without a tip the root decides; an end that runs all around has no axes.
   TEST(BladeRoles, AbsentEndsHaveNoSay)
   {

@@ -48,4 +48,19 @@ namespace birdstrike::blade_axes_test
         EXPECT_LT((axes - find_blade_axes(other, roles, x, "Axes")).norm(), 1e-12) << cell;
       }
   }
+
+  // A blade whose sections turn from 70 to 110 degrees to y: the chord runs from the edge at which it begins at the
+  // root to the other everywhere, (0, cos a, sin a) within the twist of an element, 1.4 degrees.
+  TEST(BladeAxes, TheChordRunsOnWhereTheStaggerPassesARightAngle)
+  {
+    const BladeParameters p = twisted(70., 110.);
+    const ShellMesh       mesh(p);
+    const BladeRoles      roles(mesh, {0}, {1}, {});
+    for (const double s : {0.1, 0.4, 0.49, 0.51, 0.6, 0.9})
+      {
+        const double a     = (70. + 40. * s) * M_PI / 180.;
+        const Point3 chord = find_blade_axes(mesh, roles, Point3(s * p.mesh.length, 0., 0.), "Axes").row(1).transpose();
+        EXPECT_LT((chord - Point3(0., std::cos(a), std::sin(a))).norm(), 0.025) << s;
+      }
+  }
 } // namespace birdstrike::blade_axes_test

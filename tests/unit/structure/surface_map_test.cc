@@ -74,6 +74,39 @@ namespace surface_map_test
         }
   }
 
+  // A file of a blade that turns from 70 degrees to y to 110: an eighth of the chord from the edge at which it begins
+  // at the root is on the same side all along. Facets are cut as two triangles, whose common edge lies off the helicoid
+  // by a quarter of the twist of a row times the width of a cell, 0.05/4 * chord/4 = 3e-3 of the chord.
+  TEST(SurfaceMap, OfAFileGoesFromTheSameEdgeAllAlong)
+  {
+    for (const unsigned int n_layers : {0u, 2u})
+      {
+        Listing listing;
+        listing.seed    = 5;
+        listing.corners = [n_layers] {
+          return n_layers > 0 ? rotations_of_a_cube()[0] : std::vector<unsigned int>{0, 1, 2, 3};
+        };
+        const auto angle = [](const double s) { return (70. + 40. * s) * M_PI / 180.; };
+        listing.shape    = [&](const Point3 &x) {
+          const double a = angle(x[0] / 0.3112);
+          return Point3(x[0], x[1] * std::cos(a) - x[2] * std::sin(a), x[1] * std::sin(a) + x[2] * std::cos(a));
+        };
+        const PlateFile       file({14, 4, n_layers}, listing);
+        const BladeParameters plate = file.parameters();
+        const auto            map   = make_surface_map(plate);
+        ASSERT_TRUE(map);
+        for (const double s : {0.05, 0.45, 0.55, 0.95})
+          {
+            const double y = -0.375 * plate.mesh.chord;
+            const Point3 there(s * plate.mesh.length, y * std::cos(angle(s)), y * std::sin(angle(s)));
+            const double tolerance = 4e-3 * plate.mesh.chord;
+            expect_near(map->position(s, 0.125), there, tolerance, std::to_string(n_layers));
+            EXPECT_NEAR(map->shares(there)[1], 0.125, 1e-3);
+            EXPECT_GT(map->chord_direction(s).dot(Point3(0., std::cos(angle(s)), std::sin(angle(s)))), 0.99);
+          }
+      }
+  }
+
   TEST(SurfaceMap, NeedsRootAndTip)
   {
     Listing listing;
