@@ -1,4 +1,5 @@
 #include "report/comparison/comparison_table.h"
+#include "report/comparison/warning_digest.h"
 #include <birdstrike/report/text.h>
 
 #include <fmt/format.h>
@@ -141,6 +142,13 @@ namespace birdstrike
           add_line(cells[k]);
         text += '\n';
       }
+    if (std::ranges::any_of(warned, [](const Warnings &each) { return !each.empty(); }))
+      {
+        text += "| | warnings |\n|---|---|\n";
+        for (std::size_t run = 0; run < names.size(); ++run)
+          add_line({names[run], warned[run].empty() ? nothing : list_codes(warned[run])});
+        text += '\n';
+      }
     for (const std::string &note : remarks)
       text += note + "\n\n";
     return text;
@@ -154,7 +162,7 @@ namespace birdstrike
     for (const ComparisonRow &row : all)
       if (!row.values.empty())
         text += "," + csv_field("difference of " + row.group + ": " + row.quantity + " [%]");
-    text += '\n';
+    text += ",warnings\n";
     for (std::size_t run = 0; run < names.size(); ++run)
       {
         text += csv_field(names[run]);
@@ -163,7 +171,7 @@ namespace birdstrike
         for (const ComparisonRow &row : all)
           if (!row.values.empty())
             text += "," + csv_number(100. * row.difference(run));
-        text += '\n';
+        text += "," + csv_field(list_codes(warned[run])) + '\n';
       }
     return text;
   }

@@ -1,5 +1,6 @@
 #include "report/comparison/comparison_table.h"
 #include "report/comparison/curve_features.h"
+#include "report/comparison/warning_digest.h"
 #include "report/quantities.h"
 #include "report/run_warnings.h"
 #include <birdstrike/report/text.h>
@@ -111,6 +112,7 @@ namespace birdstrike
     add("Contact", {"contact/max_penetration_over_spacing"}, runs);
     add("Balance", {"energy/max_relative_error", "energy/max_hourglass_over_internal"}, runs);
     add("Cost", {"steps/blade", "steps/bird", "cost/wall", "cost/threads", "cost/peak_memory"}, runs);
+    add_warnings(runs);
   }
 
   void ComparisonTable::add(const std::string &group, const std::initializer_list<const char *> keys,
@@ -224,6 +226,18 @@ namespace birdstrike
       remarks.push_back("Filtered forces are not alike, by Output/Channel class: " + of + ".");
   }
 
+  void ComparisonTable::add_warnings(const std::vector<ComparedRun> &runs)
+  {
+    std::vector<WarnedRun> all_of;
+    for (const ComparedRun &run : runs)
+      {
+        warned.push_back(run.record.summary().warnings());
+        all_of.push_back({"'" + run.name + "'", warned.back()});
+      }
+    for (std::string &line : digest_warnings(all_of))
+      remarks.push_back(std::move(line));
+  }
+
   void ComparisonTable::add_row(ComparisonRow row)
   {
     const bool has_value = std::any_of(row.values.begin(), row.values.end(), [](double v) { return !std::isnan(v); });
@@ -236,6 +250,11 @@ namespace birdstrike
   const std::vector<ComparisonRow> &ComparisonTable::rows() const
   {
     return all;
+  }
+
+  const std::vector<Warnings> &ComparisonTable::warnings() const
+  {
+    return warned;
   }
 
   const std::vector<std::string> &ComparisonTable::notes() const

@@ -45,14 +45,19 @@ namespace birdstrike
     /// What the rows cannot say: how a permanent deflection was taken, which runs were lost and why.
     const std::vector<std::string> &notes() const;
 
+    /// Of each run, as its summary has them; none of a run that was lost.
+    const std::vector<Warnings> &warnings() const;
+
     std::string as_text() const;     ///< a table a group, aligned for a terminal, values with SI prefixes
     std::string as_markdown() const; ///< the same as tables of Markdown
-    std::string as_csv() const;      ///< one row a run, all digits, SI units; differences in percent behind
+    std::string
+    as_csv() const; ///< one row a run, all digits, SI units; behind: differences in percent, codes of warnings
 
   private:
     std::vector<std::string>   names;
     std::vector<ComparisonRow> all;
     std::vector<std::string>   remarks;
+    std::vector<Warnings>      warned;
 
     /// Quantities of summary.json, in the words and units of quantities.h.
     void add(const std::string &group, std::initializer_list<const char *> keys, const std::vector<ComparedRun> &runs);
@@ -64,6 +69,7 @@ namespace birdstrike
     void say_what_root_stress_is(const std::vector<ComparedRun> &runs);
     void say_what_filters_are(const std::vector<ComparedRun> &runs);
     void add_permanent_deflection(const std::vector<ComparedRun> &runs);
+    void add_warnings(const std::vector<ComparedRun> &runs);
     void add_row(ComparisonRow row);
   };
 

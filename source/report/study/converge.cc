@@ -48,7 +48,7 @@ namespace birdstrike
         folder.write_text(figure.stem + ".csv", data_of(figure));
         draw_figures(folder);
       }
-    log().info("\n{}", convergence.as_text());
+    log().info("\n{}{}", convergence.as_text(), table.warnings_as_text());
     log().info("Ladder in {}", folder.path().string());
     Losses losses;
     for (const PointRun &run : runs)

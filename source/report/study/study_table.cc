@@ -1,5 +1,6 @@
 #include "report/study/study_table.h"
 #include "report/comparison/case_run.h"
+#include "report/comparison/warning_digest.h"
 #include "report/histories/history_hdf5.h"
 #include <birdstrike/report/text.h>
 
@@ -66,11 +67,16 @@ namespace birdstrike
     return row.texts.empty() && !others.contains(row.group) && !row.quantity.starts_with("largest penetration");
   }
 
-  StudyTable::StudyTable(const StudyPlan &plan, const std::vector<PointRun> &runs) : plan(plan), runs(runs)
+  StudyTable::StudyTable(const StudyPlan &plan, const std::vector<PointRun> &runs)
+    : plan(plan), runs(runs), warned(runs.size())
   {
     for (std::size_t k = 0; k < runs.size(); ++k)
       if (runs[k].is_done) // one record at a time: a thousand histories would fill the memory
-        add(k, ComparisonTable({{runs[k].point.name, read_record(runs[k].folder)}}).rows());
+        {
+          const ComparisonTable of_point({{runs[k].point.name, read_record(runs[k].folder)}});
+          add(k, of_point.rows());
+          warned[k] = of_point.warnings()[0];
+        }
   }
 
   void StudyTable::add(const std::size_t point, const std::vector<ComparisonRow> &rows)
@@ -141,7 +147,20 @@ namespace birdstrike
         cells.push_back(std::move(line));
       }
     return align(cells) + (is_any_rising ? of_rising : "") +
-           (runs.size() > most_lines ? fmt::format("... and {} more in study.csv\n", runs.size() - most_lines) : "");
+           (runs.size() > most_lines ? fmt::format("... and {} more in study.csv\n", runs.size() - most_lines) : "") +
+           warnings_as_text();
+  }
+
+  std::string StudyTable::warnings_as_text() const
+  {
+    std::vector<WarnedRun> points;
+    for (std::size_t k = 0; k < runs.size(); ++k)
+      if (runs[k].is_done)
+        points.push_back({runs[k].point.name, warned[k]});
+    std::string text;
+    for (const std::string &line : digest_warnings(points))
+      text += line + '\n';
+    return text;
   }
 
   std::string StudyTable::as_csv() const
@@ -151,7 +170,7 @@ namespace birdstrike
       text += "," + csv_field(each.entry + " [" + each.unit + "]");
     for (const ComparisonRow &row : all)
       text += "," + csv_heading(row);
-    text += ",still rising,state,folder\n";
+    text += ",still rising,warnings,state,folder\n";
     for (std::size_t k = 0; k < runs.size(); ++k)
       {
         text += std::to_string(k + 1);
@@ -163,8 +182,9 @@ namespace birdstrike
         for (const ComparisonRow &row : all)
           if (row.is_rising(k))
             rising += (rising.empty() ? "" : "; ") + row.group + ": " + row.quantity;
-        text +=
-          "," + csv_field(rising) + "," + csv_field(runs[k].state) + "," + csv_field(runs[k].folder.string()) + "\n";
+        for (const std::string &last : {rising, list_codes(warned[k]), runs[k].state, runs[k].folder.string()})
+          text += "," + csv_field(last);
+        text += "\n";
       }
     return text;
   }

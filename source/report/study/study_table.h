@@ -23,8 +23,11 @@ namespace birdstrike
     /// the tip, moment and stress of the root, plastic work and strain, impulse, filtered force.
     std::vector<const ComparisonRow *> headline() const;
 
-    std::string as_text() const; ///< the headline, a line a point, at most 60
+    std::string as_text() const; ///< the headline, a line a point, at most 60; below it what runs warn of
     std::string as_csv() const;  ///< one row a point, all digits, SI units
+
+    /// A line for each code of warnings, with the points that have it and the sentence of the first.
+    std::string warnings_as_text() const;
 
     /// varied/<entry>, quantities/<group>/<quantity>, state/done, each [points along the first entry][along the second]
     /// ..., of pairs [points]. Throws std::runtime_error if the disk refuses.
@@ -34,6 +37,7 @@ namespace birdstrike
     const StudyPlan             &plan;
     const std::vector<PointRun> &runs;
     std::vector<ComparisonRow>   all;
+    std::vector<Warnings>        warned; ///< by point
 
     void add(std::size_t point, const std::vector<ComparisonRow> &rows);
   };

@@ -111,6 +111,21 @@ TEST_F(Comparison, ABladeThatIsStillPushedHasNoPermanentDeflection)
   EXPECT_EQ(text.find("second: 10 ms"), std::string::npos) << text;
 }
 
+TEST_F(Comparison, SaysWhichRunsWarnOfWhat)
+{
+  RecordedRun torn;
+  torn.warnings = {"metal/elongation", "contact/unfinished"};
+  torn.write(scratch.path() / "second", scratch.write("plate.prm", ""));
+  runs[1].record = RunRecord(scratch.path() / "second");
+  const ComparisonTable table(runs);
+  const std::string     csv = table.as_csv(), text = table.as_text(), markdown = table.as_markdown();
+  EXPECT_NE(csv.find(",warnings\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",metal/elongation contact/unfinished\n"), std::string::npos) << csv;
+  EXPECT_NE(text.find("metal/elongation at 'second': Something is doubtful.\n"), std::string::npos) << text;
+  EXPECT_NE(markdown.find("| second | metal/elongation contact/unfinished |"), std::string::npos) << markdown;
+  EXPECT_NE(markdown.find("| first | - |"), std::string::npos) << markdown;
+}
+
 TEST_F(Comparison, SaysWhereFilteredForcesAreNotAlike)
 {
   EXPECT_EQ(ComparisonTable(runs).as_text().find("Filtered forces"), std::string::npos);

@@ -162,5 +162,27 @@ TEST_F(Study, SaysWhichPeaksAreNoneYet)
   EXPECT_FALSE(std::ranges::find(rows, "plastic work", &ComparisonRow::quantity)->is_rising(2));
   EXPECT_NE(table.as_text().find("150 mm+"), std::string::npos);
   EXPECT_NE(table.as_text().find("+: still rising at the end"), std::string::npos);
-  EXPECT_NE(table.as_csv().find(",Tip: peak (mid-chord),done,"), std::string::npos);
+  EXPECT_NE(table.as_csv().find(",Tip: peak (mid-chord),,done,"), std::string::npos);
+}
+
+// A blade that would tear at the fastest strike tears in no other place of the table than this.
+TEST_F(Study, SaysWhichPointsWarnOfWhat)
+{
+  EXPECT_EQ(StudyTable(plan, runs).warnings_as_text(), "");
+  RecordedRun pushed, torn;
+  pushed.warnings = {"peak/not_reached", "peak/not_reached", "contact/unfinished"};
+  torn.warnings   = {"contact/unfinished", "metal/elongation"};
+  pushed.write(runs[0].folder, (scratch.path() / "plate.prm").string());
+  torn.write(runs[3].folder, (scratch.path() / "plate.prm").string());
+  const StudyTable  table(plan, runs);
+  const std::string csv = table.as_csv(), text = table.as_text();
+  EXPECT_NE(csv.find(",still rising,warnings,state,folder\n"), std::string::npos);
+  EXPECT_NE(csv.find(",peak/not_reached contact/unfinished,done,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",contact/unfinished metal/elongation,done,"), std::string::npos) << csv;
+  EXPECT_NE(text.find("\nmetal/elongation at Mass=0.2, Shape=cylinder: Something is doubtful.\n"), std::string::npos)
+    << text;
+  EXPECT_NE(text.find("\ncontact/unfinished at Mass=0.1, Shape=cylinder; Mass=0.2, Shape=cylinder. At Mass=0.1, "
+                      "Shape=cylinder: Something is doubtful.\n"),
+            std::string::npos)
+    << text;
 }
