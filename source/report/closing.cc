@@ -69,23 +69,23 @@ namespace birdstrike
         return shown(key) + " at " + shown(key + "_time");
       }
       /// Nothing where there is no such peak.
-      void add_peak(const std::string &text, const std::string &key)
+      void add_peak(const std::string &text, const std::string &key, const double time)
       {
         if (std::isnan(value(key)) || value(key) == 0.)
           return;
         const bool has_time = !std::isnan(value(key + "_time"));
-        table.add(text, (has_time ? with_time(key) : shown(key)) +
-                          (summary.is_false(key + "_reached") ? " (still rising at the end)" : ""));
+        const auto doubt    = time < run.time ? " (no peak yet: the bird still pushes)" : " (still rising at the end)";
+        table.add(text, (has_time ? with_time(key) : shown(key)) + (summary.is_false(key + "_reached") ? doubt : ""));
       }
 
       void add_blade()
       {
         table.add_heading("Blade");
-        add_peak("tip peak (mid-chord)", "tip/peak");
+        add_peak("tip peak (mid-chord)", "tip/peak", run.observed.tip_peak.time());
         if (value("tip/peak") != 0.)
           table.add("tip at the end", shown("tip/final"));
-        add_peak("root peak normal stress", "root/peak_normal_stress");
-        add_peak("root peak moment", "root/peak_moment");
+        add_peak("root peak normal stress", "root/peak_normal_stress", run.observed.root_stress.time());
+        add_peak("root peak moment", "root/peak_moment", run.observed.root_moment.time());
         add("plastic/max_strain",
             fmt::format("{:.4f} at {}", value("plastic/max_strain"), shown_vector("plastic/position")));
       }

@@ -157,12 +157,13 @@ namespace birdstrike
       };
     }
 
-    /// Whether the curve has come down since: the largest value at the last instant may be on its way up. What has
-    /// never left zero has no peak (null): a blade without this section, or one that holds it.
+    /// Whether the curve has come down since: the largest value at the last instant may be on its way up, and one
+    /// before it may be no more than a first swing backwards while the bird pushes. What has never left zero has no
+    /// peak (null): a blade without this section, or one that holds it.
     template <class AnyPeak>
     std::optional<bool> is_reached(const AnyPeak &peak, View run)
     {
-      return peak.value() == 0. ? std::nullopt : std::optional(peak.time() < run.time);
+      return peak.value() == 0. ? std::nullopt : std::optional(peak.time() < run.time && !run.has_later_peaks());
     }
 
     /// Signs and frames: structure/reports.h. Peaks are over all macro steps: of the tip the largest deflection either

@@ -2,11 +2,14 @@
 #include <birdstrike/report/run_view.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace birdstrike
 {
   namespace
   {
+    constexpr double small_force = 0.01; ///< of the filtered peak
+
     /// The particles of one snapshot behind those of another one, of the same fields.
     void append(FieldSnapshot &all, const FieldSnapshot &some)
     {
@@ -23,6 +26,18 @@ namespace birdstrike
   bool RunView::has_bird() const
   {
     return std::ranges::any_of(birds, [](const BirdOfRun &each) { return each.bird != nullptr; });
+  }
+
+  bool RunView::is_pushed() const
+  {
+    const auto  &force = observed.force;
+    const double peak  = observed.smooth_peak;
+    return contact && peak > 0. && std::hypot(force[0], force[1], force[2]) > small_force * peak;
+  }
+
+  bool RunView::has_later_peaks() const
+  {
+    return is_pushed() && end_reason != EndReason::tip_peak;
   }
 
   std::size_t RunView::n_particles() const

@@ -18,7 +18,6 @@ namespace birdstrike
     constexpr double much_hourglass    = 0.1;  ///< -, of the internal energy (usual limit: 5 to 10 %)
     constexpr double much_momentum     = 1e-4; ///< -: bookkeeping is right to round-off, friction's couple to 1e-5
     constexpr double much_lost         = 0.01; ///< -, of the energy scale, by contact's springs
-    constexpr double small_force       = 0.01; ///< of the filtered peak
     constexpr double deep              = 0.5;  ///< particle spacings
     constexpr double much_strain       = 0.05; ///< -, equivalent plastic: brittle metals break there
 
@@ -50,6 +49,7 @@ namespace birdstrike
     void check_peaks(const RunView &run, Warnings &warnings)
     {
       const Observed &of = run.observed;
+      std::string     passed;
       for (const auto &[name, value, time] :
            {std::tuple("tip deflection", of.tip_peak.value(), of.tip_peak.time()),
             std::tuple("root normal stress", of.root_stress.value(), of.root_stress.time()),
@@ -58,6 +58,12 @@ namespace birdstrike
           warnings.push_back({"peak/not_reached", fmt::format("The largest {} is that at the end of the run, where it "
                                                               "still rises: no peak yet (Time/End time).",
                                                               name)});
+        else if (value != 0.)
+          passed += (passed.empty() ? "" : ", ") + std::string(name);
+      if (run.has_later_peaks() && !passed.empty())
+        warnings.push_back({"peak/not_reached", fmt::format("The largest values until the end of the run ({}) may be "
+                                                            "no peaks: the bird still pushes (Time/End time).",
+                                                            passed)});
     }
 
     struct BreakingStrain
@@ -137,9 +143,7 @@ namespace birdstrike
         check_peaks(run, warnings);
         check_metal(run, warnings);
       }
-    const auto  &force = run.observed.force;
-    const double peak  = run.observed.smooth_peak;
-    if (run.contact && peak > 0. && std::hypot(force[0], force[1], force[2]) > small_force * peak)
+    if (const auto &force = run.observed.force; run.is_pushed())
       warnings.push_back(
         {unfinished_contact, "The bird still pushes on the blade at the end of the run, with " +
                                format_quantity(std::hypot(force[0], force[1], force[2]), "N") +

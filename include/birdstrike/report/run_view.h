@@ -99,7 +99,9 @@ namespace birdstrike
     std::vector<StepLimiters::Limiter> limiters      = {}; ///< of macro steps
     Warnings                           case_warnings = {}; ///< known before the first step
 
-    bool          has_bird() const; ///< that is computed still
+    bool          has_bird() const;        ///< that is computed still
+    bool          is_pushed() const;       ///< at the end, by more than 1 % of the filtered force's peak
+    bool          has_later_peaks() const; ///< may have: it is pushed still, and the tip has not been seen to turn back
     std::size_t   n_particles() const;
     std::size_t   n_retired() const;     ///< of all together, as the next
     double        retired_mass() const;  ///< kg

@@ -157,12 +157,15 @@ namespace birdstrike
   {
     for (const char *key : {"tip/peak_reached", "root/peak_normal_stress_reached", "root/peak_moment_reached"})
       {
-        std::string of;
+        std::string rising, pushed;
         for (const ComparedRun &run : runs)
           if (has(run.record, quantity(key).subject) && run.record.summary().is_false(key))
-            add_name(of, run.name);
-        if (!of.empty())
-          remarks.push_back(quantity(key).text + " of " + of + ": still rising at the end, no peak yet.");
+            add_name(has_warning(run.record, unfinished_contact) ? pushed : rising, run.name);
+        if (!rising.empty())
+          remarks.push_back(quantity(key).text + " of " + rising + ": still rising at the end, no peak yet.");
+        if (!pushed.empty())
+          remarks.push_back(quantity(key).text + " of " + pushed +
+                            ": the bird still pushes at the end, it may be no peak yet.");
       }
   }
 

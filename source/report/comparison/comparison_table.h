@@ -19,12 +19,12 @@ namespace birdstrike
   /// `texts`.
   struct ComparisonRow
   {
-    std::string              group;      ///< "Blade", "Cost"
-    std::string              quantity;   ///< "tip peak (mid-chord)"
-    std::string              unit;       ///< "m", "-", "count", "B", "share"; empty for texts
-    std::vector<double>      values;     ///< per run
-    std::vector<std::string> texts;      ///< per run
-    std::vector<bool>        rises = {}; ///< per run: a peak (or its time) that is only the value at the end
+    std::string              group;    ///< "Blade", "Cost"
+    std::string              quantity; ///< "tip peak (mid-chord)"
+    std::string              unit;     ///< "m", "-", "count", "B", "share"; empty for texts
+    std::vector<double>      values;   ///< per run
+    std::vector<std::string> texts;    ///< per run
+    std::vector<bool> rises = {};      ///< per run: a peak (or its time) that may be none: at the end, or pushed still
 
     bool is_rising(std::size_t run) const;
 

@@ -98,7 +98,7 @@ namespace birdstrike
         line.push_back(std::isnan(made.gci) ? "none" : "+- " + format_share(made.gci));
         line.push_back(describe(made.trend) +
                        (made.n_fitted < sizes.size() && made.n_fitted > 0 ? "; of " + made.method() : "") +
-                       (each.is_rising() ? "; still rising at the end, no peak" : ""));
+                       (each.is_rising() ? "; still rising at the end, no peak, or still pushed by the bird" : ""));
         cells.push_back(std::move(line));
       }
     return size_name(refinement) + ":\n" + align(cells) + describe_bars(sizes.size());

@@ -17,7 +17,7 @@ namespace birdstrike
     std::vector<double>  values; ///< from the finest level on
     GridConvergence      estimate;
 
-    /// Whether on a level it still rises at the end: it is the value of that moment then, and no peak.
+    /// Whether on a level it still rises, or is pushed, at the end: it may be no peak then.
     bool is_rising() const;
   };
 

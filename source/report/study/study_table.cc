@@ -41,7 +41,7 @@ namespace birdstrike
       return std::isnan(value) ? "-" : format_value(value, unit);
     }
 
-    constexpr auto of_rising = "+: still rising at the end of the run, no peak yet.\n";
+    constexpr auto of_rising = "+: still rising at the end of the run, no peak yet, or still pushed by the bird.\n";
   } // namespace
 
   std::string align(const std::vector<std::vector<std::string>> &cells)

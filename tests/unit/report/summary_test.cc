@@ -168,6 +168,27 @@ TEST(Summary, APeakAtTheLastInstantIsNotReached)
   EXPECT_FALSE(Summary(run).is_false("root/peak_normal_stress_reached"));
 }
 
+// The tip swings backwards first, by a hundredth of what is to come: -2 mm at 0.3 ms of a peak of 177 mm at 8 ms.
+TEST(Summary, NoPeakIsReachedWhileTheBirdPushes)
+{
+  SomeRun some;
+  some.observed.tip_peak.update(0.3e-3, -2e-3);
+  some.observed.root_stress.update(0.3e-3, 1e9);
+  some.observed.smooth_peak = 1e4;
+  some.observed.force       = {{0., 0., 101.}}; // N
+  RunView             run   = some.view();
+  const ContactReport contact{};
+  run.time    = 0.6e-3;
+  run.contact = &contact;
+  EXPECT_TRUE(Summary(run).is_false("tip/peak_reached"));
+  EXPECT_TRUE(Summary(run).is_false("root/peak_normal_stress_reached"));
+  run.end_reason = EndReason::tip_peak;
+  EXPECT_EQ(Summary(run).json["tip"]["peak_reached"], true) << "it has been seen to turn back";
+  run.end_reason      = EndReason::end_time;
+  some.observed.force = {{0., 0., 99.}};
+  EXPECT_EQ(Summary(run).json["tip"]["peak_reached"], true);
+}
+
 TEST(Summary, HoldsTheFilteredPeak)
 {
   SomeRun some;
