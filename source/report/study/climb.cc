@@ -1,6 +1,7 @@
 #include "report/study/climb.h"
 #include "report/study/study_table.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/report/text.h>
 
 #include <fmt/format.h>
 
@@ -159,6 +160,20 @@ namespace birdstrike
     const double          ratio = sizes[sizes.size() - 2] / sizes.back();
     const double          error = std::isnan(made.bar) ? std::abs(values.back() - values.front()) : made.bar;
     return error * (1. - std::pow(ratio, -order));
+  }
+
+  std::string describe_interaction(const std::optional<double> interaction, const std::string &unit)
+  {
+    if (interaction)
+      return "  What both together add to it: " + format_value(*interaction, unit) + ".\n";
+    return "  Bird and mesh refined together were not run: the value is the sum of both ladders.\n";
+  }
+
+  std::string name_refinements(const ClimbAxis &bird, const ClimbAxis &mesh)
+  {
+    const std::string smaller = bird.is_refined() ? "a smaller Bird/Particle spacing" : "";
+    const std::string more    = mesh.is_refined() ? "more Blade/Mesh/Elements along span and chord" : "";
+    return smaller + (smaller.empty() || more.empty() ? "" : " and ") + more;
   }
 
   std::vector<ClimbChoice> find_choices(const ClimbAxis &bird, const ClimbAxis &mesh, const double allowed)

@@ -3,6 +3,7 @@
 #include "report/comparison/comparison_table.h"
 #include "report/study/grid_convergence.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,12 @@ namespace birdstrike
     /// What one more level would take off the error of the finest, by the order that is seen, else by one.
     double expected_gain() const;
   };
+
+  /// A line of a claim that fails: what runs with both refined add to the sum of the ladders; none: no run has.
+  std::string describe_interaction(std::optional<double> interaction, const std::string &unit);
+
+  /// What a user changes to have finer levels: "a smaller Bird/Particle spacing and more ...".
+  std::string name_refinements(const ClimbAxis &bird, const ClimbAxis &mesh);
 
   /// Levels of both directions.
   struct ClimbChoice

@@ -197,11 +197,21 @@ namespace birdstrike
   {
     const Place  finest{axes[0].sizes.size() - 1, 0};
     const double value = runs.at(finest).value + axes[1].values.back() - axes[1].values.front();
-    throw NumericalFailure(fmt::format("The target error of {} is not reached, and none is claimed: {} is near {}.\n"
-                                       "  {}.\n  {}.\n  What both together add to it: {}.\n  Action: {}.",
-                                       format_share(target.share), row.group + ": " + row.quantity,
-                                       format_value(value, row.unit), describe_axis(0), describe_axis(1),
-                                       format_value(interaction, row.unit), advise()));
+    throw NumericalFailure(fmt::format(
+      "The target error of {} is not reached, and none is claimed: {} is near {}.\n"
+      "  {}.\n  {}.\n{}  Action: {}.",
+      format_share(target.share), row.group + ": " + row.quantity, format_value(value, row.unit), describe_axis(0),
+      describe_axis(1),
+      axes[0].is_refined() && axes[1].is_refined() ? describe_interaction(seen_interaction(), row.unit) : "",
+      advise()));
+  }
+
+  /// None where no run has both refined.
+  std::optional<double> Climber::seen_interaction() const
+  {
+    const bool is_seen =
+      std::ranges::any_of(runs, [](const auto &run) { return run.first.first > 0 && run.first.second > 0; });
+    return is_seen ? std::optional(interaction) : std::nullopt;
   }
 
   /// What the ladders' bars allow, where they can be trusted.
@@ -211,8 +221,8 @@ namespace birdstrike
     if (!axes[0].is_trusted(allowed) || !axes[1].is_trusted(allowed))
       return "a larger target, or a case whose ladders converge (birdstrike converge)";
     const double errors = axes[0].errors().back() + axes[1].errors().back() + interaction;
-    return fmt::format("a target well above {}, or smaller sizes in the case: half of those are the ladders' ends",
-                       format_share(target.share * errors / allowed));
+    return fmt::format("a target well above {}, or {} in the case: the finest levels are half of its own sizes",
+                       format_share(target.share * errors / allowed), name_refinements(axes[0], axes[1]));
   }
 
   /// Of the smallest value that was seen, so that it is allowed of any.

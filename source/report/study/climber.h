@@ -62,14 +62,15 @@ namespace birdstrike
     ComparisonRow                           row;
     double                                  interaction = 0.; ///< the largest that was seen
 
-    void                 begin();
-    void                 run(const std::vector<Place> &places);
-    void                 add_level(std::size_t axis);
-    std::optional<Place> choose(double allowed);
-    Answer               look_at(const Place &place);
-    void                 extend(double allowed);
-    [[noreturn]] void    refuse() const;
-    std::string          advise() const;
+    void                  begin();
+    void                  run(const std::vector<Place> &places);
+    void                  add_level(std::size_t axis);
+    std::optional<Place>  choose(double allowed);
+    Answer                look_at(const Place &place);
+    void                  extend(double allowed);
+    [[noreturn]] void     refuse() const;
+    std::optional<double> seen_interaction() const;
+    std::string           advise() const;
 
     double      allowed_error() const;
     StudyPoint  point_at(const Place &place) const;

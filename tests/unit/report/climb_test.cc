@@ -119,3 +119,15 @@ TEST(Climb, ChoosesTheCoarsestMeshForEachBirdAndNeverBothAtTheirCoarsest)
   EXPECT_TRUE(find_choices(bird, mesh, -1.).empty());
   EXPECT_EQ(find_choices(bird, not_refined, 0.2)[0].mesh, 0u);
 }
+
+// A zero that nobody has measured is none.
+TEST(Climb, SaysWhatNoRunHasMeasured)
+{
+  EXPECT_NE(describe_interaction(std::nullopt, "N s").find("were not run: the value is the sum of both ladders"),
+            std::string::npos);
+  EXPECT_EQ(describe_interaction(0., "N s"), "  What both together add to it: 0 N s.\n");
+  const ClimbAxis bird = axis_of_power(2., 0.1, 4), mesh = axis_of_power(1., 0.1, 4);
+  EXPECT_EQ(name_refinements(bird, not_refined), "a smaller Bird/Particle spacing");
+  EXPECT_EQ(name_refinements(bird, mesh),
+            "a smaller Bird/Particle spacing and more Blade/Mesh/Elements along span and chord");
+}
