@@ -92,12 +92,39 @@ def compare_several():
     assert code == 0 and "Is it in um/m?" in text, text
     code, text, _ = compare("gauge.csv", "strain: gauges/" + name)
     assert code == 0 and "Is it in" not in text, text
+    code, text, _ = compare("gauge.csv", "strain: " + name)
+    assert code == 2 and "gauges/" + name in text and "full name" in text, text
+    code, text, _ = compare("gauge.csv", "strain: strain")
+    assert code == 2 and "gauges/" + name in text, text
+    code, text, _ = compare("gauge.csv", "strain: -gauges/" + name)
+    assert code == 0 and f'"strain: gauges/{name}" turns' in text, text
+    code, text, _ = compare("gauge.csv", "strain: gauges/" + name)
+    assert code == 0 and "opposed" not in text, text
+    compare_rig(table, name)
     shutil.copytree("run", "other")
     done = call("compare", "run", "other", "--measured", "test.csv", "load cell: -force", "sensor: tip: tip", "--time-offset", "-0.2 ms",
                 "--output", "measured")
     assert done.returncode == 0, done.stdout
     with open("measured/ratings.csv") as file:
         assert [row["run"] for row in csv.DictReader(file)] == ["run", "other"] * 2
+
+
+def compare_rig(table, name):
+    """As a rig writes it: foreign columns, Greek units, gaps; the sign of the gauge turned."""
+    for unit in ("\u00b5m/m", "\u03bcm/m", "um/m", "\u00b5\u03b5", "microstrain"):
+        with open("rig.csv", "w", encoding="utf-8") as file:
+            file.write(f"time,Trigger [V],g1 [{unit}],note,note\n")
+            for k, row in enumerate(table[1:]):
+                strain = "" if k in (3, 7) else repr(-1e6 * float(row[1]))
+                file.write(f"{row[0]},{'' if k % 2 else 4.9},{strain},ok,\n")
+        code, text, rows = compare("rig.csv", "g1: -gauges/" + name)
+        assert code == 0 and f"2 of {len(table) - 1} rows have no 'time' or no 'g1'" in text, text
+        near(rows[0]["peak_ratio"], 1., 1e-9)
+    code, text, _ = compare("rig.csv", "g1: gauges/" + name)
+    assert code == 0 and f'"g1: -gauges/{name}" turns' in text, text
+    for column, words in (("Trigger", "'V' of column 'Trigger' is no unit"), ("note", "two columns are called 'note'")):
+        code, text, _ = compare("rig.csv", column + ": gauges/" + name)
+        assert code == 2 and words in text, text
 
 
 def refuse():

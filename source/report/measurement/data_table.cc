@@ -1,10 +1,10 @@
 #include "report/measurement/data_table.h"
 #include <birdstrike/core/errors.h>
-#include <birdstrike/io/units.h>
 
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -109,7 +109,8 @@ namespace birdstrike
         for (; row < lines.size(); ++row)
           read_row(lines[row], columns);
         for (TableColumn &column : columns)
-          convert(column);
+          if (column.fault.empty())
+            convert(column);
         return columns;
       }
 
@@ -119,9 +120,14 @@ namespace birdstrike
       std::vector<Line>                  lines;
       char                               separator = ',';
 
+      std::string at(const std::size_t line, const std::string &why) const
+      {
+        return path.string() + ", line " + std::to_string(line) + ": " + why;
+      }
+
       [[noreturn]] void refuse(const std::size_t line, const std::string &why) const
       {
-        throw InputError(path.string() + ", line " + std::to_string(line) + ": " + why);
+        throw InputError(at(line, why));
       }
 
       void add(std::vector<TableColumn> &columns, const std::string &name)
@@ -135,9 +141,9 @@ namespace birdstrike
         take_unit(column);
         if (const auto found = units.find(column.name); column.unit.empty() && found != units.end())
           column.unit = found->second;
-        for (const TableColumn &other : columns)
+        for (TableColumn &other : columns)
           if (other.name == column.name)
-            refuse(lines[0].number, "two columns are called '" + column.name + "'.");
+            other.fault = at(lines[0].number, "two columns are called '" + column.name + "'.");
         columns.push_back(std::move(column));
       }
 
@@ -149,12 +155,14 @@ namespace birdstrike
                                 std::to_string(columns.size()) + " names." +
                                 (separator == ',' ? " Numbers have a decimal point, no comma." : ""));
         for (std::size_t k = 0; k < fields.size(); ++k)
-          if (double value; parse(fields[k], value))
+          {
+            double value = std::numeric_limits<double>::quiet_NaN();
+            if (!fields[k].empty() && !parse(fields[k], value) && columns[k].fault.empty())
+              columns[k].fault = at(
+                line.number, "'" + fields[k] + "' in column '" + columns[k].name + "' is no number" +
+                               (fields[k].find(',') != std::string::npos ? ": write a decimal point, no comma." : "."));
             columns[k].values.push_back(value);
-          else
-            refuse(line.number,
-                   "'" + fields[k] + "' in column '" + columns[k].name + "' is no number" +
-                     (fields[k].find(',') != std::string::npos ? ": write a decimal point, no comma." : "."));
+          }
       }
 
       void convert(TableColumn &column) const
@@ -162,16 +170,28 @@ namespace birdstrike
         static const std::set<std::string> none{"", "-", "count", "share"};
         if (none.contains(column.unit))
           return;
-        const auto unit = parse_unit(column.unit);
+        const auto unit = parse_column_unit(column.unit);
         if (!unit)
-          refuse(lines[0].number,
-                 "'" + column.unit + "' of column '" + column.name +
-                   "' is no unit that is known here. prm/README.md lists those that are: mm, us, kN, MPa.");
+          column.fault = at(lines[0].number,
+                            "'" + column.unit + "' of column '" + column.name +
+                              "' is no unit that is known here. prm/README.md lists those that are: mm, us, kN, MPa.");
         for (double &value : column.values)
-          value = unit->to_si(value);
+          value = unit ? unit->to_si(value) : value;
       }
     };
   } // namespace
+
+  std::optional<Unit> parse_column_unit(const std::string &text)
+  {
+    static const std::pair<const char *, const char *> plain[] = {
+      {"\xC2\xB5", "u"}, {"\xCE\xBC", "u"}, {"\xCE\xB5", "e"}, {"\xCF\xB5", "e"}, {"\xB5", "u"}}; // the last: Latin-1
+    static const std::set<std::string> microstrains{"ue", "ustrain", "microstrain", "microstrains"};
+    std::string                        name = text;
+    for (const auto &[letter, latin] : plain)
+      for (std::size_t at = 0; (at = name.find(letter, at)) != std::string::npos;)
+        name.replace(at, std::string(letter).size(), latin);
+    return microstrains.contains(name) ? parse_unit("um/m") : parse_unit(name);
+  }
 
   DataTable::DataTable(const std::filesystem::path &file) : path(file), all(Reader(file).read())
   {
@@ -183,7 +203,11 @@ namespace birdstrike
     for (const TableColumn &column : all)
       {
         if (column.name == name)
-          return column;
+          {
+            if (!column.fault.empty())
+              throw InputError(column.fault);
+            return column;
+          }
         names += (names.empty() ? "" : ", ") + column.name;
       }
     constexpr std::size_t most = 400;
@@ -196,9 +220,12 @@ namespace birdstrike
     return std::ranges::any_of(all, [&](const TableColumn &column) { return column.name == name; });
   }
 
-  const std::vector<TableColumn> &DataTable::columns() const
+  std::vector<std::string> DataTable::names() const
   {
-    return all;
+    std::vector<std::string> names;
+    for (const TableColumn &column : all)
+      names.push_back(column.name);
+    return names;
   }
 
   const std::filesystem::path &DataTable::file() const

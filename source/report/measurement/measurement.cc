@@ -3,8 +3,7 @@
 #include "report/comparison/case_run.h"
 #include "report/comparison/figure.h"
 #include "report/measurement/curve_metrics.h"
-#include "report/measurement/data_table.h"
-#include "report/measurement/run_curves.h"
+#include "report/measurement/measured_curve.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/report_folder.h>
@@ -15,28 +14,22 @@
 #include <spdlog/logger.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <set>
 
 namespace birdstrike
 {
   namespace
   {
     constexpr std::size_t n_samples = 1001, fewest_rows = 10;
+    constexpr double      opposed = 0.9; ///< phase by Sprague and Geers: 1 is the same curve with the other sign
 
     const ReportKind &measurement_kind()
     {
       static const ReportKind kind{"measurement", {"measurement", "ratings"}};
       return kind;
     }
-
-    struct Curve
-    {
-      std::vector<double> x, y; ///< x rises
-    };
 
     struct Peak
     {
@@ -46,19 +39,13 @@ namespace birdstrike
     struct Rated
     {
       std::string  run, column, quantity, unit;
+      std::string  asked      = {}; ///< the quantity as it was typed
       bool         is_profile = false;
       double       begin = 0., end = 0.;
       Peak         measured, computed;
       SpragueGeers figures;
       IsoRating    rating;
     };
-
-    /// A measured column without a unit is taken for SI; strains and counts of a run are numbers.
-    bool is_of_one_dimension(const std::string &measured, const std::string &of_run)
-    {
-      const auto of_column = parse_unit(measured);
-      return measured.empty() || !of_column || of_column->dimension == parse_unit(of_run).value_or(Unit{}).dimension;
-    }
 
     /// Peaks a thousand or a million times apart, within a factor of 3, are those of mm for m, or Pa for MPa.
     void warn_of_units(const TableColumn &column, const Rated &r)
@@ -72,34 +59,6 @@ namespace birdstrike
       log().warn("Column '{0}' has no unit: in {1}, its peak is {2:.3g} times the computed one. Is it in {3}? Write "
                  "'{0} [{3}]'.",
                  column.name, unit, ratio, prefix + unit);
-    }
-
-    double read_offset(const std::string &text)
-    {
-      if (text.empty())
-        return 0.;
-      char        *end   = nullptr;
-      const double value = std::strtod(text.c_str(), &end);
-      const auto   unit  = parse_unit(*end == '\0' ? "s" : std::string(end));
-      if (end == text.c_str() || !unit || unit->dimension != parse_unit("s")->dimension)
-        throw InputError("--time-offset '" + text +
-                         "' is no time: give a number of seconds, or one with its unit, '0.35 ms'.");
-      return unit->to_si(value);
-    }
-
-    const TableColumn &find_abscissa(const DataTable &table, const std::string &given)
-    {
-      static const std::set<std::string> times{"time", "t"};
-      if (!given.empty())
-        return table.column(given);
-      for (const TableColumn &column : table.columns())
-        {
-          std::string name = column.name;
-          std::ranges::transform(name, name.begin(), [](const unsigned char c) { return std::tolower(c); });
-          if (times.contains(name))
-            return column;
-        }
-      return table.columns().front();
     }
 
     /// "force: contact_force" -> both sides; a column's name may hold colons.
@@ -153,29 +112,8 @@ namespace birdstrike
       return peak;
     }
 
-    Curve read_measured(const DataTable &table, const MeasurementRequest &request, const std::string &column,
-                        const RunCurve &of_run)
-    {
-      const TableColumn &x = find_abscissa(table, request.time_column), &y = table.column(column);
-      if (!is_of_one_dimension(x.unit, of_run.is_profile ? "m" : "s"))
-        throw InputError("Column '" + x.name + "' of " + table.file().string() + " is in " + x.unit + ": " +
-                         of_run.quantity + " is over " + (of_run.is_profile ? "places, m." : "times, s.") +
-                         "\n--time-column names another column.");
-      if (!is_of_one_dimension(y.unit, of_run.unit))
-        throw InputError("Column '" + y.name + "' of " + table.file().string() + " is in " + y.unit + ", " +
-                         of_run.quantity + " in " + of_run.unit + ": they cannot be compared.");
-      Curve        curve{x.values, y.values};
-      const double offset = of_run.is_profile ? 0. : read_offset(request.time_offset);
-      for (double &t : curve.x)
-        t += offset;
-      if (std::ranges::adjacent_find(curve.x, std::greater_equal<>()) != curve.x.end())
-        throw InputError("Column '" + x.name + "' of " + table.file().string() +
-                         " does not rise from row to row: it is no " + (of_run.is_profile ? "place" : "time") +
-                         ".\n--time-column names another column.");
-      return curve;
-    }
-
-    Rated rate(const std::string &run, const std::string &column, const RunCurve &of_run, const Curve &measured)
+    Rated rate(const std::string &run, const std::string &column, const std::string &asked, const RunCurve &of_run,
+               const Curve &measured)
     {
       const Curve  computed{of_run.x, of_run.y};
       const double begin     = std::max(measured.x.front(), computed.x.front()),
@@ -195,6 +133,7 @@ namespace birdstrike
               column,
               of_run.quantity,
               of_run.unit,
+              asked,
               of_run.is_profile,
               begin,
               end,
@@ -236,6 +175,11 @@ namespace birdstrike
                           r.computed.value / r.measured.value);
       text += fmt::format("  Sprague and Geers  magnitude {:+.3f}, phase {:.3f}, comprehensive {:.3f}\n",
                           r.figures.magnitude, r.figures.phase, r.figures.comprehensive);
+      if (r.figures.phase > opposed)
+        text +=
+          fmt::format("  The curves are opposed: one may have its sign turned. --measured ... \"{}: {}\" turns the "
+                      "computed one.\n",
+                      r.column, r.asked.starts_with('-') ? r.asked.substr(1) : "-" + r.asked);
       if (!r.is_profile)
         text += fmt::format(
           "  ISO/TS 18571       {:.3f}, {}: corridor {:.3f}, phase {:.3f}, magnitude {:.3f}, slope {:.3f}\n",
@@ -281,7 +225,7 @@ namespace birdstrike
             const RunCurve              of_run   = read_run_curve(folder, quantity);
             const Curve                 measured = read_measured(table, request, column, of_run);
             const std::string           name     = (folder / "").parent_path().filename().string();
-            rated.push_back(rate(name, column, of_run, measured));
+            rated.push_back(rate(name, column, quantity, of_run, measured));
             warn_of_units(table.column(column), rated.back());
             if (run == 0)
               figure.panels.push_back(make_panel(column, of_run, measured));

@@ -4,6 +4,7 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/output_parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -67,6 +68,30 @@ namespace birdstrike
                        "\nThe word 'force' takes filtered.csv; contact_force of history.csv is the force as it is.");
     }
 
+    /// A column that another table of the run has under this name, or behind a point: its full name.
+    void require_full_name(const std::filesystem::path &run, const DataTable &data, const std::string &column)
+    {
+      if (data.has(column) || data.has(column + "_x"))
+        return;
+      std::string names;
+      for (const char *table : {"gauges", "nodes", "elements", "sections", "patches"})
+        if (const std::filesystem::path file = run / (std::string(table) + ".csv"); std::filesystem::exists(file))
+          for (const std::string &name : DataTable(file).names())
+            if (name == column || name.ends_with("." + column))
+              names += (names.empty() ? "" : ", ") + std::string(table) + "/" + name;
+      if (!names.empty())
+        throw InputError("There is no column '" + column + "' in " + data.file().string() +
+                         ".\nThe full name, with its table, is asked for: " + names + ".");
+    }
+
+    /// Each cell of a run's own table is a number.
+    const std::vector<double> &whole(const DataTable &data, const TableColumn &column)
+    {
+      if (std::ranges::any_of(column.values, [](const double value) { return std::isnan(value); }))
+        throw InputError("Column '" + column.name + "' of " + data.file().string() + " has empty cells.");
+      return column.values;
+    }
+
     RunCurve read_column(const std::filesystem::path &run, const std::string &quantity, const std::string &name)
     {
       const auto        slash  = name.find('/');
@@ -75,7 +100,8 @@ namespace birdstrike
       if (table == filtered_table)
         require_filtered(run);
       const DataTable data(run / (table + ".csv"));
-      RunCurve        curve{quantity, "", data.column("time").values, {}, false};
+      RunCurve        curve{quantity, "", whole(data, data.column("time")), {}, false};
+      require_full_name(run, data, column);
       if (data.has(column + "_x") && data.has(column + "_y") && data.has(column + "_z"))
         {
           const auto &x = data.column(column + "_x"), &y = data.column(column + "_y"), &z = data.column(column + "_z");
@@ -86,7 +112,7 @@ namespace birdstrike
       else
         {
           const TableColumn &found = data.column(column);
-          curve.y                  = found.values;
+          curve.y                  = whole(data, found);
           curve.unit               = found.unit;
         }
       return curve;
