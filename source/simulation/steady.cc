@@ -110,10 +110,10 @@ namespace birdstrike
     }
 
     /// The deformed blade with the shapes as further fields.
-    FieldSnapshot show_shapes(const Blade &blade, const VibrationModes &modes)
+    FieldSnapshot show_shapes(const Blade &blade, const VibrationModes &modes, const std::size_t n)
     {
       FieldSnapshot snapshot = blade.snapshot();
-      for (std::size_t k = 0; k < modes.modes.size(); ++k)
+      for (std::size_t k = 0; k < std::min(n, modes.modes.size()); ++k)
         snapshot.fields.push_back({fmt::format("mode_{}", k + 1), "-", false, 3, modes.modes[k].shape});
       return snapshot;
     }
@@ -159,14 +159,16 @@ namespace birdstrike
             "Case/Symmetry plane: half a blade has half of its modes, those that mirror into themselves.\n"
             "Set it to none.");
         steady.blade->find_equilibrium();
-        all.push_back({Rotor(steady.parameters.blade.spin).speed(0.), steady.blade->compute_modes(request.n_modes)});
+        all.push_back({Rotor(steady.parameters.blade.spin).speed(0.),
+                       steady.blade->compute_modes(n_modes_to_find(request.n_modes, speeds.size()))});
         if (!folder)
           folder.emplace(output, kind);
         FieldSeries(folder->path(), speeds.size() == 1 ? "modes" : fmt::format("modes_{}", all.size()))
-          .write(show_shapes(*steady.blade, all.back().modes), 0.);
-        log().info("{}", describe_modes(all.back()));
+          .write(show_shapes(*steady.blade, all.back().modes, request.n_modes), 0.);
+        log().info("{}", describe_modes(all.back(), request.n_modes));
       }
-    write_modes(*folder, all);
+    for (const std::string &sentence : write_modes(*folder, all, request.n_modes))
+      log().warn("Warning: {}", sentence);
     log().info("Modes in {}", folder->path().string());
   }
 } // namespace birdstrike
