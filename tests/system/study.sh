@@ -27,6 +27,8 @@ ask "it may grow" 0 "6 points, 4 of them" -- "${grid[@]:0:${#grid[@]}-4}" --vary
 ask "a lost point" 3 "lost: .*energy" "Lost: 'Energy error limit=1e-12'" -- "$a" "${fast[@]}" --vary "Time/Energy error limit=0.05, 1e-12" --output lost
 require "keeps its row" 'grep -qE "^2,1e-12,.*lost: .*energy" lost/study.csv && grep -qE "^1,0.05,shell,.*,done," lost/study.csv'
 ask "a refused point" 2 "refused: .*inside" -- "$a" "${fast[@]}" --vary "Bird/Stand-off=0.001, default" --output inside
+ask "a reason is the refusal's, not a warning before it" 2 "refused: The equation of state carries no shock of 99999" -- "$a" "${fast[@]}" --set "Bird/Velocity=default" --set "Bird/Angle to surface=90" --vary "Bird/Speed=100, 99999" --output fastest
+require "and no warning's" '! grep -q "refused: Warning" out.txt fastest/study.csv'
 require "does not stop the other" 'grep -qE "^2,.*,done," inside/study.csv'
 
 # signals: all children end, what is complete is reused

@@ -105,7 +105,7 @@ namespace birdstrike
       else if (result.exit_code == static_cast<int>(ExitCode::numerical_failure))
         run.state = "lost: " + (marker.starts_with("failed: ") ? marker.substr(8) : marker);
       else if (result.exit_code == static_cast<int>(ExitCode::bad_input))
-        run.state = "refused: " + first_line(result.output);
+        run.state = "refused: " + find_refusal(result.output);
       else
         run.state = fmt::format("ended with exit code {}: {}", result.exit_code, last_line(result.output));
     }
@@ -154,6 +154,22 @@ namespace birdstrike
     if (std::ranges::all_of(runs, [](const PointRun &run) { return run.exit_code != 0; }))
       throw InputError(refusal);
     return runs;
+  }
+
+  std::string find_refusal(const std::string &output)
+  {
+    std::istringstream in(output);
+    std::string        refusal;
+    bool               is_next = true;
+    for (std::string line; std::getline(in, line);)
+      if (line.starts_with("Warning:"))
+        is_next = true;
+      else if (is_next)
+        {
+          refusal = line;
+          is_next = false;
+        }
+    return refusal;
   }
 
   void run_points(std::vector<PointRun> &runs, const RunOptions &options)

@@ -38,6 +38,9 @@ namespace birdstrike
   /// where a signal stops it.
   void run_points(std::vector<PointRun> &runs, const RunOptions &options);
 
+  /// What a run that was refused says why, of all that it has said: behind its warnings.
+  std::string find_refusal(const std::string &output);
+
   /// A line of shell for each of these points, that runs it from any folder.
   std::string make_task_list(const std::vector<PointRun> &runs, const RunOptions &options);
 } // namespace birdstrike

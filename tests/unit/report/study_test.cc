@@ -186,3 +186,12 @@ TEST_F(Study, SaysWhichPointsWarnOfWhat)
             std::string::npos)
     << text;
 }
+
+TEST(StudyRuns, AReasonIsTheRefusalsOwnSentence)
+{
+  EXPECT_EQ(find_refusal("No shock of 9e4 m/s.\nLower the speed.\n"), "No shock of 9e4 m/s.");
+  EXPECT_EQ(find_refusal("Warning: Fast.\nWarning: Thin.\nNo shock of 9e4 m/s.\nLower the speed.\n"),
+            "No shock of 9e4 m/s.");
+  EXPECT_EQ(find_refusal("Warning: Fast."), "");
+  EXPECT_EQ(find_refusal(""), "");
+}
