@@ -149,6 +149,10 @@ namespace birdstrike
     const std::string of_includer = includer.line > 0 ? "  Included by " + includer.text() + "." : "";
     if (fs::is_directory(path, error))
       {
+        if (fs::exists(path / "parameters.prm", error))
+          return message({"Cannot read the parameter file '" + path.string() + "': it is a folder.", of_includer,
+                          "  Action: give '" + (path / "parameters.prm").string() +
+                            "', what was run there, with all that --set changed."});
         const std::string there = list_names(files_in(path, {".prm"}));
         return message({"Cannot read the parameter file '" + path.string() + "': it is a folder.", of_includer,
                         there.empty() ? "" : "  Parameter files in it: " + there,

@@ -46,6 +46,12 @@ ask "no results.h5" 0 "without results.h5" -- "$b" "${fast[@]}" --set "Output/HD
 ask "one file, two kinds of blade" 0 "quickstart shell: the run in runs/quickstart is reused" "^Case +blade" "^quickstart shell +shell" "^quickstart rigid +rigid" -- "$a" --blade shell,rigid "${fast[@]}" --output kinds
 require "the shell is the file's own" '[ -s kinds/quickstart-rigid/summary.json ] && [ ! -e kinds/quickstart-shell ]'
 
+# runs of one file are told apart by their folders, and keep what --set changed
+for mass in 0.1 0.12; do "$program" run "$a" "${fast[@]}" --set "Bird/Mass=$mass" --output runs/mass-$mass >/dev/null; done
+refuse "a run's folder" "give 'runs/mass-0.1/parameters.prm', what was run there, with all that --set changed" -- runs/mass-0.1 runs/mass-0.12
+ask "two runs of one file" 0 "mass-0.1: the run in runs/mass-0.1 is reused" "mass-0.12: the run in runs/mass-0.12 is reused" "^mass-0.12 +shell" -- \
+  runs/mass-0.1/parameters.prm runs/mass-0.12/parameters.prm --output masses
+
 # a lost case takes no other with it
 sed 's/set End time = .*/set End time = 2e-3\n  set Energy error limit = 1e-12/' "$a" >doomed.prm
 ask "a lost case" 3 "^doomed .* lost" "'doomed' was lost: failed: .*energy" "^Tip +peak" -- "$a" doomed.prm "${fast[@]}" --output lost

@@ -17,6 +17,14 @@ namespace birdstrike
     const EntryNames only_names =
       telling_entries_and({"Case/Name", "Output/Blade fields", "Output/Bird fields", "Output/HDF5"});
 
+    /// Of runs of one file, with values of their own, only the folders tell which is which.
+    std::string name_of(const std::string &file, const CaseParameters &parameters)
+    {
+      const fs::path path(file), folder = path.parent_path();
+      const bool     is_of_run = path.filename() == "parameters.prm" && fs::exists(folder / ".birdstrike");
+      return is_of_run ? fs::absolute(path).parent_path().filename().string() : parameters.name;
+    }
+
     PlannedCase read_case(const CompareRequest &request, const std::string &file, const std::string &kind)
     {
       PlannedCase planned;
@@ -26,7 +34,7 @@ namespace birdstrike
         planned.overrides.push_back("Blade/Kind=" + kind);
       planned.parameters = std::make_unique<CaseParameters>();
       planned.parameters->read(file, planned.overrides);
-      planned.name   = planned.parameters->name + (kind.empty() ? "" : " " + kind);
+      planned.name   = name_of(file, *planned.parameters) + (kind.empty() ? "" : " " + kind);
       planned.folder = ReportFolder::run_folder(request.output, planned.name);
       return planned;
     }
