@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -221,6 +223,19 @@ namespace birdstrike
     std::snprintf(head.data(), head.size(), head_format, version, static_cast<unsigned long long>(body.size()),
                   checksum(body.data(), body.size()));
     write_whole_file(file, {head, body});
+  }
+
+  std::vector<fs::path> find_checkpoints(const fs::path &run_folder)
+  {
+    std::vector<fs::path> files;
+    const fs::path        folder = run_folder / checkpoint_folder;
+    if (fs::is_directory(folder))
+      for (const auto &entry : fs::directory_iterator(folder))
+        if (const std::string name = entry.path().filename().string();
+            name.starts_with(checkpoint_stem) && name.ends_with(".h5"))
+          files.push_back(entry.path());
+    std::ranges::sort(files, std::greater<>());
+    return files;
   }
 
   Checkpoint read_checkpoint(const fs::path &file)

@@ -119,19 +119,6 @@ namespace birdstrike
       fs::remove(all[k]);
   }
 
-  std::vector<fs::path> find_checkpoints(const fs::path &run_folder)
-  {
-    std::vector<fs::path> files;
-    const fs::path        folder = run_folder / checkpoint_folder;
-    if (fs::is_directory(folder))
-      for (const auto &entry : fs::directory_iterator(folder))
-        if (const std::string name = entry.path().filename().string();
-            name.starts_with(checkpoint_stem) && name.ends_with(".h5"))
-          files.push_back(entry.path());
-    std::ranges::sort(files, std::greater<>());
-    return files;
-  }
-
   void remove_later_checkpoints(const fs::path &run_folder, const std::uint64_t step)
   {
     for (const fs::path &file : find_checkpoints(run_folder))

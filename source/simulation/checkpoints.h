@@ -50,9 +50,6 @@ namespace birdstrike
     std::chrono::steady_clock::time_point last_clock;
   };
 
-  /// Those of a run folder, newest first.
-  std::vector<std::filesystem::path> find_checkpoints(const std::filesystem::path &run_folder);
-
   /// Of time steps after this one: they must not count among those that are kept.
   void remove_later_checkpoints(const std::filesystem::path &run_folder, std::uint64_t step);
 } // namespace birdstrike

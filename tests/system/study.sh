@@ -39,7 +39,22 @@ kill -TERM $running
 wait $running
 code=$?
 require "a signal ends study and runs" '[ $code -eq 143 ] && grep -q "Points that are complete will be reused" out.txt && [ "$(grep -l "stopped by a signal" stopped/*/summary.json | wc -l)" -eq 2 ]'
-ask "what was complete is there" 0 "3 points, 1 of them" "not run" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
+ask "what was complete is there" 0 "3 points, 1 of them are there, 2 will go on from a checkpoint" "stopped at [0-9.]+ ms, will go on" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
+
+# and what was not goes on from where it was, as if nothing had happened; where 'resume' refuses, it is run anew
+long=(--set "Time/End time=60e-3" --set "Output/HDF5=false" --vary "Bird/Mass=0.1, 0.12" --jobs 2)
+"$program" study "$a" "${fast[@]}" "${long[@]}" --output on >out.txt 2>&1 &
+running=$!
+for _ in $(seq 300); do [ -s on/Mass=0.1/parameters.prm ] && [ -s on/Mass=0.12/parameters.prm ] && break; sleep 0.1; done
+sleep 0.3
+kill -TERM $running
+wait $running
+require "stopped points say so" 'grep -q "Mass=0.1: stopped at .*, will go on" out.txt && ! grep -q "exit code" out.txt'
+echo damaged >"$(ls on/Mass=0.12/checkpoints/*.h5 | tail -1)"
+ask "a stopped study goes on" 0 "2 points, 0 of them are there, 1 will go on from a checkpoint" "^ *0.1 .* done" "^ *0.12 .* done" -- "$a" "${fast[@]}" "${long[@]}" --output on
+require "from the checkpoint" 'grep -q "Going on from" on/Mass=0.1/log.txt && ! grep -q "Going on from" on/Mass=0.12/log.txt'
+ask "the same without a stop" 0 "2 points, 0 of them are there$" -- "$a" "${fast[@]}" "${long[@]}" --output through
+require "has the same histories" 'cmp on/Mass=0.1/history.csv through/Mass=0.1/history.csv && cmp on/Mass=0.12/history.csv through/Mass=0.12/history.csv'
 
 # somebody else's scheduler
 ask "a task list" 0 "tasks: 2 lines" "SLURM_ARRAY_TASK_ID" -- "$a" "${fast[@]}" --vary "Bird/Shape=cylinder, hemispherical cylinder" --launcher "env TASK=1" --task-list tasks --output "my tasks"

@@ -32,6 +32,9 @@ namespace birdstrike
   /// happens to the process. Throws std::runtime_error where the disk refuses; nothing is left behind then.
   void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint);
 
+  /// Those of a run folder, newest first.
+  std::vector<std::filesystem::path> find_checkpoints(const std::filesystem::path &run_folder);
+
   /// Throws InputError, in a sentence, for a file that is not there, no checkpoint, of a later format, cut off or
   /// damaged: length and checksum are compared before HDF5 sees a byte.
   Checkpoint read_checkpoint(const std::filesystem::path &file);

@@ -21,7 +21,7 @@ namespace birdstrike
     std::string name_of(const std::string &file, const CaseParameters &parameters)
     {
       const fs::path path(file), folder = path.parent_path();
-      const bool     is_of_run = path.filename() == "parameters.prm" && fs::exists(folder / ".birdstrike");
+      const bool     is_of_run = path == folder / "parameters.prm" && fs::exists(folder / ".birdstrike");
       return is_of_run ? fs::absolute(path).parent_path().filename().string() : parameters.name;
     }
 

@@ -14,14 +14,6 @@ namespace birdstrike
   {
     namespace fs = std::filesystem;
 
-    /// Where the run is, and of which others it is one.
-    EntryNames entries_that_may_differ()
-    {
-      EntryNames names = study_entries();
-      names.emplace_back("Output/Directory");
-      return names;
-    }
-
     /// The first file that is not what the run has read, or is missing on one side; empty if there is none.
     std::string changed_file(const RunRecord &run, const CaseParameters &wanted)
     {
@@ -85,6 +77,13 @@ namespace birdstrike
       return "";
     }
   } // namespace
+
+  std::vector<std::string> entries_that_may_differ()
+  {
+    std::vector<std::string> names = study_entries();
+    names.emplace_back("Output/Directory");
+    return names;
+  }
 
   std::string reason_not_to_reuse(const fs::path &folder, const CaseParameters &wanted)
   {

@@ -11,6 +11,9 @@ namespace birdstrike
 {
   struct CaseParameters;
 
+  /// Where the run is, and of which others it is one.
+  std::vector<std::string> entries_that_may_differ();
+
   /// Whether the run in a folder can stand for a run of these parameters by this program: it is complete, with its
   /// histories, neither a signal nor the clock ended it, this very build made it, its parameters.prm has the same value
   /// in every entry but Output/Directory and those of Study, and the files that entries name (meshes) have the same

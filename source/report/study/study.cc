@@ -9,6 +9,7 @@
 #include <birdstrike/io/whole_file.h>
 #include <birdstrike/report/study.h>
 
+#include <fmt/format.h>
 #include <spdlog/logger.h>
 
 #include <algorithm>
@@ -81,9 +82,11 @@ namespace birdstrike
     const StudyPlan plan   = read_plan(request);
     const auto      points = make_points(plan);
     RunOptions      options{request.prm_file, request.overrides, request.n_jobs, request.launcher};
-    auto            runs   = plan_runs(points, output, options);
-    const auto      n_done = std::ranges::count_if(runs, [](const PointRun &run) { return run.is_done; });
-    log().info("{} points, {} of them are there", runs.size(), n_done);
+    auto            runs       = plan_runs(points, output, options);
+    const auto      n_done     = std::ranges::count_if(runs, [](const PointRun &run) { return run.is_done; });
+    const auto      n_to_go_on = std::ranges::count_if(runs, [](const PointRun &run) { return run.goes_on; });
+    log().info("{} points, {} of them are there{}", runs.size(), n_done,
+               n_to_go_on > 0 ? fmt::format(", {} will go on from a checkpoint", n_to_go_on) : "");
     const ReportFolder folder(output, kind);
     if (!request.task_list.empty())
       return write_task_list(request.task_list, runs, options);

@@ -1,12 +1,14 @@
 #include "report/study/study_runs.h"
 #include "report/comparison/case_run.h"
 #include "report/comparison/run_reuse.h"
+#include "report/study/way_on.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/core/machine.h>
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/checkpoint_file.h>
 #include <birdstrike/report/text.h>
 
 #include <fmt/format.h>
@@ -40,6 +42,14 @@ namespace birdstrike
       return all;
     }
 
+    void look_for_way_on(PointRun &run, const CaseParameters &parameters)
+    {
+      const auto time = find_way_on(run.folder, parameters);
+      run.goes_on     = time.has_value();
+      if (time)
+        run.state = "stopped at " + format_quantity(*time, "s") + ", will go on";
+    }
+
     void look_for_run(PointRun &run, const RunOptions &options)
     {
       CaseParameters parameters;
@@ -47,6 +57,8 @@ namespace birdstrike
       const FoundRun found = find_run({run.folder}, parameters);
       run.is_done = run.is_reused = found.in_use != nullptr;
       run.state                   = run.is_done ? "done" : "not run";
+      if (!run.is_done)
+        look_for_way_on(run, parameters);
     }
 
     /// The program's own file, for those who start it by another program.
@@ -67,7 +79,8 @@ namespace birdstrike
     ChildRequest make_request(const PointRun &run, const RunOptions &options)
     {
       std::vector<std::string> arguments =
-        run_arguments(options.prm_file, overrides_of(run.point, options), run.folder.string());
+        run.goes_on ? std::vector<std::string>{"birdstrike", "resume", run.folder.string()}
+                    : run_arguments(options.prm_file, overrides_of(run.point, options), run.folder.string());
       if (options.launcher.empty())
         return {arguments, "", true, this_program};
       arguments.front()                 = program_file();
@@ -95,8 +108,22 @@ namespace birdstrike
         }
     }
 
+    std::string describe_stop(const PointRun &run)
+    {
+      const RunRecord record = read_record(run.folder);
+      return !record.is_complete() ? "stopped"
+                                   : "stopped at " + format_quantity(record.summary().number("end/time"), "s") +
+                                       (find_checkpoints(run.folder).empty() ? "" : ", will go on");
+    }
+
     void judge(PointRun &run, const ChildResult &result)
     {
+      if (run.goes_on && result.exit_code == static_cast<int>(ExitCode::bad_input))
+        {
+          run.goes_on = false;
+          run.state   = "run anew, for resume says: " + find_refusal(result.output);
+          return;
+        }
       run.exit_code     = result.exit_code;
       run.is_done       = result.exit_code == 0;
       const auto marker = read_record(run.folder).state();
@@ -106,8 +133,30 @@ namespace birdstrike
         run.state = "lost: " + (marker.starts_with("failed: ") ? marker.substr(8) : marker);
       else if (result.exit_code == static_cast<int>(ExitCode::bad_input))
         run.state = "refused: " + find_refusal(result.output);
+      else if (result.exit_code == Interrupted::exit_code)
+        run.state = describe_stop(run);
       else
         run.state = fmt::format("ended with exit code {}: {}", result.exit_code, last_line(result.output));
+    }
+
+    /// Returns the signal that stopped it, or 0.
+    int run_side_by_side(const std::vector<PointRun *> &started, const RunOptions &options)
+    {
+      using Clock = std::chrono::steady_clock;
+      std::vector<ChildRequest> requests;
+      for (const PointRun *run : started)
+        requests.push_back(make_request(*run, options));
+      const std::size_t n_jobs  = std::min(options.n_jobs > 0 ? options.n_jobs : usable_cores(), most_children);
+      const auto        begin   = Clock::now();
+      std::size_t       n_ended = 0;
+      return run_children(requests, n_jobs, [&](const std::size_t k, const ChildResult &result) {
+        judge(*started[k], result);
+        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        const auto   n_left  = static_cast<double>(requests.size() - ++n_ended);
+        log().info(
+          "{} of {}: {}: {}{}", n_ended, requests.size(), started[k]->point.name, started[k]->state,
+          n_left > 0. ? ", about " + format_duration(seconds * n_left / static_cast<double>(n_ended)) + " to go" : "");
+      });
     }
 
     std::string quote_for_shell(const std::string &text)
@@ -174,31 +223,23 @@ namespace birdstrike
 
   void run_points(std::vector<PointRun> &runs, const RunOptions &options)
   {
-    using Clock = std::chrono::steady_clock;
-    std::vector<ChildRequest> requests;
-    std::vector<PointRun *>   started;
-    for (PointRun &run : runs)
+    std::vector<PointRun *> to_run;
+    do // again for those whose checkpoints are refused
       {
-        if (is_to_run(run))
-          clear(run);
-        if (is_to_run(run))
+        to_run.clear();
+        for (PointRun &run : runs)
           {
-            started.push_back(&run);
-            requests.push_back(make_request(run, options));
+            if (is_to_run(run) && !run.goes_on)
+              clear(run);
+            if (is_to_run(run))
+              to_run.push_back(&run);
           }
+        const int signal = run_side_by_side(to_run, options);
+        end_if_stopped(signal, "The " + options.what +
+                                 " was stopped. Points that are complete will be reused; those with a checkpoint will "
+                                 "go on from it.");
       }
-    const std::size_t n_jobs  = std::min(options.n_jobs > 0 ? options.n_jobs : usable_cores(), most_children);
-    const auto        begin   = Clock::now();
-    std::size_t       n_ended = 0;
-    const int         signal  = run_children(requests, n_jobs, [&](const std::size_t k, const ChildResult &result) {
-      judge(*started[k], result);
-      const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-      const auto   n_left  = static_cast<double>(requests.size() - ++n_ended);
-      log().info("{} of {}: {}: {}{}", n_ended, requests.size(), started[k]->point.name, started[k]->state,
-                 n_left > 0. ? ", about " + format_duration(seconds * n_left / static_cast<double>(n_ended)) + " to go"
-                                      : "");
-    });
-    end_if_stopped(signal, "The " + options.what + " was stopped. Points that are complete will be reused.");
+    while (std::ranges::any_of(runs, is_to_run));
   }
 
   std::string make_task_list(const std::vector<PointRun> &runs, const RunOptions &options)

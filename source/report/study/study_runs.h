@@ -17,6 +17,7 @@ namespace birdstrike
     bool                  is_done   = false; ///< its run folder holds a complete run of the same parameters
     bool                  is_reused = false; ///< and did so before
     int                   exit_code = 0;     ///< of the run, or what a run would have ended with
+    bool                  goes_on   = false; ///< from a checkpoint in its folder
   };
 
   /// How points are run: each with one thread where the case says nothing.
@@ -34,8 +35,8 @@ namespace birdstrike
   std::vector<PointRun> plan_runs(const std::vector<StudyPoint> &points, const std::filesystem::path &directory,
                                   RunOptions &options);
 
-  /// Runs the points that are neither done nor refused, side by side, telling of each as it ends. Ends this process
-  /// where a signal stops it.
+  /// Runs the points that are neither done nor refused, side by side, telling of each as it ends; those with a
+  /// checkpoint go on from it, and anew where `resume` refuses. Ends this process where a signal stops it.
   void run_points(std::vector<PointRun> &runs, const RunOptions &options);
 
   /// What a run that was refused says why, of all that it has said: behind its warnings.
