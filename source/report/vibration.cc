@@ -92,9 +92,9 @@ namespace birdstrike
     return followed;
   }
 
-  std::size_t n_modes_to_find(const std::size_t n, const std::size_t n_speeds)
+  std::size_t n_spare_modes(const std::size_t n, const std::size_t n_speeds)
   {
-    return n_speeds > 1 ? n + std::max<std::size_t>(3, n / 2) : n;
+    return n_speeds > 1 ? std::max<std::size_t>(3, n / 2) : 0;
   }
 
   std::string describe_modes(const ModesAtSpeed &at, const std::size_t n)
@@ -125,10 +125,10 @@ namespace birdstrike
       for (std::size_t s = 1; s < speeds.size(); ++s)
         if (followed[s][k] == no_mode)
           {
-            said.push_back(
-              fmt::format("Mode {} ends before {:.6g} rad/s: none of the {} modes there is like it. Ask for "
-                          "more modes, or for speeds that are closer.",
-                          k + 1, speeds[s].speed, speeds[s].modes.modes.size()));
+            said.push_back(fmt::format(
+              "Mode {} ends before {:.6g} rad/s: none of the {} modes there is like it, or is not another's. Ask for "
+              "more modes, or for speeds that are closer.",
+              k + 1, speeds[s].speed, speeds[s].modes.modes.size()));
             break;
           }
     const Figure figure = make_campbell(speeds, n);

@@ -160,7 +160,7 @@ namespace birdstrike
             "Set it to none.");
         steady.blade->find_equilibrium();
         all.push_back({Rotor(steady.parameters.blade.spin).speed(0.),
-                       steady.blade->compute_modes(n_modes_to_find(request.n_modes, speeds.size()))});
+                       steady.blade->compute_modes(request.n_modes, n_spare_modes(request.n_modes, speeds.size()))});
         if (!folder)
           folder.emplace(output, kind);
         FieldSeries(folder->path(), speeds.size() == 1 ? "modes" : fmt::format("modes_{}", all.size()))

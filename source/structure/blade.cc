@@ -24,7 +24,7 @@ namespace birdstrike
     throw InputError(has_no_elements);
   }
 
-  VibrationModes Blade::compute_modes(std::size_t)
+  VibrationModes Blade::compute_modes(std::size_t, std::size_t)
   {
     throw InputError(has_no_elements);
   }

@@ -109,13 +109,15 @@ namespace birdstrike
   }
 
   template <class Kind>
-  VibrationModes DeformableBlade<Kind>::compute_modes(const std::size_t n)
+  VibrationModes DeformableBlade<Kind>::compute_modes(const std::size_t n, const std::size_t n_spare)
   {
     if (row.size() > 1)
       throw InputError("Blade/Mesh/Row/Blades: modes of a row, which come in as many alike, are not computed.\n"
                        "Set it to 1: each blade has the modes of one.");
     BladeEquilibrium<Kind::n_unknowns> equilibrium(mesh, motion, elements, supports.held_dofs, hub);
-    return birdstrike::compute_modes(equilibrium, n, implicit.linear_solver);
+    const std::size_t                  most = equilibrium.unknowns().size() / 3; // refused beyond
+    return birdstrike::compute_modes(equilibrium, std::max(n, std::min(n + n_spare, most > 0 ? most - 1 : 0)),
+                                     implicit.linear_solver);
   }
 
   template <class Kind>

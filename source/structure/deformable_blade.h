@@ -127,7 +127,7 @@ namespace birdstrike
     }
 
     StaticReport   find_equilibrium() override;
-    VibrationModes compute_modes(std::size_t n) override;
+    VibrationModes compute_modes(std::size_t n, std::size_t n_spare = 0) override;
 
     NodeArrays nodes() ///< for initial states and checks
     {

@@ -32,6 +32,7 @@ namespace birdstrike
     for (const auto &support : supports.driven)
       driven.insert(driven.end(), support.dofs.begin(), support.dofs.end());
     census.supports               = compute_support_census(mesh.nodes, Kind::n_unknowns, supports.held_dofs, driven);
+    census.held_faces             = supports.held_faces;
     census.n_elements_with_points = plane.whole(elements.n_promoted());
     census.mass_scaling           = scaling;
     census.mass_scaling.n_scaled  = plane.whole(scaling.n_scaled);

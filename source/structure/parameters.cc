@@ -117,7 +117,7 @@ namespace birdstrike
       prm.add_parameter(
         "Held", p.held,
         "Components held on boundary ids or names: '3: ux uy rz; tip: hinged'; clamped is all six, hinged is ux uy "
-        "uz. [-]",
+        "uz: on whole faces of a solid a clamp. [-]",
         Anything());
       prm.add_parameter("Held boxes", p.held_boxes,
                         "Components held on all nodes in a box: 'xmin ymin zmin xmax ymax zmax: ux uy; ...'. [m]",

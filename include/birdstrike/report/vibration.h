@@ -23,8 +23,8 @@ namespace birdstrike
   /// the next speed is alike (criterion below a half) ends there: no_mode from then on.
   std::vector<std::vector<std::size_t>> follow_modes(const std::vector<ModesAtSpeed> &speeds, std::size_t n);
 
-  /// How many are found at each of several speeds for n to be followed: others cross them from above.
-  std::size_t n_modes_to_find(std::size_t n, std::size_t n_speeds);
+  /// How many more are found at each of several speeds for n to be followed: others cross them from above.
+  std::size_t n_spare_modes(std::size_t n, std::size_t n_speeds);
 
   std::string describe_modes(const ModesAtSpeed &at, std::size_t n); ///< a table of the first n
 

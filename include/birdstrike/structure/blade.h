@@ -124,8 +124,9 @@ namespace birdstrike
     /// Static equilibrium with the loads of t = 0 and the spin of the hub; before the first step. What the constructor
     /// has found is kept. Throws NumericalFailure where there is none.
     /// InputError of a rigid surface, as compute_modes.
-    virtual StaticReport   find_equilibrium();
-    virtual VibrationModes compute_modes(std::size_t n); ///< the lowest n, about the present equilibrium
+    virtual StaticReport find_equilibrium();
+    /// The lowest n about the present equilibrium, and up to so many more as the unknowns allow.
+    virtual VibrationModes compute_modes(std::size_t n, std::size_t n_spare = 0);
 
     /// What is asked for besides; the blade outlives it. Throws InputError, naming the entry, for what it cannot give.
     virtual BladeHistories make_histories(const HistoryRequests &requests) const;

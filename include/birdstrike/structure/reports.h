@@ -55,7 +55,8 @@ namespace birdstrike
 
     std::array<double, 3>      centre_of_mass{}; ///< m, of a rigid surface none
     std::vector<SupportCensus> supports;
-    std::vector<SectionCensus> sections; ///< none where all elements have one
+    std::vector<SectionCensus> sections;   ///< none where all elements have one
+    std::vector<std::string>   held_faces; ///< entries that hold the rotation of a solid without saying so
   };
 
   /// What has failed of a blade so far. Failed elements carry nothing; their mass stays on their nodes, and nodes

@@ -22,7 +22,7 @@ namespace birdstrike
     {
       const fs::path path(file), folder = path.parent_path();
       const bool     is_of_run = path == folder / "parameters.prm" && fs::exists(folder / ".birdstrike");
-      return is_of_run ? fs::absolute(path).parent_path().filename().string() : parameters.name;
+      return is_of_run ? fs::absolute(path).lexically_normal().parent_path().filename().string() : parameters.name;
     }
 
     PlannedCase read_case(const CompareRequest &request, const std::string &file, const std::string &kind)

@@ -115,7 +115,7 @@ namespace birdstrike
           throw NumericalFailure(
             "The target error cannot be claimed: " + row.group + ": " + row.quantity + " still rises at the end of " +
             made[k].point.name +
-            ", or the bird still pushes there: it is no peak yet.\n  Action: a later Time/End time.");
+            ", or the bird still pushes there: it may be no peak yet.\n  Action: a later Time/End time.");
         const double seconds = record.summary().number("cost/wall");
         runs.emplace(wanted[k], KnownRun{row.values[0], seconds, made[k].folder});
       }

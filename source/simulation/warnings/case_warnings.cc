@@ -58,8 +58,8 @@ namespace birdstrike
           if (metal.hardening.curve.n_segments > 0)
             {
               const auto &last = metal.hardening.curve.segments[metal.hardening.curve.n_segments - 1];
-              check({"curve_strain", where + "Hardening curve: last strain", last.begin + last.length, "(true strain)", 1e-4,
-                     3., of_strain},
+              check({"curve_strain", where + "Hardening curve: last strain", last.begin + last.length, "(true strain)",
+                     1e-4, 3., of_strain},
                     warnings);
             }
           if (metal.failure.law == FailureLaw::plastic_strain)

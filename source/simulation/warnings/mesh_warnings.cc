@@ -56,14 +56,17 @@ namespace birdstrike
         doubt("Was Blade/Thickness meant in mm?");
       else if (thickness < 1e-4 * size)
         doubt("Is Blade/Thickness right? It is in m, and 'mm' stands for 0.001.");
-      const auto is_given = [&](const char *entry) {
+      // what the file itself says, or a section, leads to another mean
+      const double standard = std::stod(ThicknessParameters().value);
+      const auto   is_given = [&](const char *entry) {
         return parameters.file.is_given(std::string("Blade/Thickness/") + entry);
       };
-      if (parameters.blade.mesh.generator == MeshGenerator::file && !is_given("Value") && !is_given("Maximum") &&
-          !is_given("Table") && !is_given("By material"))
+      if (parameters.blade.mesh.generator == MeshGenerator::file && std::abs(thickness - standard) < 1e-6 * standard &&
+          !is_given("Value") && !is_given("Maximum") && !is_given("Table") && !is_given("By material"))
         warnings.push_back({"blade/thickness_not_given",
                             fmt::format("Blade/Thickness is not given: the shell is {:.4g} mm thick, as the default "
-                                        "plate. What a mesh file says of thickness and metal is not read.",
+                                        "plate. Thickness and metal that a mesh file gives by section or property "
+                                        "(*SECTION_SHELL, *Shell Section) are not read.",
                                         1e3 * thickness)});
     }
 
@@ -79,10 +82,15 @@ namespace birdstrike
         warnings.push_back({"blade/all_held",
                             "Every node of the blade is held (Blade/Supports: are coordinates of Held "
                             "boxes in m?)."});
+      for (const std::string &entry : census.held_faces)
+        warnings.push_back(
+          {"blade/hinge_is_clamp", entry + " holds whole faces of the solid and so their rotation, too: "
+                                           "a hinge holds one row of nodes (Held boxes); a clamp is 'clamped'."});
       const auto line = blade.span_line();
-      if (!line && parameters.blade.mesh.generator == MeshGenerator::file)
-        warnings.push_back({"blade/no_tip", "No side of the mesh is named as root or as tip row: there is no tip "
-                                            "deflection (Blade/Supports/Clamped or Hub, and Tip)."});
+      if (!line && parameters.blade.mesh.generator == MeshGenerator::file &&
+          !parameters.file.is_given("Blade/Supports/Tip"))
+        warnings.push_back({"blade/no_tip", "Blade/Supports/Tip is not given, and no side of the mesh is known as its "
+                                            "tip row, or none as its root: there is no tip deflection."});
       if (!line)
         return;
       const double length = (Point3(line->tip.data()) - Point3(line->root.data())).norm(),

@@ -52,6 +52,19 @@ namespace birdstrike
       std::set<std::uint32_t> dofs;
     };
 
+    /// Whether some face of a solid has all of its nodes among these, sorted.
+    bool holds_a_face(const SurfaceMesh &, const std::vector<std::uint32_t> &)
+    {
+      return false;
+    }
+    bool holds_a_face(const VolumeMesh &mesh, const std::vector<std::uint32_t> &nodes)
+    {
+      return std::ranges::any_of(mesh.boundary, [&](const auto &face) {
+        return std::ranges::all_of(face.nodes,
+                                   [&](const std::uint32_t n) { return std::ranges::binary_search(nodes, n); });
+      });
+    }
+
     /// Components of an entry; single rotations mean something on a shell only. `turns`: all, or none turn with a hub.
     template <unsigned int n_unknowns>
     std::array<bool, 6> read_components(const std::string &text, const std::string &entry, const bool turns = false)
@@ -125,8 +138,9 @@ namespace birdstrike
                        " (its default) holds every side that no name of the mesh stands for.\nName the root, Clamped = "
                        "..., or hold nothing, Clamped = (empty). Names in this mesh: " +
                        mesh.boundary_names.list() + ".");
-    clamped_ids = require_ids(parameters.clamped, mesh, "Clamped");
-    root_ids    = require_ids(parameters.hub, mesh, "Hub");
+    const bool is_hub_alone = are_named && parameters.clamped == standard.clamped;
+    clamped_ids             = require_ids(is_hub_alone ? "" : parameters.clamped, mesh, "Clamped");
+    root_ids                = require_ids(parameters.hub, mesh, "Hub");
     clamped_ids.insert(clamped_ids.end(), root_ids.begin(), root_ids.end());
     if (root_ids.empty())
       root_ids = clamped_ids;
@@ -145,22 +159,27 @@ namespace birdstrike
   {
     constexpr std::array<bool, 6> all{{true, true, true, true, true, true}};
     HeldSet<n_unknowns>           held;
+    const auto hold = [&](const std::vector<std::uint32_t> &nodes, const std::string &key, const std::string &text,
+                          const std::string &entry) {
+      const auto components = read_components<n_unknowns>(text, "Supports/" + entry, turns);
+      held.add(nodes, components);
+      if (components[0] && components[1] && components[2] && text.find("clamped") == std::string::npos &&
+          holds_a_face(mesh, nodes))
+        held_faces.push_back("Blade/Supports/" + entry + " = " + key + ": " + text);
+    };
     held.add(mesh.nodes_on(clamped_ids), all);
     held.add(nodes_of_blades(mesh, is_rigid), all);
     // the mirror image at y = 0 has -u_y, -theta_x and -theta_z
     held.add(mesh.symmetry_nodes, {{false, true, false, true, false, true}});
     for (const auto &[key, components] : parse_pairs(parameters.held, "Blade/Supports/Held"))
-      {
-        const auto ids = require_ids(key, mesh, "Held");
-        held.add(mesh.nodes_on(ids), read_components<n_unknowns>(components, "Supports/Held", turns));
-      }
+      hold(mesh.nodes_on(require_ids(key, mesh, "Held")), key, components, "Held");
     for (const auto &[key, components] : parse_pairs(parameters.held_boxes, "Blade/Supports/Held boxes"))
       {
         const auto nodes = nodes_in_box(mesh, parse_numbers(key, 6, "Blade/Supports/Held boxes"));
         if (nodes.empty() && mesh.space.is_whole())
           throw InputError("Blade/Supports/Held boxes: no node lies in the box '" + key + "'.\n" +
                            "Order: xmin ymin zmin xmax ymax zmax, in metres.");
-        held.add(nodes, read_components<n_unknowns>(components, "Supports/Held boxes", turns));
+        hold(nodes, key, components, "Held boxes");
       }
     for (const auto &[key, text] : parse_pairs(parameters.driven, "Blade/Supports/Driven"))
       {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace birdstrike
@@ -40,6 +41,9 @@ namespace birdstrike
     std::vector<unsigned int>  clamped_ids; ///< clamped and hub
     std::vector<unsigned int>  root_ids;    ///< hub if given, else clamped
     std::vector<unsigned int>  tip_ids;     ///< those of the tip list that the mesh has
+    /// Of Held and Held boxes, as text, that hold ux uy uz of all nodes of a face of a solid, without being called
+    /// clamped: they hold its rotation too.
+    std::vector<std::string> held_faces;
 
   private:
     template <class Mesh>

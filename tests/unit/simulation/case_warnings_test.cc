@@ -175,6 +175,9 @@ TEST(CaseWarnings, LooksAtTheParts)
   EXPECT_EQ(of_scene({"Bird/Chordwise offset=-0.0635"}), Codes{"bird/misses_in_part"}) << "all but passes it";
   EXPECT_EQ(of_scene({"Output/Field interval=1e-9", "Time/End time=0.4"}), Codes{"output/large"});
   EXPECT_EQ(of_scene({"Blade/Supports/Tip=0"}), Codes{"blade/tip_is_root"});
+  EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Supports/Held=1: hinged"}), Codes{"blade/hinge_is_clamp"});
+  EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Supports/Held=1: clamped"}), Codes{});
+  EXPECT_EQ(of_scene({"Blade/Supports/Held=1: hinged"}), Codes{}) << "of a shell it is one";
   EXPECT_EQ(of_scene({"Blade/Kind=solid"}), Codes{}) << "one layer of solid-shells";
   EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Mesh/Layers=2"}), Codes{"blade/layers"});
   EXPECT_EQ(of_scene({"Blade/Kind=solid", "Blade/Mesh/Layers=4"}), Codes{});

@@ -64,6 +64,8 @@ TEST(MeshWarnings, WhereAFileNamesItsSidesTheRootMustBeNamed)
   EXPECT_EQ(of_file(shells, {"Blade/Supports/Clamped=root", "Blade/Supports/Tip=tip"}), Codes{});
   EXPECT_EQ(of_file(shells, {"Blade/Supports/Clamped=", "Blade/Supports/Hub=root", "Blade/Supports/Tip=tip"}), Codes{});
   EXPECT_EQ(of_file(shells, {"Blade/Supports/Clamped=root"}), Codes{"blade/no_tip"}) << "1 is the root here";
+  // all four sides have names: with the hub alone there is no side 0 to be held, nor to be missed
+  EXPECT_EQ(of_file(shells, {"Blade/Supports/Hub=root", "Blade/Supports/Tip=tip"}), Codes{});
 }
 
 TEST(MeshWarnings, AThicknessThatNobodyGaveIsSaid)
