@@ -144,8 +144,8 @@ namespace birdstrike
         "side of minus the normal, makes it push as on the shell. [-]",
         Anything());
       prm.add_parameter("Point loads", p.point_loads,
-                        "Dead forces, and if six formulas are given moments, on the nearest node: 'x y z: fx; fy; fz | "
-                        "...', formulas in t. [N]",
+                        "Dead forces, and if six formulas are given moments, on the nearest node, of a solid at the "
+                        "place: 'x y z: fx; fy; fz | ...', formulas in t. [N]",
                         Anything());
       prm.add_parameter("Damping", p.damping,
                         "Mass-proportional damping of every unknown, for dynamic relaxation; its work is booked. [1/s]",

@@ -40,7 +40,13 @@ namespace birdstrike
         const auto node = mesh.nearest_node(p, dim == 3);
         if (!node)
           continue;
-        if ((mesh.node(*node) - p).norm() > reach)
+        std::vector<NodeShare> nodes{{*node, 1.}};
+        if constexpr (dim == 3)
+          nodes = share_force(mesh, *node, p);
+        Point3 taken_at = Point3::Zero();
+        for (const NodeShare &share : nodes)
+          taken_at += share.weight * mesh.node(share.node);
+        if ((taken_at - p).norm() > reach)
           throw InputError("Blade/Loads/Point loads: no node near (" + where +
                            ") m.\nLoads act on the nearest node, at "
                            "most one element away.");
@@ -53,7 +59,7 @@ namespace birdstrike
         if (formulas.size() != 3 && !has_moments)
           throw InputError("Blade/Loads/Point loads: '" + what + "' has " + std::to_string(formulas.size()) +
                            " formulas.\nAllowed: three forces, 'fx; fy; fz', of shells three moments after them.");
-        PointLoad load{*node, {}};
+        PointLoad load{std::move(nodes), {}};
         for (const std::string &formula : formulas)
           load.components.emplace_back(formula, "Loads/Point loads");
         point_loads.push_back(std::move(load));
@@ -93,7 +99,11 @@ namespace birdstrike
         }
     for (const auto &load : point_loads)
       for (std::size_t c = 0; c < load.components.size(); ++c)
-        force[n_unknowns * load.node + c] += load.components[c](time);
+        {
+          const double value = load.components[c](time);
+          for (const NodeShare &share : load.nodes)
+            force[n_unknowns * share.node + c] += share.weight * value;
+        }
   }
 
   template Loads::Loads(const BladeParameters::Loads &, const BladeMesh<2> &, std::vector<Quadrilateral>);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "structure/nodes/point_share.h"
 #include <birdstrike/core/expression.h>
 #include <birdstrike/mesh/blade_mesh.h>
 #include <birdstrike/structure/parameters.h>
@@ -12,7 +13,8 @@ namespace birdstrike
   /// Prescribed loads: a follower pressure p(x, y, z, t) at reference positions, pushing along the present normal of
   /// quadrilaterals,
   ///   f_i = p A n / 4 on each node (A n half the cross product of the diagonals),
-  /// dead forces and, on nodes with rotations, moments on single nodes, and the rate of mass-proportional damping.
+  /// dead forces and, on nodes with rotations, moments on single nodes, of a solid forces at the place that is given
+  /// (point_share.h), and the rate of mass-proportional damping.
   /// Evaluated serially; nothing is stored or looped over when absent.
   class Loads
   {
@@ -37,8 +39,8 @@ namespace birdstrike
   private:
     struct PointLoad
     {
-      std::uint32_t        node;
-      std::vector<TimeLaw> components; ///< fx fy fz, of shells mx my mz too or not
+      std::vector<NodeShare> nodes;      ///< weights sum up to 1
+      std::vector<TimeLaw>   components; ///< fx fy fz, of shells mx my mz too or not
     };
 
     template <int dim>
