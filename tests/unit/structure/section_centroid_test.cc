@@ -85,7 +85,8 @@ namespace birdstrike::section_centroid_test
 
   // A tension that is spread over the tip as E t strains a straight blade without lateral strain evenly: a state of
   // membranes that elements have exactly, without any bending. About the plain middle of the line it would have the
-  // moment N e = 1000 N * 1.26 mm. Round-off of the equilibrium: its residual is 1e-9 of the loads or less, 1e-6 of N e.
+  // moment N e = 1000 N * 1.26 mm. Round-off of the equilibrium: its residual is 1e-9 of the loads or less, 1e-6 of N
+  // e.
   TEST(SectionCentroid, TensionHasNoMoment)
   {
     for (const bool has_two_metals : {false, true})
