@@ -62,6 +62,11 @@ namespace birdstrike
     return all;
   }
 
+  bool NamedIds::has_names() const
+  {
+    return std::any_of(ids_of.begin(), ids_of.end(), [](const auto &named) { return !is_number(named.first); });
+  }
+
   bool NamedIds::names(const unsigned int id) const
   {
     return std::any_of(ids_of.begin(), ids_of.end(), [&](const auto &named) {

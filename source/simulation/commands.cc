@@ -1,8 +1,8 @@
 #include "simulation/bird_strike.h"
-#include "simulation/warnings/case_warnings.h"
 #include "simulation/explain.h"
 #include "simulation/read_case.h"
 #include "simulation/run_size.h"
+#include "simulation/warnings/case_warnings.h"
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/columns.h>

@@ -1,9 +1,9 @@
 #include "simulation/bird_strike.h"
-#include "simulation/warnings/case_warnings.h"
 #include "simulation/checkpoints.h"
 #include "simulation/explain.h"
 #include "simulation/read_case.h"
 #include "simulation/run_size.h"
+#include "simulation/warnings/case_warnings.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>

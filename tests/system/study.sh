@@ -42,7 +42,7 @@ require "a signal ends study and runs" '[ $code -eq 143 ] && grep -q "Points tha
 ask "what was complete is there" 0 "3 points, 1 of them are there, 2 will go on from a checkpoint" "stopped at [0-9.]+ ms, will go on" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
 
 # and what was not goes on from where it was, as if nothing had happened; where 'resume' refuses, it is run anew
-long=(--set "Time/End time=60e-3" --set "Output/HDF5=false" --vary "Bird/Mass=0.1, 0.12" --jobs 2)
+long=(--set "Time/End time=240e-3" --set "Output/HDF5=false" --vary "Bird/Mass=0.1, 0.12" --jobs 2)
 "$program" study "$a" "${fast[@]}" "${long[@]}" --output on >out.txt 2>&1 &
 running=$!
 for _ in $(seq 300); do [ -s on/Mass=0.1/parameters.prm ] && [ -s on/Mass=0.12/parameters.prm ] && break; sleep 0.1; done

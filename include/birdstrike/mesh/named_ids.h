@@ -30,6 +30,7 @@ namespace birdstrike
     /// for one without ids.
     std::vector<unsigned int> parse(const std::string &text, const std::string &entry) const;
 
+    bool has_names() const;            ///< that are no numbers
     bool names(unsigned int id) const; ///< whether some name stands for it
 
     std::string list() const; ///< "root, tip", without those that are numbers; "none"

@@ -132,7 +132,7 @@ namespace birdstrike
     // The defaults name root and tip of the built-in parts. Where a file names its sides, 0 is every one that it does
     // not name, and 1 the first that it does.
     const BladeParameters::Supports standard;
-    const bool                      are_named = mesh.boundary_names.list() != "none" && !mesh.boundary_names.names(0);
+    const bool                      are_named = mesh.boundary_names.has_names() && !mesh.boundary_names.names(0);
     if (are_named && parameters.clamped == standard.clamped && parameters.hub.empty())
       throw InputError("Blade/Supports/Clamped = " + standard.clamped +
                        " (its default) holds every side that no name of the mesh stands for.\nName the root, Clamped = "
