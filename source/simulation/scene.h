@@ -54,6 +54,11 @@ namespace birdstrike
     /// @throws NumericalFailure for a step that collapses (Time/Smallest step).
     Schedule plan(double remaining);
 
+    /// Within the macro step of the latest plan: how many blade steps what `n_steps` of `step` (s) are left for now
+    /// takes. More where elements have become stiffer than they bear.
+    /// @throws NumericalFailure as `plan` where the step collapses.
+    unsigned int divide_blade_steps(double step, unsigned int n_steps);
+
     /// Birds that wait and are near now (s since the clock started) are computed from now on.
     void wake_birds(double now);
 

@@ -143,6 +143,16 @@ namespace birdstrike
     return latest;
   }
 
+  unsigned int Scene::divide_blade_steps(const double step, const unsigned int n_steps)
+  {
+    if (step <= blade->largest_stable_step())
+      return n_steps;
+    StepLimit limit = blade->step_limit();
+    limit.value *= parameters.time.step_scale;
+    smallest_blade_step.check(limit, n_steps * step, advice_on_crushed_elements);
+    return static_cast<unsigned int>(std::ceil(n_steps * step / limit.value));
+  }
+
   const Schedule &Scene::last_plan() const
   {
     return latest;

@@ -9,13 +9,17 @@
 
 namespace birdstrike
 {
+  // Steps of the blade within that of the bird are kicks and drifts of their own, so each may have its length: where
+  // elements stiffen on the way, as a corner that loses its volume does within one step, the rest goes in shorter ones.
   void Stepper::advance(const Schedule &schedule)
   {
     if (schedule.n_bird > 1)
       return advance_with_several_bird_steps(schedule);
-    const double half = 0.5 * schedule.step, step = schedule.blade_step(), blade_half = 0.5 * step;
+    const double half = 0.5 * schedule.step;
+    double       step = schedule.blade_step(), blade_half = 0.5 * step;
+    unsigned int n = schedule.n_blade;
     kick_bird(half, HalfKick::first, blade_half);
-    for (unsigned int k = 0; k < schedule.n_blade; ++k)
+    for (unsigned int k = 0; k < n; ++k)
       {
         if (k > 0)
           kick_bird_by_contact(blade_half, HalfKick::first);
@@ -23,7 +27,7 @@ namespace birdstrike
         kick_blade(blade_half, HalfKick::first);
         drift_bird(step);
         drift_blade(step);
-        const bool is_last = k + 1 == schedule.n_blade;
+        const bool is_last = k + 1 == n;
         if (is_last)
           update_neighbor_list();
         compute_blade_forces(step);   // elements may fail: contact meets the facets that are left
@@ -32,11 +36,19 @@ namespace birdstrike
           compute_bird_rates();
         kick_blade(blade_half, HalfKick::second);
         kick_blade_by_contact(blade_half, HalfKick::second);
-        if (!is_last)
-          kick_bird_by_contact(blade_half, HalfKick::second);
+        if (is_last)
+          break;
+        kick_bird_by_contact(blade_half, HalfKick::second);
+        const unsigned int n_left = n - k - 1, n_needed = scene.divide_blade_steps(step, n_left);
+        if (n_needed > n_left)
+          {
+            step *= double(n_left) / n_needed;
+            blade_half = 0.5 * step;
+            n          = k + 1 + n_needed;
+          }
       }
     kick_bird(half, HalfKick::second, blade_half);
-    done.particle_steps_not_done += (schedule.n_blade - 1) * scene.n_particles_here();
+    done.particle_steps_not_done += (n - 1) * scene.n_particles_here();
   }
 
   void Stepper::advance_with_several_bird_steps(const Schedule &schedule)

@@ -16,9 +16,9 @@ namespace birdstrike
   /// twist_j + xi_i xi_j last (times eight), D that of SolidGeometry. It is a potential of the present shape: forces
   /// are its derivative, what it takes it gives back, they have neither sum nor moment. Rigid motions, any uniform
   /// deformation and all that bends or twists a corner less than to the share q_0 meet nothing. It grows without bound
-  /// as q vanishes, and the bound on the step knows its stiffness and lets no corner lose more than half of its share
-  /// in the next step at the present rate. So only a node that crosses most of a brick within one step turns a corner,
-  /// and such a run ends in words.
+  /// as q vanishes, and the bound on the step knows its stiffness, also of corners that come below q_0 within the next
+  /// step at the present rate, and lets no corner lose more than half of its share in it. So only a node that crosses
+  /// most of a brick within one step turns a corner, and such a run ends in words.
   namespace corner_volume
   {
     constexpr double least_share = 0.2; ///< q_0: a strain of -0.8 along one axis between the middle and the corner
@@ -74,18 +74,26 @@ namespace birdstrike
       }
     };
 
+    /// x + s u.
+    template <class Number>
+    inline SolidModes<Number> move(const SolidModes<Number> &x, const Number &s, const SolidModes<Number> &u)
+    {
+      SolidModes<Number> moved;
+      for (int k = 0; k < 3; ++k)
+        {
+          moved.linear[k] = x.linear[k] + s * u.linear[k];
+          moved.twist[k]  = x.twist[k] + s * u.twist[k];
+        }
+      moved.last = x.last + s * u.last;
+      return moved;
+    }
+
     /// The largest share of what is left at a corner that the displacement `u` (m, modes) has taken of it; of those
     /// that had volume at rest.
     template <class Number>
     inline Number largest_loss(const SolidGeometry<Number> &g, const SolidModes<Number> &u, const Shares<Number> &rest)
     {
-      SolidModes<Number> before;
-      for (int k = 0; k < 3; ++k)
-        {
-          before.linear[k] = g.x.linear[k] - u.linear[k];
-          before.twist[k]  = g.x.twist[k] - u.twist[k];
-        }
-      before.last = g.x.last - u.last;
+      const SolidModes<Number>    before = move(g.x, Number(-1.), u);
       const SolidGeometry<Number> g_before(before);
       const Shares<Number>        now(g), then(g_before);
       Number                      most = Number(0.);
@@ -113,10 +121,10 @@ namespace birdstrike
     struct Pressure
     {
       SolidModes<Number> force;
-      Number             energy = Number(0.), stiffness = Number(0.);
+      Number             energy = Number(0.);
 
       /// `rest` are the shares at rest, `scale` = K V_0/8 (J).
-      Pressure(const SolidGeometry<Number> &g, const Shares<Number> &rest, const Number &scale)
+      Pressure(const SolidGeometry<Number> &g, const Shares<Number> &rest, const Number &scale) : scale(scale)
       {
         const auto none = Vector3<Number>::Constant(Number(0.));
         for (int k = 0; k < 3; ++k)
@@ -124,43 +132,86 @@ namespace birdstrike
         force.last = none;
         Number sum = 0.;
         for (int c = 0; c < 8; ++c)
-          add(Derivative<Number>(g.x, c), g, rest.of[c], scale, sum);
+          add(Corner(g, c, rest.of[c]), sum);
         // of the volume D: d ln D is the trace of the mean gradient
         const Matrix3<Number> of_mean = Vector3<Number>::Constant(Number(sum * scale * g.inverse_det)).asDiagonal();
         g.add_mean_forces(of_mean, force);
       }
 
-    private:
-      /// A corner that had no volume at rest is left alone.
-      void add(const Derivative<Number> &at, const SolidGeometry<Number> &g, const Number &rest, const Number &scale,
-               Number &sum)
+      /// The bound at the displacement `u` (m, modes) from here, which may take half of a corner's share: what the next
+      /// step meets is in it before it is met. (A corner that comes below q_0 within a step that does not know finds
+      /// all of K at once.)
+      Number stiffness(const SolidGeometry<Number> &g, const SolidModes<Number> &u, const Shares<Number> &rest) const
       {
-        const Vector3<Number> area[3] = {at.edge[1].cross(at.edge[2]), at.edge[2].cross(at.edge[0]),
-                                         at.edge[0].cross(at.edge[1])};
-        const Number          det = at.edge[0].dot(area[0]), share = det * g.inverse_det, limit = least_share * rest;
-        const auto            is_short = (rest > Number(0.)) && (share < limit);
+        const SolidModes<Number>    x = move(g.x, Number(1.), u);
+        const SolidGeometry<Number> g_next(x);
+        const Shares<Number>        next(g_next);
+        Number                      sum = 0.;
+        for (int c = 0; c < 8; ++c)
+          {
+            const Corner at(g, c, rest.of[c]);
+            const Number share   = min(at.share, max(next.of[c], Number(0.5 * at.share)));
+            const auto   is_near = (at.limit > Number(0.)) && (share < at.limit);
+            if (!any(is_near))
+              continue;
+            const Number excess = log(select(is_near, Number(at.limit / share), Number(1.)));
+            const Number growth = select(is_near, Number(at.share / share), Number(1.));
+            sum += select(is_near, Number(1.5 * scale * (1. + excess) * at.gradient2() * growth * growth), Number(0.));
+          }
+        return sum;
+      }
+
+    private:
+      Number scale;
+
+      struct Corner
+      {
+        Derivative<Number> of;
+        Vector3<Number>    area[3];
+        Number             det, share, limit;
+
+        Corner(const SolidGeometry<Number> &g, const int corner, const Number &rest)
+          : of(g.x, corner)
+          , area{of.edge[1].cross(of.edge[2]), of.edge[2].cross(of.edge[0]), of.edge[0].cross(of.edge[1])}
+          , det(of.edge[0].dot(area[0]))
+          , share(det * g.inverse_det)
+          , limit(least_share * rest)
+        {
+        }
+        /// Of ln det A_c in the displacements of the nodes, its square (1/m^2); 16: an edge is a quarter of A_k, and
+        /// one end of it moves A_k by four times its way.
+        Number gradient2() const
+        {
+          Vector3<Number> at_corner = Vector3<Number>::Constant(Number(0.));
+          Number          squares   = 0.;
+          for (int k = 0; k < 3; ++k)
+            {
+              at_corner += of.xi[k] * area[k];
+              squares += area[k].dot(area[k]);
+            }
+          return 16. * (squares + Number(at_corner.dot(at_corner))) / (det * det);
+        }
+      };
+
+      /// A corner that had no volume at rest is left alone: its limit is no more than 0.
+      void add(const Corner &at, Number &sum)
+      {
+        const auto is_short = (at.limit > Number(0.)) && (at.share < at.limit);
         if (!any(is_short))
           return;
-        const Number excess  = log(select(is_short, Number(limit / share), Number(1.))); // turned inside out: no number
-        const Number inverse = Number(1.) / select(is_short, det, Number(1.)), push = -scale * excess * inverse;
+        const Number excess = log(select(is_short, Number(at.limit / at.share), Number(1.))); // turned: no number
+        const Number push   = -scale * excess / select(is_short, at.det, Number(1.));
         energy += 0.5 * scale * excess * excess;
         sum += excess;
-        Vector3<Number> at_corner = Vector3<Number>::Constant(Number(0.));
-        Number          squares   = 0.;
         for (int k = 0; k < 3; ++k)
           {
             const auto [i, j]         = following(k);
-            const Vector3<Number> one = push * area[k];
+            const Vector3<Number> one = push * at.area[k];
             force.linear[k] += one;
-            force.twist[i] += at.xi[j] * one;
-            force.twist[j] += at.xi[i] * one;
-            force.last += Number(at.xi[i] * at.xi[j]) * one;
-            at_corner += at.xi[k] * area[k];
-            squares += area[k].dot(area[k]);
+            force.twist[i] += at.of.xi[j] * one;
+            force.twist[j] += at.of.xi[i] * one;
+            force.last += Number(at.of.xi[i] * at.of.xi[j]) * one;
           }
-        // 16: an edge is a quarter of A_k, and one end of it moves A_k by four times its way
-        const Number gradient2 = 16. * (squares + Number(at_corner.dot(at_corner))) * inverse * inverse;
-        stiffness += select(is_short, 1.5 * scale * (1. + excess) * gradient2, Number(0.));
       }
     };
   } // namespace corner_volume
