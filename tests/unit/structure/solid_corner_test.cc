@@ -90,7 +90,7 @@ namespace solid_corner_test
       Eigen::VectorXd force(24);
       for (int i = 0; i < 8; ++i)
         force.segment<3>(3 * i) = f[i];
-      return {force, pressure.energy, pressure.stiffness(g, modes_of(u), rest)};
+      return {force, pressure.energy, pressure.stiffness(g, 1., modes_of(u), rest)};
     }
 
     Pushed push(const Corners &corner)

@@ -138,12 +138,13 @@ namespace birdstrike
         g.add_mean_forces(of_mean, force);
       }
 
-      /// The bound at the displacement `u` (m, modes) from here, which may take half of a corner's share: what the next
-      /// step meets is in it before it is met. (A corner that comes below q_0 within a step that does not know finds
-      /// all of K at once.)
-      Number stiffness(const SolidGeometry<Number> &g, const SolidModes<Number> &u, const Shares<Number> &rest) const
+      /// The bound at the displacement `ahead` times `u` (m, modes) from here, which may take half of a corner's share:
+      /// what the next step meets is in it before it is met. (A corner that comes below q_0 within a step that does not
+      /// know finds all of K at once.)
+      Number stiffness(const SolidGeometry<Number> &g, const Number &ahead, const SolidModes<Number> &u,
+                       const Shares<Number> &rest) const
       {
-        const SolidModes<Number>    x = move(g.x, Number(1.), u);
+        const SolidModes<Number>    x = move(g.x, ahead, u);
         const SolidGeometry<Number> g_next(x);
         const Shares<Number>        next(g_next);
         Number                      sum = 0.;

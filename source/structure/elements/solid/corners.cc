@@ -55,10 +55,9 @@ namespace birdstrike
     batch.corner_energy                           = pressure.energy;
     const corner_volume::Shares<Lanes> rest       = shares_at_rest(b);
     // no corner loses more than half of its share in the next step
-    const Lanes             least   = max(batch.bound, Lanes(4. / dt * corner_volume::largest_loss(geometry, u, rest)));
-    const SolidModes<Lanes> none    = corner_volume::move(u, Lanes(-1.), u);
-    const SolidModes<Lanes> next    = corner_volume::move(none, Lanes(2. / (dt * least)), u);
-    const Lanes             squared = 8. * batch.inverse_mass * pressure.stiffness(geometry, next, rest); // 1/s^2
+    const Lanes least = max(batch.bound, Lanes(4. / dt * corner_volume::largest_loss(geometry, u, rest)));
+    const Lanes squared =
+      8. * batch.inverse_mass * pressure.stiffness(geometry, Lanes(2. / (dt * least)), u, rest); // 1/s^2
     batch.bound = max(least, Lanes(0.5 * (batch.bound + sqrt(batch.bound * batch.bound + 4. * squared))));
     return pressure.force;
   }
