@@ -11,7 +11,7 @@ namespace birdstrike
   {
     double       step    = 0.; ///< s
     unsigned int n_bird  = 1;  ///< bird (and contact) sub-steps of step / n_bird
-    unsigned int n_blade = 1;  ///< blade sub-steps of step / n_blade
+    unsigned int n_blade = 1;  ///< blade sub-steps of step / n_blade; more where elements stiffen on the way (Stepper)
     StepLimit    limiter;      ///< the vote that set the step
 
     double bird_step() const

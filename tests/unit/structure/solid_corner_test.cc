@@ -243,7 +243,7 @@ namespace solid_corner_test
   }
 
   // The stiffness of a corner is there at once when its share falls below q_0. A step that was chosen before, without
-  // it, threw the corner out with many times its energy (0.5 of the stable step: 46 % of all there was).
+  // it, threw the corner out with more than it had brought (17 to 23 % of all there was).
   TEST(CornerVolume, ACornerIsStoppedInTheStepsOfARun)
   {
     for (const auto formulation : formulations)
