@@ -194,7 +194,8 @@ TEST(ClosedSkin, APointThatCameThroughIsPushedBackToWhereItCameFrom)
             scene.fly_to(0, at(d), 1e-7);
             scene.compute_contact(contact, 1e-7, pool);
             EXPECT_EQ(contact.report().n_touching, 1u);
-            EXPECT_NEAR(scene.force_on_point(0)[2] * side, k * (h + d), 1e-9 * k) << depth;
+            const double share = d < 0. ? 0.5 * (1. + 0.5 / 1.5) : 1.; // the touch begins within the step
+            EXPECT_NEAR(scene.force_on_point(0)[2] * side, share * k * (h + d), 1e-9 * k) << depth;
           }
       }
 }

@@ -58,8 +58,9 @@ namespace
 TEST(LightTarget, ContactMakesNoEnergyOnAnyMassAtAnySpeed)
 {
   // 1 um of aluminium to a hundred times the layer's own mass, 1 to 1500 m/s, facets finer and coarser than points, at
-  // the step of liquid under a Courant number of 0.45. Works are trapezoidal: a spring of omega dt = 0.6 whose
-  // touch begins and ends within a step is off by (omega dt)^2/8, 5 % of what it exchanges.
+  // the step of liquid under a Courant number of 0.45. Works are trapezoidal: a spring of omega dt = 0.6 is off by
+  // (omega dt)^2/8, 4.5 % of what it exchanges, in the step in which its touch begins, and has made up for it in the
+  // next.
   ThreadPool pool;
   for (const double areal_mass : {2.7e-3, 0.1, 0.8, 20., 200.})
     for (const double speed : {1., 100., 1500.})
@@ -79,9 +80,10 @@ TEST(LightTarget, ContactMakesNoEnergyOnAnyMassAtAnySpeed)
             for (unsigned int n = 0; n < 300; ++n)
               {
                 scene.advance(contact, step, pool);
-                ASSERT_LE(kinetic_energy(scene) + contact.report().stored_energy, 1.03 * before) << n;
+                ASSERT_LE(kinetic_energy(scene) + contact.report().stored_energy, 1.045 * before) << n;
                 ASSERT_LE(contact.report().dissipation_fall, 1e-3 * before) << n;
               }
+            EXPECT_LE(kinetic_energy(scene) + contact.report().stored_energy, 1.01 * before);
             const double dissipated = contact.report().dissipated_energy;
             if (areal_mass >= 20.) // a bare light plate bounces at every second step
               {
