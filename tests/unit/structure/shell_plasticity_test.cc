@@ -244,4 +244,32 @@ namespace shell_plasticity_test
     const Eigen::VectorXd f = model.move(Eigen::VectorXd::Zero(24));
     EXPECT_LT(f.cwiseAbs().maxCoeff(), 880e6 * 1.16 * t);
   }
+
+  // Round-off decides the sign of a stabilisation stress that nothing has driven yet. The first step of its mode on a
+  // plastic element is the same from either side of zero: it loads at the modulus of flow, however little it unloads
+  // before.
+  TEST(ShellPlasticity, TheSignOfAStabilisationStressOfRoundOffDoesNotMatter)
+  {
+    const auto force_after = [](const bool bends, const double before, const double drive) {
+      Model           model(make_grid(1, 1, [](const double x, const double y) { return Point3(x, y, 0.); }), 0.01,
+                            titanium(HardeningLaw::perfect));
+      Eigen::VectorXd stretch = Eigen::VectorXd::Zero(24), hourglass = Eigen::VectorXd::Zero(24);
+      for (std::size_t n = 0; n < 4; ++n)
+        {
+          stretch[6 * n]                     = 1e-3 * model.mesh.nodes[n][0];
+          hourglass[6 * n + (bends ? 4 : 0)] = n == 0 || n == 3 ? 1. : -1.;
+        }
+      for (int i = 0; i < 20; ++i)
+        model.move(stretch);
+      model.move(stretch + before * hourglass);
+      return Eigen::VectorXd(model.move(stretch + drive * hourglass));
+    };
+    for (const bool bends : {false, true})
+      {
+        const Eigen::VectorXd up = force_after(bends, 1e-15, 1e-6), down = force_after(bends, -1e-15, 1e-6);
+        const double          driven = (up - force_after(bends, 1e-15, 0.)).norm();
+        EXPECT_GT(driven, 0.);
+        EXPECT_LT((up - down).norm(), 1e-6 * driven) << bends;
+      }
+  }
 } // namespace shell_plasticity_test

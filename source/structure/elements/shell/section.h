@@ -51,10 +51,12 @@ namespace birdstrike
       const Number          bending  = is_capped ? max(floor, tangent.bending) : one;
       const auto            flow     = [this](const Number &ratio, const Number &most) {
         return [this, ratio, most](Number &stress, const Number &strain) {
-          const Number elastic = elasticity.young * strain;
-          // back elastically: at the modulus of flow a stress gives back more than it has taken
-          const Number increment = select(stress * elastic < Number(0.), elastic, Number(ratio * elastic));
-          stress                 = min(max(Number(stress + increment), Number(-most)), most);
+          const Number elastic = elasticity.young * strain, whole = stress + elastic;
+          // back elastically, as far as zero: at the modulus of flow a stress gives back more than it has taken, and
+          // beyond zero at the full modulus the sign of a stress of round-off decides
+          const Number fallen = select(stress * whole < Number(0.), Number(ratio * whole), whole);
+          const Number now = select(stress * elastic < Number(0.), fallen, Number(stress + ratio * elastic));
+          stress           = min(max(now, Number(-most)), most);
         };
       };
       update_stabilisation(e, s, work.hourglass, flow(membrane, limit), flow(bending, Number(1.5 * limit)));
