@@ -111,6 +111,7 @@ namespace birdstrike
     static std::array<void *, 2>      frame;
     [[maybe_unused]] static const int depth = ::backtrace(frame.data(), frame.size());
     n_counted                               = 0;
+    n_kept                                  = 0;
     armed                                   = is_armed;
   }
 

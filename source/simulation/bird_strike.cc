@@ -27,9 +27,9 @@ namespace birdstrike
     constexpr unsigned long retirement_stride = 50;
 
 #ifndef NDEBUG
-    /// Steps until every buffer has its size. After them a list may outgrow its memory in one step; a loop that
-    /// allocates does so in every step.
-    constexpr unsigned long warm_up = 300;
+    /// Steps until every buffer has its size. After them a list may outgrow its memory in one step, a thread meet its
+    /// first touch or a bird that waited its blade; a loop that allocates does so in every step.
+    constexpr unsigned long warm_up = 300, n_allocating_steps = 3;
 #endif
 
     std::atomic<bool> stop_requested{false};
@@ -124,8 +124,10 @@ namespace birdstrike
     const std::uint64_t   lists = scene.n_list_changes();
     const AllocationGuard guard(n_steps >= warm_up);
     stepper.advance(schedule);
-    if (n_steps >= warm_up && guard.count() > 0 && scene.n_list_changes() == lists)
-      throw std::logic_error("A step that made no list has allocated memory:\n" + AllocationGuard::first_call_sites());
+    n_allocated_steps =
+      n_steps >= warm_up && guard.count() > 0 && scene.n_list_changes() == lists ? n_allocated_steps + 1 : 0;
+    if (n_allocated_steps >= n_allocating_steps)
+      throw std::logic_error("Steps that made no list have allocated memory:\n" + AllocationGuard::first_call_sites());
 #endif
   }
 

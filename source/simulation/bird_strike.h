@@ -107,9 +107,12 @@ namespace birdstrike
     bool          is_started = false;
     double        now        = 0.; ///< s since first touch
     unsigned long n_steps    = 0;
-    Schedule      schedule;
-    StepLimiters  limiters;
-    EndReason     why_ended = EndReason::none;
+#ifndef NDEBUG
+    unsigned long n_allocated_steps = 0; // in a row, of those that made no list
+#endif
+    Schedule     schedule;
+    StepLimiters limiters;
+    EndReason    why_ended = EndReason::none;
 
     bool has_contact = false;
   };
