@@ -43,14 +43,18 @@ namespace
     return scene;
   }
 
-  double kinetic_energy(const FreeMasses &scene)
+  /// Of the product of the velocities at the half steps before and behind: with a linear spring's energy leapfrog keeps
+  /// their sum, while that with the velocities between them swings by (omega dt)^2/4.
+  double kinetic_energy(const FreeMasses &scene, const double step)
   {
     double sum = 0.;
     for (std::size_t i = 0; i < scene.id.size(); ++i)
-      sum += 0.5 * scene.mass[i] * scene.velocity(i).squaredNorm();
-    for (const auto &node : scene.node)
-      if (node.inverse_mass > 0.)
-        sum += 0.5 * node.velocity.squaredNorm() / node.inverse_mass;
+      sum += 0.5 * scene.mass[i] *
+             (scene.velocity(i).squaredNorm() - (0.5 * step / scene.mass[i] * scene.force_on_point(i)).squaredNorm());
+    for (std::size_t n = 0; n < scene.node.size(); ++n)
+      if (const auto &node = scene.node[n]; node.inverse_mass > 0.)
+        sum += 0.5 / node.inverse_mass *
+               (node.velocity.squaredNorm() - (0.5 * step * node.inverse_mass * scene.force_on_node(n)).squaredNorm());
     return sum;
   }
 } // namespace
@@ -59,8 +63,7 @@ TEST(LightTarget, ContactMakesNoEnergyOnAnyMassAtAnySpeed)
 {
   // 1 um of aluminium to a hundred times the layer's own mass, 1 to 1500 m/s, facets finer and coarser than points, at
   // the step of liquid under a Courant number of 0.45. Works are trapezoidal: a spring of omega dt = 0.6 is off by
-  // (omega dt)^2/8, 4.5 % of what it exchanges, in the step in which its touch begins, and has made up for it in the
-  // next.
+  // (omega dt)^2/16, 2 % of what it exchanges, in the step in which its touch begins, and makes up for it in the next.
   ThreadPool pool;
   for (const double areal_mass : {2.7e-3, 0.1, 0.8, 20., 200.})
     for (const double speed : {1., 100., 1500.})
@@ -75,15 +78,16 @@ TEST(LightTarget, ContactMakesNoEnergyOnAnyMassAtAnySpeed)
             ContactParameters parameters;
             parameters.damping_scale = damping;
             Contact      contact(parameters);
-            const double step = 0.45 * spacing / (sound_speed + 2. * 2. * speed), before = kinetic_energy(scene);
+            const double step = 0.45 * spacing / (sound_speed + 2. * 2. * speed);
             scene.compute_contact(contact, step, pool);
+            const double before = kinetic_energy(scene, 0.);
             for (unsigned int n = 0; n < 300; ++n)
               {
                 scene.advance(contact, step, pool);
-                ASSERT_LE(kinetic_energy(scene) + contact.report().stored_energy, 1.045 * before) << n;
+                ASSERT_LE(kinetic_energy(scene, step) + contact.report().stored_energy, 1.02 * before) << n;
                 ASSERT_LE(contact.report().dissipation_fall, 1e-3 * before) << n;
               }
-            EXPECT_LE(kinetic_energy(scene) + contact.report().stored_energy, 1.01 * before);
+            EXPECT_LE(kinetic_energy(scene, step) + contact.report().stored_energy, 1.01 * before);
             const double dissipated = contact.report().dissipated_energy;
             if (areal_mass >= 20.) // a bare light plate bounces at every second step
               {
@@ -104,12 +108,12 @@ TEST(LightTarget, TheVoteOnTheStepCoversNodesThatAreLighterThanTheirFacets)
   ThreadPool pool;
   double     step = 5e-7;
   scene.compute_contact(contact, step, pool);
-  const double before = kinetic_energy(scene);
+  const double before = kinetic_energy(scene, 0.);
   for (unsigned int n = 0; n < 400; ++n)
     {
       step = std::min(1.02 * step, contact.step_limit().value);
       scene.advance(contact, step, pool);
-      ASSERT_LE(kinetic_energy(scene) + contact.report().stored_energy, 1.03 * before) << n;
+      ASSERT_LE(kinetic_energy(scene, step) + contact.report().stored_energy, 1.03 * before) << n;
     }
   EXPECT_GT(contact.report().dissipated_energy, 0.);
 }
