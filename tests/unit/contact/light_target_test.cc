@@ -63,8 +63,8 @@ TEST(LightTarget, ContactMakesNoEnergyOnAnyMassAtAnySpeed)
 {
   // 1 um of aluminium to a hundred times the layer's own mass, 1 to 1500 m/s, facets finer and coarser than points, at
   // the step of liquid under a Courant number of 0.45. Works are trapezoidal: the sum falls by up to
-  // (omega dt)^2/8 in the step in which a touch begins, and rises again in the next; what is allowed above is for springs
-  // that harden.
+  // (omega dt)^2/8 in the step in which a touch begins, and rises again in the next; what is allowed above is for
+  // springs that harden.
   ThreadPool pool;
   for (const double areal_mass : {2.7e-3, 0.1, 0.8, 20., 200.})
     for (const double speed : {1., 100., 1500.})
