@@ -1,5 +1,6 @@
 #include "structure/elements/shell/failure.h"
 #include "structure/elements/shell/group.h"
+#include <birdstrike/core/simd/flatten.h>
 
 namespace birdstrike
 {
@@ -14,9 +15,9 @@ namespace birdstrike
   }
 
   // Apart from metals that cannot fail, whose loop stays as small as it is.
-  [[gnu::noinline, gnu::flatten]] ShellWork<Lanes> ShellGroup::update_failing_points(const std::size_t         b,
-                                                                                     const ShellVector<Lanes> &strain,
-                                                                                     const Lanes &area, const double dt)
+  BIRDSTRIKE_FLATTEN [[gnu::noinline]] ShellWork<Lanes>
+  ShellGroup::update_failing_points(const std::size_t b, const ShellVector<Lanes> &strain, const Lanes &area,
+                                    const double dt)
   {
     AlignedVector<Lanes> &damage = erosion->damage[b];
     damage.resize(law.rule.n, Lanes(0.));
@@ -31,7 +32,7 @@ namespace birdstrike
     return work;
   }
 
-  [[gnu::noinline, gnu::flatten]] Lanes
+  BIRDSTRIKE_FLATTEN [[gnu::noinline]] Lanes
   ShellGroup::update_failing_section(const std::size_t k, const SectionVector<Lanes> &strain, const double dt)
   {
     AlignedVector<Lanes> &damage = erosion->damage[k];

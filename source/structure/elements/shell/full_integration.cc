@@ -1,5 +1,6 @@
 #include "structure/elements/shell/full_integration_loop.h"
 #include "structure/elements/shell/step_bound.h"
+#include <birdstrike/core/simd/flatten.h>
 
 #include <algorithm>
 
@@ -9,8 +10,8 @@ namespace birdstrike
   constexpr int n_points = full_integration::n_points;
 
   // Apart, so that the elastic path has the registers for itself.
-  [[gnu::noinline, gnu::flatten]] Lanes ShellGroup::update_section(const std::size_t           k,
-                                                                   const SectionVector<Lanes> &strain, const double dt)
+  BIRDSTRIKE_FLATTEN [[gnu::noinline]] Lanes
+  ShellGroup::update_section(const std::size_t k, const SectionVector<Lanes> &strain, const double dt)
   {
     if (points[k].empty())
       promote(k);
@@ -22,7 +23,7 @@ namespace birdstrike
   // One body and `flatten`, as in the loop of the one-point elements (shell_loops.cc). Strains and resultants of the
   // points lie in memory between the three passes, which costs less than the geometry of the end held beside that of
   // the midpoint.
-  [[gnu::flatten]] void ShellGroup::update_fully_integrated(const std::size_t b, const double dt, ElementChunk &chunk)
+  BIRDSTRIKE_FLATTEN void ShellGroup::update_fully_integrated(const std::size_t b, const double dt, ElementChunk &chunk)
   {
     Batch           &batch = batches[b];
     const BatchNodes nodes(place.records->position, batch.record);

@@ -1,11 +1,12 @@
 #include "structure/elements/shell/one_point_loop.h"
 
 #include "structure/elements/shell/step_bound.h"
+#include <birdstrike/core/simd/flatten.h>
 
 namespace birdstrike
 {
   // Apart, so that the elastic path has the registers for itself.
-  [[gnu::noinline, gnu::flatten]] ShellWork<Lanes>
+  BIRDSTRIKE_FLATTEN [[gnu::noinline]] ShellWork<Lanes>
   ShellGroup::update_points(const std::size_t b, const ShellVector<Lanes> &strain, const Lanes &area, const double dt)
   {
     if (points[b].empty())
@@ -18,7 +19,7 @@ namespace birdstrike
   // One body, although long: all of it works on the same registers. Without `flatten` GCC leaves the vector operations
   // of Eigen as calls with their operands in memory, at three times the cost.
   template <bool physical>
-  [[gnu::flatten]] void ShellGroup::update_batch(const std::size_t b, const double dt, ElementChunk &chunk)
+  BIRDSTRIKE_FLATTEN void ShellGroup::update_batch(const std::size_t b, const double dt, ElementChunk &chunk)
   {
     Batch              &batch = batches[b];
     ShellStress<Lanes> &state = stress[b];

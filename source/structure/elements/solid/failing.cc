@@ -1,6 +1,7 @@
 #include "structure/elements/solid/b_bar.h"
 #include "structure/elements/solid/group.h"
 #include "structure/elements/solid/step_bound.h"
+#include <birdstrike/core/simd/flatten.h>
 
 namespace birdstrike
 {
@@ -97,9 +98,9 @@ namespace birdstrike
   }
 
   // A step of a point unless it has failed; of one that fails the energy is taken. Returns the plastic work per volume.
-  [[gnu::noinline, gnu::flatten]] Lanes SolidGroup::update_failing_point(const std::size_t b, const int p,
-                                                                         const Matrix3<Lanes> &gradient,
-                                                                         const Lanes &volume, const double dt)
+  BIRDSTRIKE_FLATTEN [[gnu::noinline]] Lanes SolidGroup::update_failing_point(const std::size_t b, const int p,
+                                                                              const Matrix3<Lanes> &gradient,
+                                                                              const Lanes &volume, const double dt)
   {
     SolidPoint<Lanes> &point          = points[b * b_bar_solid::n_points + std::size_t(p)];
     Lanes             &damage         = erosion->damage[b][std::size_t(p)];

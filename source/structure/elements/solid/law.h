@@ -4,6 +4,7 @@
 #include "structure/elements/solid/point.h"
 #include "structure/elements/solid/solid_section.h"
 #include "structure/elements/solid/stabilisation.h"
+#include <birdstrike/core/simd/flatten.h>
 
 namespace birdstrike
 {
@@ -102,7 +103,7 @@ namespace birdstrike
   private:
     /// Radial return of a point, its q^2 given; returns the plastic work per volume.
     template <class Number>
-    [[gnu::noinline, gnu::flatten]] Number flow(const Number &q2, const double dt, SolidPoint<Number> &point) const
+    BIRDSTRIKE_FLATTEN [[gnu::noinline]] Number flow(const Number &q2, const double dt, SolidPoint<Number> &point) const
     {
       const auto   step = radial_return(elasticity, hardening, point.plastic_strain, point.yield,
                                         compute_softening(point.plastic_work), dt, q2, point.stress);

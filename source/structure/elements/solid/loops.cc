@@ -1,6 +1,7 @@
 #include "structure/elements/solid/b_bar.h"
 #include "structure/elements/solid/group.h"
 #include "structure/elements/solid/step_bound.h"
+#include <birdstrike/core/simd/flatten.h>
 
 #include <type_traits>
 
@@ -76,7 +77,7 @@ namespace birdstrike
   // One body each, although long: all of it works on the same registers. Without `flatten` GCC leaves the vector
   // operations of Eigen as calls with their operands in memory.
   template <bool has_layers, bool can_fail>
-  [[gnu::flatten]] void SolidGroup::update_one_point(const std::size_t b, const double dt, ElementChunk &chunk)
+  BIRDSTRIKE_FLATTEN void SolidGroup::update_one_point(const std::size_t b, const double dt, ElementChunk &chunk)
   {
     using namespace one_point_solid;
     Corners corner[2];
@@ -117,7 +118,7 @@ namespace birdstrike
   }
 
   template <bool can_fail>
-  [[gnu::flatten]] void SolidGroup::update_b_bar(const std::size_t b, const double dt, ElementChunk &chunk)
+  BIRDSTRIKE_FLATTEN void SolidGroup::update_b_bar(const std::size_t b, const double dt, ElementChunk &chunk)
   {
     using namespace b_bar_solid;
     Corners corner[2];

@@ -1,4 +1,5 @@
 #include "structure/elements/solid/group.h"
+#include <birdstrike/core/simd/flatten.h>
 
 namespace birdstrike
 {
@@ -9,9 +10,9 @@ namespace birdstrike
   }
 
   // Apart, so that the elastic path has the registers for itself.
-  [[gnu::flatten]] solid_shell::LayerWork<Lanes> SolidGroup::update_layers(const std::size_t b, const double dt,
-                                                                           const LanesMask         &can_yield,
-                                                                           const SolidModes<Lanes> &end)
+  BIRDSTRIKE_FLATTEN solid_shell::LayerWork<Lanes> SolidGroup::update_layers(const std::size_t b, const double dt,
+                                                                             const LanesMask         &can_yield,
+                                                                             const SolidModes<Lanes> &end)
   {
     const solid_shell::Layers<Lanes> section{law, rule};
     if (layers[b].empty())

@@ -2,6 +2,7 @@
 #include "structure/elements/shell/laminate/bound.h"
 #include "structure/elements/shell/laminate/failure.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/simd/flatten.h>
 
 #include <cmath>
 
@@ -88,9 +89,9 @@ namespace birdstrike
   }
 
   // States have the strains of after the step and the stresses of before.
-  [[gnu::noinline, gnu::flatten]] void ShellGroup::update_failing_plies(const std::size_t           b,
-                                                                        const LaminateState<Lanes> *old,
-                                                                        const Lanes *volume, const double dt)
+  BIRDSTRIKE_FLATTEN [[gnu::noinline]] void ShellGroup::update_failing_plies(const std::size_t           b,
+                                                                             const LaminateState<Lanes> *old,
+                                                                             const Lanes *volume, const double dt)
   {
     const Laminate &law      = *laminate->law;
     const double    at_once  = 1.; // s: a static solve

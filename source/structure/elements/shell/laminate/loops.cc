@@ -2,6 +2,7 @@
 
 #include "structure/elements/shell/full_integration_loop.h"
 #include "structure/elements/shell/laminate/bound.h"
+#include <birdstrike/core/simd/flatten.h>
 
 // The loops over batches of laminated shells: as those of metals (loops.cc, full_integration.cc), with the section's
 // law in the laminate's own axes.
@@ -46,7 +47,7 @@ namespace birdstrike
   } // namespace
 
   template <bool physical>
-  [[gnu::flatten]] void ShellGroup::update_laminate(const std::size_t b, const double dt, ElementChunk &chunk)
+  BIRDSTRIKE_FLATTEN void ShellGroup::update_laminate(const std::size_t b, const double dt, ElementChunk &chunk)
   {
     Batch                  &batch    = batches[b];
     ShellStress<Lanes>     &section_ = stress[b];
@@ -87,8 +88,8 @@ namespace birdstrike
   template void ShellGroup::update_laminate<true>(std::size_t, double, ElementChunk &);
   template void ShellGroup::update_laminate<false>(std::size_t, double, ElementChunk &);
 
-  [[gnu::flatten]] void ShellGroup::update_fully_integrated_laminate(const std::size_t b, const double dt,
-                                                                     ElementChunk &chunk)
+  BIRDSTRIKE_FLATTEN void ShellGroup::update_fully_integrated_laminate(const std::size_t b, const double dt,
+                                                                       ElementChunk &chunk)
   {
     Batch                        &batch   = batches[b];
     const LaminateElement<Lanes> &element = laminate->elements[b];
