@@ -77,6 +77,7 @@ namespace birdstrike
     touch.penetration = of_touch([](const TouchRecord &t) { return t.penetration; });
     touch.size        = of_record([](const PointRecord &r) { return r.size; });
     touch.modulus     = of_record([](const PointRecord &r) { return r.modulus; });
+    touch.hardening   = of_record([&](const PointRecord &r) { return law.hardening(r.softening()); });
     touch.density =
       max(gather(points.density, point.data()), of_record([](const PointRecord &r) { return r.density; }));
     touch.sound_speed =

@@ -20,9 +20,11 @@ namespace birdstrike
     static constexpr double largest_shock_depth = 0.3; ///< over L
 
     /// beta L of ContactSpring: 4 s/3 or, where that would carry the shock deeper than 0.3 L, what carries it there.
-    double hardening() const
+    /// `softening` is rho0 c0^2 over the spring's modulus, more than 1 where the target is light.
+    double hardening(const double softening = 1.) const
     {
-      const double d = largest_shock_depth, p = shock_pressure, usual = 4. / 3. * hugoniot_slope, rest = 1. - usual * d;
+      const double d = largest_shock_depth, p = softening * shock_pressure, usual = 4. / 3. * hugoniot_slope;
+      const double rest = 1. - usual * d;
       if (p * rest * rest <= d * (1. - 0.5 * usual * d))
         return usual;
       const double b = p - 0.25 * d; // p (1 - y)^2 = d (1 - y/2)
@@ -37,6 +39,7 @@ namespace birdstrike
     Number          penetration;  ///< d, m, > 0
     Number          size;         ///< L = V^(1/3), m, of the undeformed point
     Number          modulus;      ///< rho0 c0^2, Pa, of the undeformed point, less where the target is light
+    Number          hardening;    ///< beta L of ContactSpring
     Number          density;      ///< kg/m^3, now
     Number          sound_speed;  ///< m/s, now
     Number          reduced_mass; ///< kg, shared among all touches of point and nodes (compute_reduced_mass)
@@ -131,7 +134,7 @@ namespace birdstrike
     const Number area = touch.size * touch.size;
 
     const ContactSpring<Number> spring(Number(law.stiffness_scale) * touch.modulus * touch.size,
-                                       Number(law.hardening()) / touch.size, touch.penetration);
+                                       touch.hardening / touch.size, touch.penetration);
     const Number                shock =
       Number(law.damping_scale) * area * touch.density * approach * (touch.sound_speed + slope * approach);
     const Number damping = min(shock, Number(inertia * approach / squared));

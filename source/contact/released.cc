@@ -23,7 +23,7 @@ namespace birdstrike
       {
         const PointRecord &record    = memory.data()[depth.id];
         const double       stiffness = law.stiffness_scale * record.modulus * record.size;
-        const double       beta      = law.hardening() / record.size;
+        const double       beta      = law.hardening(record.softening()) / record.size;
         sum += ContactSpring<double>(stiffness, beta, depth.due).energy -
                ContactSpring<double>(stiffness, beta, depth.now).energy;
       }

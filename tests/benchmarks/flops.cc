@@ -211,7 +211,7 @@ namespace birdstrike::benchmarks
       const auto normal = compute_area_vector(x);
       sqrt(normal.dot(normal));
     });
-    Touch<Counted>                        touch{1e-4, 2.5e-3, 1e9, 1000., 1100., 1e-5, {0., 0., 1.}, {100., 0., -10.}};
+    Touch<Counted>                        touch{1e-4, 2.5e-3, 1e9, 2.67, 1000., 1100., 1e-5, {0., 0., 1.}, {100., 0., -10.}};
     const double                          force = count_flops([&] {
       compute_contact_force(ContactLaw{1., 1., 0., 2., 0.7e-6}, touch);
       compute_reduced_mass(Counted(1e-5), std::array<Counted, 4>{.1, .2, .3, .4},

@@ -31,7 +31,9 @@ namespace birdstrike
   /// forces and for the damper. P follows the liquid's own Courant number. N grows as the target gets lighter than a
   /// layer of points; there the modulus of a point that begins to touch is taken as that with which a full layer gives
   /// N dt^2 = Step stability share at the step with which points meet it, so that no foil, however thin, asks for
-  /// shorter steps than the liquid. Such a foil carries in proportion less pressure, so that depths stay small.
+  /// shorter steps than the liquid. A free foil carries in proportion less pressure, so that depths stay small; under
+  /// one that is held the spring hardens until it carries the shock 0.3 L deep (ContactLaw::hardening), and the step
+  /// follows what that makes of its tangent.
   ///
   /// The force on a point acts along the line to its closest point on the facet, and the facet's nodes take the
   /// opposite force in the shares that make up that closest point: linear and angular momentum are kept to round-off.

@@ -42,6 +42,12 @@ namespace birdstrike
     double        modulus    = 0.; ///< rho0 c0^2 of the spring, Pa; chosen where a touch begins, kept until it ends
     std::uint64_t last_touch = 0;  ///< number of the last call in which it touched
     std::uint32_t index      = 0;  ///< of the point when the views had the present revision; its id tells if it left
+
+    /// Modulus of the liquid over that of the spring, 1 unless the target is light.
+    double softening() const
+    {
+      return modulus > 0. ? density * sound_speed * sound_speed / modulus : 1.;
+    }
   };
 
   /// Records for all ids that ever existed.

@@ -7,12 +7,13 @@ using namespace birdstrike;
 namespace
 {
   /// A millimetre of water at a hundred metres a second, a step so short that no limit acts.
-  Touch<double> water_at(const double speed)
+  Touch<double> water_at(const double speed, const double hugoniot_slope = 1.92)
   {
     Touch<double> touch;
     touch.penetration  = 0.;
     touch.size         = 1e-3;
     touch.modulus      = 1000. * 1480. * 1480.;
+    touch.hardening    = 4. / 3. * hugoniot_slope;
     touch.density      = 1000.;
     touch.sound_speed  = 1480.;
     touch.reduced_mass = 1e-6;
@@ -37,7 +38,7 @@ TEST(ContactLaw, FirstTouchGivesTheHugoniotPressure)
 TEST(ContactLaw, NoForcePullsAndNoDamperActsOnTheWayOut)
 {
   const ContactLaw law{1., 1., 0., 0., 1e-9};
-  auto             touch = water_at(-100.);
+  auto             touch = water_at(-100., 0.);
   EXPECT_EQ(compute_contact_force(law, touch).normal_force, 0.);
   touch.penetration = 1e-5;
   EXPECT_NEAR(compute_contact_force(law, touch).normal_force, 1000. * 1480. * 1480. * 1e-3 * 1e-5, 1e-9);
@@ -69,7 +70,7 @@ TEST(ContactLaw, StepsInWhichATouchBeginsOrEndsDoTheWorkOfTheSpring)
         double       impulse = 0.;
         for (const double d : {depth, depth + way}) // whole kicks; the second ends half a step early
           {
-            auto touch        = water_at(direction * speed);
+            auto touch        = water_at(direction * speed, 0.);
             touch.penetration = d;
             impulse += compute_contact_force(law, touch).force[2] * (d > way ? 0.5 : 1.) * step;
           }
@@ -149,6 +150,30 @@ TEST(ContactLaw, SpringCarriesTheShockOfAFastStrikeThreeTenthsOfACellDeep)
       EXPECT_NEAR(spring.force / (size * size * modulus), p, 1e-9) << p;
       EXPECT_GT(law.hardening(), 4. / 3. * 0.5) << p;
     }
+}
+
+TEST(ContactLaw, ASpringThatALightTargetHasSoftenedCarriesTheShockNoDeeper)
+{
+  // with a part of the liquid's modulus the shock of a slow strike goes deep: a tenth of it at p = 0.1 rho0 c0^2, 0.8 L
+  const double size = 2e-3, liquid = 2.2e9;
+  ContactLaw   law{1., 1., 0., 0.5, 1e-9};
+  for (const double p : {0.05, 0.1, 0.3})
+    for (const double softening : {1.5, 3., 6.})
+      {
+        law.shock_pressure = p;
+        const double                modulus = liquid / softening;
+        const ContactSpring<double> spring(modulus * size, law.hardening(softening) / size, 0.3 * size);
+        const double                carried = spring.force / (size * size * liquid);
+        EXPECT_GE(carried, p * (1. - 1e-9)) << p << " " << softening;
+        if (p * softening > 0.43)
+          {
+            EXPECT_NEAR(carried, p, 1e-9) << softening;
+          }
+        else
+          {
+            EXPECT_EQ(law.hardening(softening), law.hardening());
+          }
+      }
 }
 
 TEST(ContactLaw, TheStepBoundsTheDamper)
