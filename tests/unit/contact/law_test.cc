@@ -160,7 +160,7 @@ TEST(ContactLaw, ASpringThatALightTargetHasSoftenedCarriesTheShockNoDeeper)
   for (const double p : {0.05, 0.1, 0.3})
     for (const double softening : {1.5, 3., 6.})
       {
-        law.shock_pressure = p;
+        law.shock_pressure                  = p;
         const double                modulus = liquid / softening;
         const ContactSpring<double> spring(modulus * size, law.hardening(softening) / size, 0.3 * size);
         const double                carried = spring.force / (size * size * liquid);
