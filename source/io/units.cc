@@ -54,6 +54,7 @@ namespace birdstrike
         {"knots", {1852. / 3600., 0, speed}},
         {"knot", {1852. / 3600., 0, speed}},
         {"kt", {1852. / 3600., 0, speed}},
+        {"kts", {1852. / 3600., 0, speed}},
         {"mph", {1609.344 / 3600., 0, speed}},
         {"N", {1., 0, force}},
         {"kN", {1., 3, force}},
@@ -143,6 +144,7 @@ namespace birdstrike
       void factor(Unit &unit, const int sign)
       {
         Unit one;
+        bool has_power = false; // as in mm2
         if (take('('))
           {
             one     = product();
@@ -157,10 +159,11 @@ namespace birdstrike
             is_good           = is_good && named != nullptr;
             if (!is_good)
               return;
-            one = *named;
+            one       = *named;
+            has_power = at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
           }
         int power = 1;
-        if (take('^'))
+        if (has_power || take('^'))
           {
             char *end = nullptr;
             power     = static_cast<int>(std::strtol(text.c_str() + at, &end, 10));

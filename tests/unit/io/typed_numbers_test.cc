@@ -63,6 +63,7 @@ TEST(Units, AreThoseOfTheStandards)
   expect("lbf", 4.4482216152605);
   expect("psi", 6894.757293168361);
   expect("knots", 1852. / 3600.);
+  expect("kts", 1852. / 3600.);
   expect("mph", 0.44704);
   expect("rpm", 0.10471975511965977);
   expect("deg", 0.017453292519943295);
@@ -70,11 +71,15 @@ TEST(Units, AreThoseOfTheStandards)
   expect("t/mm^3", 1e12);
   expect("J/(kg K)", 1.);
   expect("N/mm^2", 1e6);
+  expect("N/mm2", 1e6);
+  expect("kg/m3", 1.);
+  expect("mm/ms2", 1e3);
   expect("km/h", 1. / 3.6);
   expect("1/s", 1.);
   expect("N mm", 1e-3);
   expect("degC", 274.15);
-  for (const char *text : {"", "-", "furlong", "m/", "m^", "(m", "m)", "m^99", "5 m", "mm2"})
+  for (const char *text :
+       {"", "-", "furlong", "m/", "m^", "(m", "m)", "m^99", "5 m", "m99", "m2.5", "m 2", "m2^2", "2m", "(mm)2"})
     EXPECT_FALSE(parse_unit(text)) << text;
 }
 
