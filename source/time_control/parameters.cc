@@ -21,9 +21,11 @@ namespace birdstrike
                       Double(0., 2.));
     prm.add_parameter("Multirate", multirate,
                       "Whether bird and blade each step at their own limit, at an integer ratio. [-]", Bool());
-    prm.add_parameter("Maximum ratio", maximum_ratio,
-                      "Largest number of subcycles: steps of one part within one step of the other. [-]",
-                      Integer(1, 1000));
+    prm.add_parameter(
+      "Maximum ratio", maximum_ratio,
+      "Largest number of subcycles: steps of one part within one step of the other. The blade takes more where "
+      "its elements become stiffer within that step. [-]",
+      Integer(1, 1000));
     prm.add_parameter("Stop at tip peak", stop_at_tip_peak,
                       "Whether the run ends once the tip has passed its first peak after the bird's loading. [-]",
                       Bool());
