@@ -211,11 +211,11 @@ namespace birdstrike::benchmarks
       const auto normal = compute_area_vector(x);
       sqrt(normal.dot(normal));
     });
-    Touch<Counted>                        touch{1e-4, 2.5e-3, 1e9, 2.67, 1000., 1100., 1e-5, {0., 0., 1.}, {100., 0., -10.}};
-    const double                          force = count_flops([&] {
+    Touch<Counted> touch{1e-4, 2.5e-3, 1e9, 2.67, 1000., 1100., 1e-5, {0., 0., 1.}, {100., 0., -10.}};
+    const double   force = count_flops([&] {
       compute_contact_force(ContactLaw{1., 1., 0., 2., 0.7e-6}, touch);
       compute_reduced_mass(Counted(1e-5), std::array<Counted, 4>{.1, .2, .3, .4},
-                                                    std::array<Counted, 4>{1., 1., 1., 1.});
+                             std::array<Counted, 4>{1., 1., 1., 1.});
     });
     // a pair: distance and unit normal 4; a near point: gap 24 + 8, travel 6, overlap 3, direction 4; a touch (every
     // second near point): relative velocity 24, shares of the nodes 4 x 6, sums 8
