@@ -57,6 +57,8 @@ namespace birdstrike
       ladder->add_option("--ratio", request.ratio, "Of sizes from level to level")->capture_default_str();
       ladder->add_option("--finer", request.n_finer, "So many of the levels are finer than the case")
         ->capture_default_str();
+      ladder->add_option("--order", request.order,
+                         "Of the method, if it is known: the value at h = 0 by it, with its 95 % interval");
       declare_jobs(ladder, request.n_jobs, "Levels");
       declare_overrides(ladder, request.overrides);
       ladder->add_option("--output", request.output, "Folder of the ladder, instead of runs/converge/FILE");

@@ -4,11 +4,13 @@
     bash tests/studies/error_bars.sh                         # all, into build/error_bars; two hours on one idle core
     bash tests/studies/error_bars.sh fan-row sheath:solid    # these alone
 
-Of each case `birdstrike converge` climbs three ladders, one thread a run: particles (five levels 1.2 apart, the case's in the middle: far
-coarser ones are not in the asymptotic range where an edge cuts the bird), mesh (three, the finest 1.5 times finer along span and chord)
-and time steps (three, the coarsest the case's). A cell is what the finest
+Of each case `birdstrike converge` climbs three ladders, one thread a run: particles (levels 1.2 apart, two of them coarser than the case's,
+LEVELS in all: far coarser ones are not in the asymptotic range where an edge cuts the bird), mesh (three, the finest 1.5 times finer along
+span and chord) and time steps (three, the coarsest the case's). A cell is what the finest
 level adds to the value as shipped, and half the error bar of the finest level, both in percent of the shipped value; "in x" instead of
 a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
+The last column is what h -> 0 adds by a fit of the whole order that the ladder of the particles shows (of six levels and more, by least squares
+within 0.35 of 1 or 0.5 of 2), with the 95 % confidence interval of that fit (`converge --order`).
 
 Writes a folder a ladder, whose runs are reused by the next call, and of all ladders that are there error_bars.md (a line a quantity) and
 summary.md (a line a case: what the finest levels add).
@@ -27,9 +29,11 @@ CASES = {"frontal": "shell solid", "oblique": "shell solid", "perforation": "she
          "fan-blade": "shell solid", "fan-blade-spin": "shell solid", "fan-row": "shell solid", "fan-blade-composite": "shell",
          "certification/large-bird": "shell", "certification/medium-bird": "shell", "certification/flock": "shell"}
 
-LADDERS = {"particles": ("--levels", "5", "--finer", "2", "--ratio", "1.2"), "mesh": ("--levels", "3", "--finer", "1"),
-           "step": ("--levels", "3")}
-SHIPPED = {"particles": -3, "mesh": -2, "step": 0}  # the case's own level of the ladder
+LEVELS = {"oblique": 8, "sheath": 8, "fan-blade": 7, "fan-row": 7, "fan-blade-composite": 7, "certification/large-bird": 7,
+          "certification/medium-bird": 7, "certification/flock": 7}  # an edge cuts the bird; of others five
+LADDERS = {"particles": (), "mesh": ("--levels", "3", "--finer", "1"), "step": ("--levels", "3")}
+SHIPPED = {"particles": 2, "mesh": 1, "step": 0}  # the case's own level of the ladder, from the coarsest on
+FEWEST_OF_AN_ORDER = 6
 
 QUANTITIES = {"Tip: peak (mid-chord)": ("tip peak", "mm", 1e3), "Tip: permanent deflection": ("permanent deflection", "mm", 1e3),
               "Root: peak bending moment": ("root moment", "N m", 1.), "Plasticity: plastic work": ("plastic work", "J", 1.),
@@ -51,6 +55,11 @@ class Ladder:
         found = [text for key, text in self.rows.get(quantity, {}).items() if key.startswith("at h = ")]
         return [float(text) for text in found] if found and all(found) else None
 
+    def finest_size(self):
+        """Of the particles, m."""
+        row = next(iter(self.rows.values()))
+        return min(float(key.split()[3]) for key in row if key.startswith("at h = "))
+
     def shipped(self, quantity):
         values = self.values(quantity)
         return values and values[SHIPPED[self.name]]
@@ -69,6 +78,17 @@ class Ladder:
         return f"{added} ± {scale * float(bar):.1f}" if bar else f"{added} in {scale * spread:.1f}"
 
 
+def whole_order(text):
+    """1 or 2 where what is observed is near it, else None."""
+    order = float(text or "nan")
+    return 1 if abs(order - 1.) <= 0.35 else 2 if abs(order - 2.) <= 0.5 else None
+
+
+def ladder_of(case, name):
+    n = LEVELS.get(case, 5)
+    return LADDERS[name] or ("--levels", str(n), "--finer", str(n - 1 - SHIPPED[name]), "--ratio", "1.2")
+
+
 def folder_of(folder, case, kind, name):
     return os.path.join(folder, case.replace("/", "-") + "-" + kind, name)
 
@@ -79,16 +99,50 @@ def read(folder, case, kind, name):
     return Ladder(table, name) if os.path.exists(table) else None
 
 
-def climb(program, folder, case, kind, name, extra):
+def converge(program, folder, case, kind, name, extra):
+    """The ladder with what else is asked; None where it was refused."""
     output = folder_of(folder, case, kind, name)
-    command = [program, "converge", os.path.join(TOP, "prm", case + ".prm"), "--vary", name, *LADDERS[name], "--jobs", "1",
-               "--output", output]
-    for setting in (f"Blade/Kind={kind}", *QUIET, *extra):
+    command = [program, "converge", os.path.join(TOP, "prm", case + ".prm"), "--vary", name, *ladder_of(case, name), "--jobs", "1",
+               "--output", output, *extra]
+    for setting in (f"Blade/Kind={kind}", *QUIET):
         command += ["--set", setting]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != 0:
         print(f"{case}, {kind}, {name}: exit code {done.returncode}\n{done.stdout[-600:]}", file=sys.stderr)
     return read(folder, case, kind, name) if done.returncode in (0, 3) else None  # 3: levels were lost, and its table says so
+
+
+def climb(program, folder, case, kind, name, extra):
+    """Also limits.csv: of each quantity the whole order that the particles show, h -> 0 by it and half of its interval."""
+    ladder = converge(program, folder, case, kind, name, extra)
+    if name != "particles" or not ladder or LEVELS.get(case, 5) < FEWEST_OF_AN_ORDER:
+        return ladder
+    by_order = {order: converge(program, folder, case, kind, name, [*extra, "--order", str(order)]) for order in (1, 2)}
+    with open(folder_of(folder, case, kind, "limits.csv"), "w", newline="") as file:
+        out = csv.writer(file)
+        out.writerow(["quantity", "order", "limit", "half interval"])
+        for quantity, row in ladder.rows.items():
+            order = whole_order(row["observed order [-]"])
+            if order and by_order[order].rows[quantity]["limit by it"]:
+                of_order = by_order[order].rows[quantity]
+                out.writerow([quantity, order, of_order["limit by it"], of_order["half of its 95 % interval"]])
+    return ladder
+
+
+def limits_of(folder, case, kind):
+    """Rows of limits.csv by quantity; none where there is no such file."""
+    path = folder_of(folder, case, kind, "limits.csv")
+    if not os.path.exists(path):
+        return {}
+    with open(path, newline="") as file:
+        return {row["quantity"]: row for row in csv.DictReader(file)}
+
+
+def limit_cell(row, shipped):
+    if not row:
+        return "–"
+    scale = 100. / abs(shipped)
+    return f"{scale * (float(row['limit']) - shipped):+.1f} ± {scale * float(row['half interval']):.1f} (order {row['order']})"
 
 
 def show(value, factor):
@@ -104,26 +158,32 @@ def value_of(quantity, ladders):
     return show(of_it[0].shipped(quantity), factor) + ("+" if any(ladder.rises(quantity) for ladder in of_it) else "")
 
 
-def lines_of(case, kind, ladders):
-    """A line a quantity: value as shipped, and a cell a ladder."""
+def lines_of(case, kind, ladders, limits):
+    """A line a quantity: value as shipped, a cell a ladder, and the limit of the particles."""
     for quantity, (name, unit, _) in QUANTITIES.items():
         value = value_of(quantity, ladders)
         if value is None:
             continue
         cells = [ladder.cell(quantity) if ladder else "lost" for ladder in ladders.values()]
+        particles = ladders["particles"]
+        cells.append(limit_cell(limits.get(quantity), particles.shipped(quantity)) if particles else "–")
         yield f"| {case}, {kind} | {name} {value} {unit} | {' | '.join(cells)} |"
 
 
 SUMMARY = ("Tip: peak (mid-chord)", "Root: peak bending moment", "Plasticity: plastic work", "Contact: impulse (norm)")
-HEADS = {"error_bars.md": ["case", "as shipped", *LADDERS],
-         "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s", "particles 1.44 times finer",
-                        "mesh 1.5 times finer", "steps 0.44 times as long"]}
+HEADS = {"error_bars.md": ["case", "as shipped", *LADDERS, "particles, h → 0"],
+         "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s", "finest particles",
+                        "mesh 1.5 times finer", "steps 0.44 times as long", "tip, h → 0 of the particles"]}
 
 
-def summary_of(case, kind, ladders):
+def summary_of(case, kind, ladders, limits):
     values = [value_of(quantity, ladders) for quantity in SUMMARY]
     cells = [", ".join("–" if value is None or not ladder or not ladder.values(quantity) else ladder.cell(quantity).split()[0]
                        for quantity, value in zip(SUMMARY, values)) for ladder in ladders.values()]
+    particles = ladders["particles"]
+    if particles:
+        cells[0] += f" ({show(1e3 * particles.finest_size(), 1.)} mm)"
+    cells.append(limit_cell(limits.get(SUMMARY[0]), particles.shipped(SUMMARY[0])) if particles else "–")
     yield f"| {case}, {kind} | {'; '.join(value or '–' for value in values)} | {' | '.join(cells)} |"
 
 
@@ -134,7 +194,7 @@ def write_tables(folder):
             for kind in kinds.split():
                 ladders = {name: read(folder, case, kind, name) for name in LADDERS}
                 if any(ladders.values()):
-                    table += lines(case, kind, ladders)
+                    table += lines(case, kind, ladders, limits_of(folder, case, kind))
         with open(os.path.join(folder, file), "w") as out:
             out.write("\n".join(table).replace(" -", " −") + "\n")
 
@@ -153,8 +213,9 @@ def main():
         sys.exit(f"No such case: {', '.join(unknown)}. There are: {', '.join(CASES)}.")
     os.makedirs(arguments.output, exist_ok=True)
     for case, kind in wanted:
-        ladders = {name: climb(arguments.program, arguments.output, case, kind, name, arguments.set) for name in LADDERS}
-        print("\n".join(lines_of(case, kind, ladders)), flush=True)
+        settings = [text for setting in arguments.set for text in ("--set", setting)]
+        ladders = {name: climb(arguments.program, arguments.output, case, kind, name, settings) for name in LADDERS}
+        print("\n".join(lines_of(case, kind, ladders, limits_of(arguments.output, case, kind))), flush=True)
         write_tables(arguments.output)
 
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ namespace birdstrike
     std::size_t              n_levels   = 3;
     double                   ratio      = 1.5; ///< of sizes from level to level
     std::size_t              n_finer    = 0;   ///< levels finer than the case; the others are coarser
+    std::optional<double>    order;            ///< of the method, where it is known
     std::size_t              n_jobs     = 0;   ///< levels side by side; 0: one a core
     std::vector<std::string> overrides;
     std::string              output; ///< folder; empty: runs/converge/<the file's name>
@@ -33,7 +35,8 @@ namespace birdstrike
   /// be longer), reusing runs as run_study does, and says for each quantity the observed order, the value at h = 0, the
   /// grid convergence index and the error bar, and whether the ladder is in the asymptotic range: of three levels by
   /// Richardson's extrapolation, of more by least squares (report/study/grid_convergence.h): on the screen, in
-  /// converge.csv and levels.csv, and as curves against the size (refinement.svg).
+  /// converge.csv and levels.csv, and as curves against the size (refinement.svg). With an order that is known, also
+  /// the value at h = 0 that follows from it, with its confidence interval.
   ///
   /// Throws InputError for what the user must change and what run_study throws for levels that came to no result.
   void converge(const ConvergeRequest &request);

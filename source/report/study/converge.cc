@@ -5,6 +5,7 @@
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 
+#include <fmt/format.h>
 #include <spdlog/logger.h>
 
 #include <algorithm>
@@ -16,6 +17,23 @@ namespace birdstrike
     namespace fs = std::filesystem;
 
     const ReportKind kind{"ladder", {"converge", "levels", "refinement"}};
+
+    constexpr double      highest_order = 4.;
+    constexpr std::size_t fewest_levels = 4; ///< for an interval: of three, Student's factor is 13
+
+    void require_usable_order(const ConvergeRequest &request)
+    {
+      if (!request.order)
+        return;
+      if (!(*request.order > 0.) || *request.order > highest_order)
+        throw InputError(
+          fmt::format("--order {:g}.\n  Allowed: above 0, at most {:g}; particles of riemann birds without "
+                      "reconstruction are of order 1.",
+                      *request.order, highest_order));
+      if (request.n_levels < fewest_levels)
+        throw InputError(fmt::format("--order: {} levels leave no interval worth the name.\n  Allowed: {} to 8.",
+                                     request.n_levels, fewest_levels));
+    }
   } // namespace
 
   void converge(const ConvergeRequest &request)
@@ -23,6 +41,7 @@ namespace birdstrike
     if (!refinements().has(request.refinement))
       throw InputError("--vary " + request.refinement +
                        ": what is to be refined?\n  Allowed: " + refinements().selection() + ".");
+    require_usable_order(request);
     const Refinement refinement = refinements().at(request.refinement);
     const fs::path   output =
       request.output.empty() ? fs::path("runs/converge") / fs::path(request.prm_file).stem() : fs::path(request.output);
@@ -39,7 +58,7 @@ namespace birdstrike
     run_points(runs, options);
 
     const StudyTable       table(plan, runs);
-    const ConvergenceTable convergence(refinement, levels, table);
+    const ConvergenceTable convergence(refinement, levels, table, request.order);
     folder.write_text("levels.csv", table.as_csv());
     folder.write_text("converge.csv", convergence.as_csv());
     if (const Figure figure = convergence.make_figure(); figure.has_lines())

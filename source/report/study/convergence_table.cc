@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace birdstrike
 {
@@ -13,10 +14,14 @@ namespace birdstrike
   {
     constexpr auto nothing = "-";
 
-    ConvergingRow make_row(const ComparisonRow &row, const std::vector<double> &sizes)
+    ConvergingRow make_row(const ComparisonRow &row, const std::vector<double> &sizes,
+                           const std::optional<double> order)
     {
       const std::vector<double> values(row.values.rbegin(), row.values.rend());
-      return {&row, values, estimate_convergence(sizes, values)};
+      ConvergingRow             made{&row, values, estimate_convergence(sizes, values), {}};
+      if (order && std::ranges::all_of(values, [](const double value) { return std::isfinite(value); }))
+        made.of_known_order = fit_known_order(*order, sizes, values);
+      return made;
     }
 
     std::string show_share(const double share)
@@ -46,27 +51,51 @@ namespace birdstrike
         n_levels);
     }
 
-    /// The finest value with its bar, and the way from there to Richardson's value.
-    void add_bar(FigurePanel &panel, const double size, const double value, const GridConvergence &estimate)
+    std::string describe_interval(const std::optional<double> order)
     {
+      return order ? fmt::format("Order {:g}, h -> 0: of the fit with this order, with its 95 % confidence interval, "
+                                 "which holds scatter alone.\n",
+                                 *order)
+                   : "";
+    }
+
+    /// Two: the value by the known order, and half of its interval over it.
+    std::vector<std::string> show_limit(const std::optional<KnownOrderFit> &fit, const std::string &unit)
+    {
+      if (!fit)
+        return {nothing, nothing};
+      return {show(fit->limit, unit), "+- " + show_share(std::abs(fit->half_interval / fit->limit))};
+    }
+
+    std::string csv_limit(const std::optional<double> order, const std::optional<KnownOrderFit> &fit)
+    {
+      return fit ? fmt::format(",{},{},{}", *order, fit->limit, fit->half_interval) : ",,,";
+    }
+
+    /// The finest value with its bar, and the way from there to Richardson's value.
+    void add_bar(FigurePanel &panel, const double size, const double value, const ConvergingRow &row)
+    {
+      const GridConvergence &estimate = row.estimate;
       if (std::isfinite(estimate.bar))
         panel.lines.push_back({"error bar", {size}, {value}, 1, true, {estimate.bar}});
       if (std::isfinite(estimate.extrapolated))
         panel.lines.push_back({"Richardson", {0., size}, {estimate.extrapolated, value}, 2, true});
+      if (const auto &fit = row.of_known_order)
+        panel.lines.push_back({"by the known order, 95 %", {0.}, {fit->limit}, 3, true, {fit->half_interval}});
     }
   } // namespace
 
   ConvergenceTable::ConvergenceTable(const Refinement refinement, const std::vector<LadderLevel> &levels,
-                                     const StudyTable &table)
-    : refinement(refinement)
+                                     const StudyTable &table, const std::optional<double> order)
+    : refinement(refinement), known_order(order)
   {
     for (auto level = levels.rbegin(); level != levels.rend(); ++level)
       sizes.push_back(level->size);
     for (const ComparisonRow &row : table.rows())
       if (is_response(row))
-        all.push_back(make_row(row, sizes));
+        all.push_back(make_row(row, sizes, order));
     for (const ComparisonRow *row : table.headline())
-      headline.push_back(make_row(*row, sizes));
+      headline.push_back(make_row(*row, sizes, order));
   }
 
   bool ConvergingRow::is_rising() const
@@ -84,8 +113,12 @@ namespace birdstrike
     std::vector<std::vector<std::string>> cells{{""}};
     for (auto size = sizes.rbegin(); size != sizes.rend(); ++size)
       cells[0].push_back(format_value(*size, size_unit(refinement)));
-    for (const char *heading : {"order", "h -> 0", "last change", "error bar", ""})
+    for (const char *heading : {"order", "h -> 0", "last change", "error bar"})
       cells[0].emplace_back(heading);
+    if (known_order)
+      for (const std::string &heading : {fmt::format("order {:g}, h -> 0", *known_order), std::string("95 %")})
+        cells[0].push_back(heading);
+    cells[0].emplace_back("");
     for (const ConvergingRow &each : headline)
       {
         const GridConvergence   &made = each.estimate;
@@ -96,12 +129,14 @@ namespace birdstrike
         line.push_back(show(made.extrapolated, each.row->unit));
         line.push_back(show_share(made.change));
         line.push_back(std::isnan(made.gci) ? "none" : "+- " + format_share(made.gci));
+        if (known_order)
+          std::ranges::move(show_limit(each.of_known_order, each.row->unit), std::back_inserter(line));
         line.push_back(describe(made.trend) +
                        (made.n_fitted < sizes.size() && made.n_fitted > 0 ? "; of " + made.method() : "") +
                        (each.is_rising() ? "; still rising at the end, no peak, or still pushed by the bird" : ""));
         cells.push_back(std::move(line));
       }
-    return size_name(refinement) + ":\n" + align(cells) + describe_bars(sizes.size());
+    return size_name(refinement) + ":\n" + align(cells) + describe_bars(sizes.size()) + describe_interval(known_order);
   }
 
   std::string ConvergenceTable::as_csv() const
@@ -110,7 +145,7 @@ namespace birdstrike
     for (auto size = sizes.rbegin(); size != sizes.rend(); ++size)
       text += fmt::format(",at h = {} {}", *size, size_unit(refinement));
     text += ",observed order [-],extrapolated,change [-],extrapolated error [-],GCI [-],error bar,GCI ratio [-],method,"
-            "standard deviation,still rising,ladder\n";
+            "standard deviation,known order [-],limit by it,half of its 95 % interval,still rising,ladder\n";
     for (const ConvergingRow &each : all)
       {
         const GridConvergence &made = each.estimate;
@@ -120,7 +155,7 @@ namespace birdstrike
         for (const double number :
              {made.order, made.extrapolated, made.change, made.extrapolated_error, made.gci, made.bar, made.ratio})
           text += "," + csv_number(number);
-        text += "," + made.method() + "," + csv_number(made.deviation);
+        text += "," + made.method() + "," + csv_number(made.deviation) + csv_limit(known_order, each.of_known_order);
         text += std::string(each.is_rising() ? ",yes" : ",no") + "," + describe(made.trend) + "\n";
       }
     return text;
@@ -136,7 +171,7 @@ namespace birdstrike
                           make_axis(each.row->quantity, each.row->unit),
                           {{"levels", sizes, each.values, 0, true}}};
         panel.x_end = 1.05 * sizes.back();
-        add_bar(panel, sizes.front(), each.values.front(), each.estimate);
+        add_bar(panel, sizes.front(), each.values.front(), each);
         figure.panels.push_back(std::move(panel));
       }
     return figure;

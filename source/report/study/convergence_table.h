@@ -1,10 +1,12 @@
 #pragma once
 
 #include "report/comparison/figure.h"
+#include "report/study/error_fit.h"
 #include "report/study/grid_convergence.h"
 #include "report/study/refinement.h"
 #include "report/study/study_table.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,8 @@ namespace birdstrike
     std::vector<double>  values; ///< from the finest level on
     GridConvergence      estimate;
 
+    std::optional<KnownOrderFit> of_known_order; ///< none where no order is known, or a level has no value
+
     /// Whether on a level it still rises, or is pushed, at the end: it may be no peak then.
     bool is_rising() const;
   };
@@ -25,8 +29,9 @@ namespace birdstrike
   class ConvergenceTable
   {
   public:
-    /// `levels` from the coarsest on, as the points of the table.
-    ConvergenceTable(Refinement refinement, const std::vector<LadderLevel> &levels, const StudyTable &table);
+    /// `levels` from the coarsest on, as the points of the table; `order` of the method, if it is known.
+    ConvergenceTable(Refinement refinement, const std::vector<LadderLevel> &levels, const StudyTable &table,
+                     std::optional<double> order);
 
     const std::vector<ConvergingRow> &rows() const;
 
@@ -38,6 +43,7 @@ namespace birdstrike
 
   private:
     Refinement                 refinement;
+    std::optional<double>      known_order;
     std::vector<double>        sizes; ///< from the finest on
     std::vector<ConvergingRow> all, headline;
   };

@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include <boost/math/distributions/students_t.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -174,6 +176,22 @@ namespace birdstrike
   {
     const auto [smallest, largest] = std::ranges::minmax(values);
     return (largest - smallest) / static_cast<double>(values.size() - 1);
+  }
+
+  KnownOrderFit fit_known_order(const double order, const std::span<const double> sizes,
+                                const std::span<const double> values)
+  {
+    const std::size_t n = values.size();
+    if (n < 3 || sizes.size() != n || !(order > 0.))
+      throw std::logic_error("A limit takes three values, with a size each, and a positive order.");
+    const double          freedom = static_cast<double>(n) - 2.;
+    const Eigen::VectorXd x = as_vector(sizes).unaryExpr([&](const double h) { return std::pow(h / sizes[0], order); });
+    const Eigen::VectorXd phi   = as_vector(values).array() - values[0]; // round-off is that of changes
+    const LinearFit       fit   = solve(x, phi, Eigen::VectorXd::Ones(x.size()));
+    const double          mean  = x.mean();
+    const double          share = 1. / static_cast<double>(n) + mean * mean / (x.array() - mean).square().sum();
+    const double          t     = boost::math::quantile(boost::math::students_t(freedom), 0.975);
+    return {values[0] + fit.coefficients[0], t * std::sqrt(fit.sum / freedom * share)};
   }
 
   double uncertainty(const ErrorFit &fit, const double range, const double factor)

@@ -66,4 +66,21 @@ namespace birdstrike
   ///
   /// F = 1.25 where 0.5 <= p < 2.1 and sigma < Delta, else 3, is the caller's to choose.
   double uncertainty(const ErrorFit &fit, double range, double factor);
+
+  /// phi_0 of phi_0 + alpha h^p with a p that is known.
+  struct KnownOrderFit
+  {
+    double limit;         ///< phi_0, of the values' unit
+    double half_interval; ///< of the 95 % confidence interval of phi_0
+  };
+
+  /// By least squares, all values alike: the interval of a straight line's intercept over x = h^p,
+  ///
+  ///   t s sqrt(1/n + mean(x)^2/sum (x_i - mean(x))^2),  s^2 = sum (phi_i - fit(h_i))^2/(n - 2),
+  ///
+  /// t Student's 97.5 % quantile of n - 2 degrees of freedom (N. Draper, H. Smith: Applied regression analysis, Wiley
+  /// 1998, section 1.4). It holds scatter alone: a wrong order is in no interval.
+  ///
+  /// Throws std::logic_error for fewer than three values, another number of sizes, or an order that is not positive.
+  KnownOrderFit fit_known_order(double order, std::span<const double> sizes, std::span<const double> values);
 } // namespace birdstrike

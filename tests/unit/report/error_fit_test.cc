@@ -151,3 +151,34 @@ TEST(ErrorFit, RefusesFewerValuesThanUnknowns)
   EXPECT_THROW(fit_expansion(Expansion::first, three, three, alike(2)), std::logic_error);
   EXPECT_NO_THROW(fit_expansion(Expansion::first, three, Values{1., 2., 4.}, alike(3)));
 }
+
+// F. Anscombe, Graphs in statistical analysis, Am. Statistician 27 (1973) 17, first and second set: intercepts 3.0 with
+// standard errors 1.1247 and 1.1253 (R, summary(lm(y1 ~ x1))); Student's 97.5 % quantile of nine degrees is 2.262157.
+TEST(ErrorFit, IntervalOfAKnownOrderIsThatOfAnIntercept)
+{
+  const Values x{10, 8, 13, 9, 11, 14, 6, 4, 12, 7, 5};
+  const Values first{8.04, 6.95, 7.58, 8.81, 8.33, 9.96, 7.24, 4.26, 10.84, 4.82, 5.68};
+  const Values second{9.14, 8.14, 8.74, 8.77, 9.26, 8.10, 6.13, 3.10, 9.13, 7.26, 4.74};
+  EXPECT_NEAR(fit_known_order(1., x, first).limit, 3.0001, 5e-5);
+  EXPECT_NEAR(fit_known_order(1., x, first).half_interval, 2.262157 * 1.1247, 2e-4) << "half a unit of the last digit";
+  EXPECT_NEAR(fit_known_order(1., x, second).limit, 3.0009, 5e-5);
+  EXPECT_NEAR(fit_known_order(1., x, second).half_interval, 2.262157 * 1.1253, 2e-4);
+  Values roots;
+  for (const double each : x)
+    roots.push_back(std::sqrt(each));
+  EXPECT_NEAR(fit_known_order(2., roots, first).limit, 3.0001, 5e-5) << "the same line over h^2";
+}
+
+TEST(ErrorFit, AKnownOrderLeavesNoIntervalOnItsPower)
+{
+  for (const double p : {1., 2.})
+    {
+      const Values        h{1., 1.2, 1.44, 1.728};
+      const KnownOrderFit fit = fit_known_order(p, h, of_power(h, 3., -0.05, p));
+      EXPECT_NEAR(fit.limit, 3., 1e-13) << "round-off of the values over how little sizes differ";
+      EXPECT_NEAR(fit.half_interval, 0., 1e-12);
+    }
+  EXPECT_THROW(fit_known_order(1., Values{1., 2.}, Values{1., 2.}), std::logic_error);
+  EXPECT_THROW(fit_known_order(1., Values{1., 2., 3.}, Values{1., 2.}), std::logic_error);
+  EXPECT_THROW(fit_known_order(0., Values{1., 2., 3.}, Values{1., 2., 3.}), std::logic_error);
+}

@@ -96,13 +96,15 @@ TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
       run.write(runs.back().folder, prm);
     }
   const StudyTable       table(plan, runs);
-  const ConvergenceTable made(Refinement::particles, levels, table);
+  const ConvergenceTable made(Refinement::particles, levels, table, 2.);
   const auto             is_peak = [](const ConvergingRow &row) { return row.row->quantity == "peak (mid-chord)"; };
   const auto             peak    = std::ranges::find_if(made.rows(), is_peak);
   ASSERT_NE(peak, made.rows().end());
   EXPECT_NEAR(peak->estimate.order, 2., 1e-6) << "round-off over changes of a hundredth";
   EXPECT_NEAR(peak->estimate.extrapolated, 0.2, 1e-9);
   EXPECT_NEAR(peak->estimate.bar, 1.25 * 0.004, 1e-9);
+  ASSERT_TRUE(peak->of_known_order);
+  EXPECT_NEAR(peak->of_known_order->limit, 0.2, 1e-9);
   EXPECT_NE(made.as_text().find("converges"), std::string::npos);
   const std::string csv   = made.as_csv();
   const std::size_t place = csv.find("\nTip: peak (mid-chord),m,");
@@ -115,7 +117,8 @@ TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
     EXPECT_NEAR(values[level], 0.2 + 1000. * std::pow(levels[level].size, 2.), 1e-15);
   const Figure       figure = made.make_figure();
   const FigurePanel &panel  = figure.panels[0];
-  ASSERT_EQ(panel.lines.size(), 3u);
+  ASSERT_EQ(panel.lines.size(), 4u);
   EXPECT_NEAR(panel.lines[1].bar[0], 0.005, 1e-9);
   EXPECT_NEAR(panel.lines[2].y[0], 0.2, 1e-9) << "at h = 0";
+  EXPECT_NEAR(panel.lines[3].y[0], 0.2, 1e-9) << "there too, by the known order";
 }
