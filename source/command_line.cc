@@ -97,12 +97,15 @@ namespace birdstrike
     }
 
     /// The case as it is, or as fine as a target asks for.
-    void run(const CaseRequest &request, const std::string &target_error)
+    void run(const Requests &requests)
     {
-      if (target_error.empty())
+      const CaseRequest &request = requests.of_case;
+      if (requests.target_error.empty())
         run_case(request);
       else
-        run_to_target_error({target_error, request.prm_file, request.overrides, request.output}, forecast_run_time);
+        run_to_target_error(
+          {requests.target_error, request.prm_file, request.overrides, request.output, requests.bird_order},
+          forecast_run_time);
     }
   } // namespace
 
@@ -123,12 +126,16 @@ namespace birdstrike
       command->callback([&, verb] { action = [&, verb] { verb(requests.of_case); }; });
     };
     case_command("run", "Run a case to its end", run_case);
-    app.get_subcommand("run")->callback([&] { action = [&] { run(requests.of_case, requests.target_error); }; });
+    app.get_subcommand("run")->callback([&] { action = [&] { run(requests); }; });
     app.get_subcommand("run")->add_flag("--force", requests.of_case.is_forced, "Replace a finished run in the folder");
-    app.get_subcommand("run")->add_option(
+    CLI::Option *target = app.get_subcommand("run")->add_option(
       "--target-error", requests.target_error,
       "Instead of the case as it is: the cheapest bird and mesh with this error, \"tip peak = 2 %\" "
       "(folder: runs/target/FILE)");
+    app.get_subcommand("run")
+      ->add_option("--bird-order", requests.bird_order,
+                   "Of the ladder of its particles, if it is known: values are taken to h = 0 by it")
+      ->needs(target);
     case_command("explain", "Say what would be computed, before it is", explain_case);
     case_command("validate", "Read and check a case, compute nothing", validate_case);
 

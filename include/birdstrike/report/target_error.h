@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace birdstrike
     std::string              target; ///< "tip peak = 2 %"
     std::string              prm_file;
     std::vector<std::string> overrides;
-    std::string              output; ///< folder; empty: runs/target/<the file's name>
+    std::string              output;          ///< folder; empty: runs/target/<the file's name>
+    std::optional<double>    bird_order = {}; ///< of the ladder of the particles, where it is known
   };
 
   /// Expected run time of a case on one core (s).
@@ -22,7 +24,8 @@ namespace birdstrike
   /// Finds the cheapest run whose value of a quantity is within the target error of that on infinitely fine bird and
   /// mesh, and reports it with its error bar and the time that all took (report/study/climb.h says how errors are
   /// estimated). Bird and mesh are refined apart: three levels each to begin with, the third the case's own, then the
-  /// one whose next level promises the most error for its time. Every run keeps its folder, and is reused.
+  /// one whose next level promises the most error for its time. Every run keeps its folder, and is reused. With an
+  /// order of the bird's ladder that is known, the value is that of a run and what takes it to h = 0 of the particles.
   ///
   /// Throws InputError for what the user must change; NumericalFailure, with the best value and what is wrong with its
   /// estimate, where the target cannot be claimed: no order that can be trusted, or the ladder's end.

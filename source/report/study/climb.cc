@@ -127,8 +127,24 @@ namespace birdstrike
     return estimate_convergence(h, f);
   }
 
+  std::optional<KnownOrderFit> ClimbAxis::limit() const
+  {
+    if (!known_order || values.size() < fewest_of_an_interval)
+      return std::nullopt;
+    const std::vector<double> h(sizes.rbegin(), sizes.rend()), f(values.rbegin(), values.rend());
+    return fit_known_order(*known_order, h, f);
+  }
+
+  double ClimbAxis::correction(const std::size_t level) const
+  {
+    const auto fit = limit();
+    return fit ? fit->limit - values[level] : 0.;
+  }
+
   double ClimbAxis::bar() const
   {
+    if (const auto fit = limit())
+      return fit->half_interval;
     const double estimated = estimate().bar;
     return std::isnan(estimated) ? factor_without_order * largest_change(values) : estimated;
   }
@@ -139,7 +155,9 @@ namespace birdstrike
     if (!is_refined())
       return all;
     const double of_finest = bar();
-    double       farthest  = 0.;
+    if (limit())
+      return std::vector<double>(sizes.size(), of_finest);
+    double farthest = 0.;
     for (std::size_t k = sizes.size(); k-- > 0;)
       {
         farthest = std::max(farthest, std::abs(values[k] - values.back()));
@@ -150,6 +168,8 @@ namespace birdstrike
 
   bool ClimbAxis::is_trusted(const double allowed) const
   {
+    if (known_order && is_refined())
+      return limit().has_value();
     return !is_refined() || estimate().is_trusted() || bar() <= small_bar * allowed;
   }
 
@@ -158,7 +178,7 @@ namespace birdstrike
     const GridConvergence made  = estimate();
     const double          order = std::isnan(made.order) ? 1. : std::clamp(made.order, 0.5, 2.);
     const double          ratio = sizes[sizes.size() - 2] / sizes.back();
-    const double          error = std::isnan(made.bar) ? std::abs(values.back() - values.front()) : made.bar;
+    const double error = limit() ? bar() : std::isnan(made.bar) ? std::abs(values.back() - values.front()) : made.bar;
     return error * (1. - std::pow(ratio, -order));
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/comparison/comparison_table.h"
+#include "report/study/error_fit.h"
 #include "report/study/grid_convergence.h"
 
 #include <optional>
@@ -32,21 +33,31 @@ namespace birdstrike
     std::string         name; ///< "bird"
     std::vector<double> sizes, values;
 
+    std::optional<double> known_order = {}; ///< then values are corrected to h = 0 by it (fit_known_order)
+
     /// False for a direction that cannot be refined: it has one level, and its error is in no bar.
     bool is_refined() const;
 
     /// Of all levels.
     GridConvergence estimate() const;
 
+    /// h = 0 by the order that is known; none where it is not, or there are fewer than four levels.
+    std::optional<KnownOrderFit> limit() const;
+
+    /// What takes a level's value there; 0 without a limit.
+    double correction(std::size_t level) const;
+
     /// Half the error bar of the finest level: that of the estimate; where changes grow, and it has none, three times
-    /// the largest change of the three finest levels.
+    /// the largest change of the three finest levels. With a limit half of its interval.
     double bar() const;
 
     /// The same for each level: what it and every finer one is away from the finest, at most, and the finest's own bar.
+    /// With a limit, to which each is corrected, its interval.
     std::vector<double> errors() const;
 
     /// Whether errors may be claimed: the ladder's estimate is trusted, or its bar, by the larger factor of safety, is
-    /// below half of what is allowed: of three levels, then all changes are below a sixth of that.
+    /// below half of what is allowed: of three levels, then all changes are below a sixth of that. With an order that
+    /// is known: whether there is a limit.
     bool is_trusted(double allowed) const;
 
     /// What one more level would take off the error of the finest, by the order that is seen, else by one.

@@ -60,6 +60,8 @@ namespace birdstrike
     parameters.read(request.prm_file, request.overrides);
     axes[0].name = "bird";
     axes[1].name = "mesh";
+    if (request.bird_order)
+      axes[0].known_order = require_usable_order(*request.bird_order, "--bird-order");
     for (std::size_t a = 0; a < 2; ++a)
       levels[a] = make_levels(parameters, a);
     if (levels[0].size() == 1 && levels[1].size() == 1)
@@ -162,7 +164,8 @@ namespace birdstrike
     const double sum   = runs.at({place.first, 0}).value + runs.at({0, place.second}).value - runs.at({0, 0}).value;
     const double aside = std::abs(value - sum);
     interaction        = std::max(interaction, aside);
-    return {place, value, axes[0].errors()[place.first], axes[1].errors()[place.second], aside};
+    return {place, value + axes[0].correction(place.first), axes[0].errors()[place.first],
+            axes[1].errors()[place.second], aside};
   }
 
   /// One more level: first of a ladder that cannot be trusted, else of the one that gains most for its time.
@@ -196,7 +199,8 @@ namespace birdstrike
   void Climber::refuse() const
   {
     const Place  finest{axes[0].sizes.size() - 1, 0};
-    const double value = runs.at(finest).value + axes[1].values.back() - axes[1].values.front();
+    const double value =
+      runs.at(finest).value + axes[0].correction(finest.first) + axes[1].values.back() - axes[1].values.front();
     throw NumericalFailure(fmt::format(
       "The target error of {} is not reached, and none is claimed: {} is near {}.\n"
       "  {}.\n  {}.\n{}  Action: {}.",
@@ -264,6 +268,11 @@ namespace birdstrike
   {
     if (!axes[a].is_refined())
       return axes[a].name + ": not refined, its error is in no bar";
+    if (const auto fit = axes[a].limit())
+      return fmt::format("{}: {} levels to {}, order {:g} as given: {} more takes the finest to h = 0, +- {}",
+                         axes[a].name, axes[a].sizes.size(), format_quantity(axes[a].sizes.back(), "m"),
+                         *axes[a].known_order, format_value(axes[a].correction(axes[a].sizes.size() - 1), row.unit),
+                         show_share(fit->half_interval, fit->limit));
     const GridConvergence made = axes[a].estimate();
     return fmt::format(
       "{}: {} levels to {}, {}{}{}{}", axes[a].name, axes[a].sizes.size(), format_quantity(axes[a].sizes.back(), "m"),
@@ -287,10 +296,14 @@ namespace birdstrike
 
   std::string Climber::describe(const Answer &answer) const
   {
+    const double added = axes[0].correction(answer.place.first);
     return fmt::format(
-      "{}: {} {} +- {}\n  of the bird {}, of the mesh {}, of both together {}\n  {}\n  {}\n  {} runs; this "
+      "{}: {} {} +- {}{}\n  of the bird {}, of the mesh {}, of both together {}\n  {}\n  {}\n  {} runs; this "
       "one in {}",
       row.group, row.quantity, format_value(answer.value, row.unit), show_share(answer.bar(), answer.value),
+      axes[0].limit() ? "\n  a run's " + format_value(answer.value - added, row.unit) + ", and " +
+                          format_value(added, row.unit) + " to h = 0 of the particles"
+                      : "",
       show_share(answer.bird, answer.value), show_share(answer.mesh, answer.value),
       show_share(answer.interaction, answer.value), describe_axis(0), describe_axis(1), runs.size(),
       runs.at(answer.place).folder.string());

@@ -29,7 +29,8 @@ namespace birdstrike
     struct Answer
     {
       Place  place;
-      double value, bird, mesh, interaction;
+      double value; ///< of the run, corrected
+      double bird, mesh, interaction;
 
       double bar() const
       {

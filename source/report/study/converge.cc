@@ -18,21 +18,14 @@ namespace birdstrike
 
     const ReportKind kind{"ladder", {"converge", "levels", "refinement"}};
 
-    constexpr double      highest_order = 4.;
-    constexpr std::size_t fewest_levels = 4; ///< for an interval: of three, Student's factor is 13
-
-    void require_usable_order(const ConvergeRequest &request)
+    void require_interval(const ConvergeRequest &request)
     {
       if (!request.order)
         return;
-      if (!(*request.order > 0.) || *request.order > highest_order)
-        throw InputError(
-          fmt::format("--order {:g}.\n  Allowed: above 0, at most {:g}; particles of riemann birds without "
-                      "reconstruction are of order 1.",
-                      *request.order, highest_order));
-      if (request.n_levels < fewest_levels)
+      require_usable_order(*request.order, "--order");
+      if (request.n_levels < fewest_of_an_interval)
         throw InputError(fmt::format("--order: {} levels leave no interval worth the name.\n  Allowed: {} to 8.",
-                                     request.n_levels, fewest_levels));
+                                     request.n_levels, fewest_of_an_interval));
     }
   } // namespace
 
@@ -41,7 +34,7 @@ namespace birdstrike
     if (!refinements().has(request.refinement))
       throw InputError("--vary " + request.refinement +
                        ": what is to be refined?\n  Allowed: " + refinements().selection() + ".");
-    require_usable_order(request);
+    require_interval(request);
     const Refinement refinement = refinements().at(request.refinement);
     const fs::path   output =
       request.output.empty() ? fs::path("runs/converge") / fs::path(request.prm_file).stem() : fs::path(request.output);

@@ -20,7 +20,8 @@ namespace birdstrike
     first_and_second ///< phi_0 + alpha_1 h + alpha_2 h^2
   };
 
-  constexpr double largest_order = 10.; ///< either way, of the orders that are looked at
+  constexpr std::size_t fewest_of_an_interval = 4;   ///< values; of three, Student's factor is 13
+  constexpr double      largest_order         = 10.; ///< either way, of the orders that are looked at
 
   struct ErrorFit
   {

@@ -12,6 +12,7 @@ namespace birdstrike
   namespace
   {
     constexpr std::size_t fewest_levels = 3, most_levels = 8;
+    constexpr double      highest_order  = 4.;
     constexpr double      smallest_ratio = 1.05; ///< below, changes drown in what has no order; Celik et al.: 1.3
     bool                  refines_mesh(const Refinement refinement)
     {
@@ -59,6 +60,16 @@ namespace birdstrike
                                                 {"step", Refinement::step},
                                                 {"points", Refinement::points}};
     return names;
+  }
+
+  double require_usable_order(const double order, const std::string &option)
+  {
+    if (!(order > 0.) || order > highest_order)
+      throw InputError(
+        fmt::format("{} {:g}.\n  Allowed: above 0, at most {:g}; that of the particles is 1 where an edge "
+                    "cuts the bird.",
+                    option, order, highest_order));
+    return order;
   }
 
   std::string LadderLevel::name() const

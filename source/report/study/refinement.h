@@ -22,6 +22,9 @@ namespace birdstrike
     std::string name() const; ///< "Elements along span=31, Elements along chord=9"
   };
 
+  /// An order that a user knows. Throws InputError, naming the option, where it is not above 0 or above 4.
+  double require_usable_order(double order, const std::string &option);
+
   /// What h is, with its unit.
   std::string size_name(Refinement refinement);
   std::string size_unit(Refinement refinement);

@@ -101,6 +101,28 @@ TEST(Climb, TrustsAFitOfFiveLevelsWithinItsScatter)
   EXPECT_GT(mesh.bar(), 0.056) << "all that they are apart";
 }
 
+TEST(Climb, TakesALadderOfAKnownOrderToItsLimit)
+{
+  // The strike above, whose order a fit finds to be 1.29: the line over h ends at 8.10 (scipy.stats.linregress:
+  // intercept 8.098235, standard error 0.085243; Student's 97.5 % quantile of three degrees 3.182446).
+  ClimbAxis cut{"bird", {5., 3.5, 2.5, 1.75, 1.25}, {11.01, 10.19, 9.44, 9.10, 8.89}, 1.};
+  ASSERT_TRUE(cut.limit());
+  EXPECT_NEAR(cut.limit()->limit, 8.098235, 1e-6);
+  EXPECT_NEAR(cut.bar(), 3.182446 * 0.085243, 2e-6);
+  EXPECT_TRUE(cut.is_trusted(1e-9));
+  for (std::size_t k = 0; k < 5; ++k)
+    {
+      EXPECT_NEAR(cut.values[k] + cut.correction(k), cut.limit()->limit, 1e-12) << "of whichever level";
+      EXPECT_EQ(cut.errors()[k], cut.bar());
+    }
+  cut.sizes.resize(3);
+  cut.values.resize(3);
+  EXPECT_FALSE(cut.limit()) << "of three";
+  EXPECT_FALSE(cut.is_trusted(1.)) << "so a fourth is run, whatever their own estimate says";
+  EXPECT_EQ(cut.correction(0), 0.);
+  EXPECT_EQ(axis_of_power(1., 0.1, 5).correction(0), 0.) << "no order is known";
+}
+
 TEST(Climb, ChoosesTheCoarsestMeshForEachBirdAndNeverBothAtTheirCoarsest)
 {
   const ClimbAxis bird = axis_of_power(2., 0.1, 4), mesh = axis_of_power(1., 0.1, 4);
