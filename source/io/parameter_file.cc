@@ -139,7 +139,7 @@ namespace birdstrike
             continue;
           inherited.push_back(rule.section + "/" + name + "=" + entry.value);
           if (is_given(there))
-            given.insert(rule.section + "/" + name);
+            given[rule.section + "/" + name] = given[there];
         }
     set(inherited);
   }
@@ -156,6 +156,25 @@ namespace birdstrike
   bool ParameterFile::is_given(const std::string &entry) const
   {
     return given.count(entry) > 0;
+  }
+
+  std::vector<std::string> ParameterFile::set_before(const std::string &section, const std::string &name) const
+  {
+    const ParameterTree known  = tree();
+    const auto          change = given.find(section + "/" + name);
+    const auto          entry  = std::ranges::find_if(
+                known.entries(), [&](const KnownEntry &each) { return to_string(each.section) == section && each.name == name; });
+    std::vector<std::string> names;
+    if (change == given.end() || entry == known.entries().end() ||
+        change->second.value == change->second.before.value_or(entry->default_value))
+      return names;
+    for (const KnownEntry &each : known.entries())
+      if (to_string(each.section) == section && each.value != each.default_value)
+        if (const auto found = given.find(section + "/" + each.name); found != given.end() &&
+                                                                      found->second.source != change->second.source &&
+                                                                      found->second.order < change->second.order)
+          names.push_back(each.name);
+    return names;
   }
 
   bool ParameterFile::is_changed(const std::string &section) const

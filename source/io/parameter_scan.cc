@@ -54,14 +54,17 @@ namespace birdstrike
     {
       unsigned int line;
 
-      void add_to(ScannedParameters &result) const
+      void add_to(ScannedParameters &result, const std::string &source) const
       {
         result.text += "set " + name + " = " + value + "\n";
-        const std::string entry = (section.empty() ? "" : to_string(section) + "/") + name;
-        if (is_default)
-          result.given.erase(entry);
-        else
-          result.given.insert(entry);
+        const std::string          entry = (section.empty() ? "" : to_string(section) + "/") + name;
+        std::optional<std::string> before;
+        if (const auto earlier = result.given.find(entry); earlier != result.given.end())
+          before = earlier->second.source == source ? earlier->second.before : earlier->second.value;
+        result.given.erase(entry);
+        if (!is_default)
+          result.given[entry] = {source, result.n_read, value, before};
+        ++result.n_read;
       }
     };
 
@@ -198,7 +201,7 @@ namespace birdstrike
                  quote(assignment.value) + ".",
                "  Action: remove one of the two lines."}));
         assignments.push_back(assignment);
-        assignment.add_to(result);
+        assignment.add_to(result, path.string());
       }
 
       void include(const std::string &name)
@@ -259,7 +262,7 @@ namespace birdstrike
     const ScannedValue value = scan_value(text, {"--set " + quote(text), 0}, known);
     for (const std::string &name : value.section)
       result.text += "subsection " + name + "\n";
-    Assignment{value, 0}.add_to(result);
+    Assignment{value, 0}.add_to(result, "");
     for (std::size_t k = 0; k < value.section.size(); ++k)
       result.text += "end\n";
   }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "io/parameter_tree.h"
+#include <birdstrike/io/parameter_file.h>
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -24,8 +24,9 @@ namespace birdstrike
   {
     std::string              text;     ///< as deal.II's ParameterHandler parses it
     std::string              original; ///< the outermost file as it is
-    std::set<std::string>    given;    ///< entries that are set, "Section/Entry"
-    std::vector<std::string> included; ///< files, in the order of reading
+    GivenEntries             given;
+    std::size_t              n_read = 0; ///< entries, in order
+    std::vector<std::string> included;   ///< files, in the order of reading
   };
 
   /// Adds the text of a parameter file as deal.II's ParameterHandler parses it: with the included files in their

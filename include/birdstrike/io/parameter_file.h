@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
-#include <set>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,18 @@ namespace birdstrike
     static void declare_in_section(dealii::ParameterHandler &prm, const std::string &section,
                                    const std::function<void(dealii::ParameterHandler &)> &declare);
   };
+
+  /// How an entry came to its value.
+  struct GivenEntry
+  {
+    std::string                source; ///< a file; empty: the command line
+    std::size_t                order;  ///< grows from entry to entry as they were read
+    std::string                value;
+    std::optional<std::string> before; ///< its value by the sources before this one, if they gave one
+  };
+
+  /// Entries that are set, by "Section/Entry".
+  using GivenEntries = std::map<std::string, GivenEntry>;
 
   /// The parameter file: owns the handler to which groups of parameters are bound, reads values into them and prints
   /// them. Raises InputError (at most six lines: file, line, section, what was read, what is allowed, nearest name) for
@@ -78,6 +91,11 @@ namespace birdstrike
     /// Whether the file, one that it includes or an override has set the entry "Section/Entry".
     bool is_given(const std::string &entry) const;
 
+    /// Other entries of a section that were set by a file before another one, or the command line, gave its entry
+    /// `name` another value, and still hold; those at their defaults left out. A file may have meant them for its own
+    /// value.
+    std::vector<std::string> set_before(const std::string &section, const std::string &name) const;
+
     /// Whether any entry of a section, by its whole name, is not at its default.
     bool is_changed(const std::string &section) const;
 
@@ -108,7 +126,7 @@ namespace birdstrike
     std::unique_ptr<dealii::ParameterHandler> prm;
     std::string                               original_text;
     std::map<std::string, std::string>        notes; ///< by entry
-    std::set<std::string>                     given; ///< entries
+    GivenEntries                              given;
     std::vector<std::string>                  included;
   };
 } // namespace birdstrike

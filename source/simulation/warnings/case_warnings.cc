@@ -202,6 +202,23 @@ namespace birdstrike
     }
 
     /// Whether no line of a parameter file sets or includes anything.
+    /// A name that is changed from outside leaves what the file says beside it.
+    void check_renamed_metals(const CaseParameters &parameters, Warnings &warnings)
+    {
+      for (const auto &[number, of_section] : parameters.blade.by_section())
+        {
+          const std::string section = "Blade/" + BladeParameters::section_path(number) + "Material";
+          std::string       names;
+          for (const std::string &name : parameters.file.set_before(section, "Name"))
+            names += (names.empty() ? "" : ", ") + name;
+          if (!names.empty())
+            warnings.push_back(
+              {"entry/of_another_metal", section + "/Name is now '" + of_section.material.name +
+                                           "', and what was set beside another name still holds: " + names +
+                                           ". Set it too ('table', 'default'), or once more to what it is."});
+        }
+    }
+
     bool sets_nothing(const std::string &file)
     {
       static const std::set<std::string> statements{"set", "SET", "include", "INCLUDE"};
@@ -224,6 +241,7 @@ namespace birdstrike
   {
     Warnings               warnings = find_unused_entries(parameters);
     const BladeParameters &blade    = parameters.blade;
+    check_renamed_metals(parameters, warnings);
     if (sets_nothing(parameters.file.original()))
       warnings.push_back({"case/empty", "The parameter file sets nothing: but for --set this is the default case."});
     if (blade.is_deformable())

@@ -75,6 +75,29 @@ TEST(ParameterFile, ChecksRulesBetweenEntriesAndNamesTheFile)
     }
 }
 
+// "Shape" stands for a name that the other entries of its section belong to.
+TEST(ParameterFile, KnowsWhatWasSetBesideAnotherValue)
+{
+  using Names = std::vector<std::string>;
+  const ScratchFolder scratch;
+  scratch.write("base.prm", "subsection Bird\n set Mass = 2\n set Title = default\nend\n");
+  const std::string base = "include base.prm\n", flat = "subsection Bird\n set Shape = flat\nend\n";
+  const auto        before = [&](const std::string &text, const std::vector<std::string> &overrides) {
+    SmallCase small;
+    small.file.read(scratch.write("case.prm", text), overrides);
+    return small.file.set_before("Bird", "Shape");
+  };
+  EXPECT_EQ(before(base + flat, {}), Names{"Mass"}) << "an included file";
+  EXPECT_EQ(before(flat + base, {}), Names{}) << "set after it";
+  EXPECT_EQ(before(base, {"Bird/Shape=flat"}), Names{"Mass"});
+  EXPECT_EQ(before(base, {"Bird/Mass=3", "Bird/Shape=flat"}), Names{}) << "the command line is one source";
+  EXPECT_EQ(before(base, {"Bird/Shape=hemispherical"}), Names{}) << "the default";
+  EXPECT_EQ(before(base + flat, {"Bird/Shape=flat"}), Names{}) << "as the file has it";
+  EXPECT_EQ(before("subsection Bird\n set Mass = 2\n set Shape = flat\nend\n", {}), Names{}) << "one file";
+  EXPECT_EQ(before(base, {"Bird/Shape=flat", "Bird/Mass=1.8"}), Names{}) << "its default";
+  EXPECT_EQ(before(base, {}), Names{});
+}
+
 TEST(ParameterFile, EntersASectionForGroupsThatDoNot)
 {
   SmallParameters           values;

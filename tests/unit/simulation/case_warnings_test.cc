@@ -114,7 +114,8 @@ TEST(CaseWarnings, NamesEntriesThatNoLawReads)
 // The same entries where a law reads them, and those that say what is there anyway.
 TEST(CaseWarnings, SaysNothingOfEntriesThatAreUsed)
 {
-  const std::string heating = "Blade/Material/Adiabatic heating=true", al = "Blade/Material/Name=Al 2024 Johnson-Cook";
+  const std::string heating = "Blade/Material/Adiabatic heating=true", al = "Blade/Material/Name=Al 2024 Johnson-Cook",
+                    modulus = "Blade/Material/Hardening modulus=table";
   for (const std::vector<std::string> &entries : std::vector<std::vector<std::string>>{
          {"Blade/Material/Hardening=voce", "Blade/Material/Hardening exponent=20"},
          {"Blade/Material/Rate law=cowper-symonds", "Blade/Material/Reference rate=40",
@@ -123,15 +124,33 @@ TEST(CaseWarnings, SaysNothingOfEntriesThatAreUsed)
          {"Blade/Material/Rate factor=0.01", "Blade/Material/Reference rate=10"},
          {heating, "Blade/Material/Initial temperature=500", "Blade/Material/Softening exponent=1.1"},
          {"Blade/Material/Failure=plastic strain", "Blade/Material/Failure strain=0.1"},
-         {al, "Blade/Material/Hardening=johnson-cook", "Blade/Material/Failure=Johnson-Cook",
+         {al, modulus, "Blade/Material/Hardening=johnson-cook", "Blade/Material/Failure=Johnson-Cook",
           "Blade/Material/Damage D2=0.3"},
-         {al, "Blade/Material/Hardening=johnson-cook", "Blade/Material/Rate factor=0",
+         {al, modulus, "Blade/Material/Hardening=johnson-cook", "Blade/Material/Rate factor=0",
           "Blade/Material/Reference rate=10", "Blade/Material/Failure=Johnson-Cook"},
          {"Blade/Mesh/Generator=blade", "Blade/Mesh/Profile/Stagger=30", "Blade/Thickness/Maximum=0.004",
           "Blade/Thickness/Leading edge=0.1", "Blade/Thickness/Value=default"},
          {"Bird/Equation of state/Type=linear", "Bird/Equation of state/Bulk modulus=1e9"},
          {"Bird/Equation of state/Type=porous", "Bird/Equation of state/Porosity=0.2"}})
     EXPECT_EQ(codes(of_inputs(entries)), std::vector<std::string>{}) << entries.back();
+}
+
+// frontal.prm sets Hardening and Hardening modulus for its Ti-6Al-4V.
+TEST(CaseWarnings, NamesWhatANewMetalKeepsOfTheOldOne)
+{
+  const std::string al = "Blade/Material/Name=Al 2024 Johnson-Cook", hardening = "Blade/Material/Hardening=table",
+                    modulus = "Blade/Material/Hardening modulus=table";
+  const auto kept           = [](const std::vector<std::string> &entries) {
+    const Warnings warnings = of_inputs(entries);
+    EXPECT_EQ(codes(warnings), std::vector<std::string>{"entry/of_another_metal"});
+    return warnings.empty() ? "" : warnings[0].text;
+  };
+  EXPECT_NE(kept({al}).find("still holds: Hardening, Hardening modulus."), std::string::npos) << kept({al});
+  EXPECT_NE(kept({al, hardening}).find("still holds: Hardening modulus."), std::string::npos);
+  EXPECT_NE(kept({hardening, al}).find("still holds: Hardening modulus."), std::string::npos) << "in either order";
+  EXPECT_EQ(codes(of_inputs({al, hardening, modulus})), codes({}));
+  EXPECT_EQ(codes(of_inputs({"Blade/Material/Name=Ti-6Al-4V"})), codes({})) << "what it is";
+  EXPECT_EQ(codes(of_inputs({al, "Blade/Material/Name=Ti-6Al-4V"})), codes({})) << "there and back";
 }
 
 // What a run writes as parameters.prm has every entry, and none of them is there by a person's will.
