@@ -4,8 +4,8 @@
     bash tests/studies/error_bars.sh                         # all, into build/error_bars; two hours on one idle core
     bash tests/studies/error_bars.sh fan-row sheath:solid    # these alone
 
-Of each case `birdstrike converge` climbs three ladders, one thread a run: particles (levels 1.2 apart, two of them coarser than the case's,
-LEVELS in all: far coarser ones are not in the asymptotic range where an edge cuts the bird), mesh (three, the finest 1.5 times finer along
+Of each case `birdstrike converge` climbs three ladders, one thread a run: particles (levels 1.2 apart,
+PARTICLES: far coarser ones are not in the asymptotic range where an edge cuts the bird), mesh (three, the finest 1.5 times finer along
 span and chord) and time steps (three, the coarsest the case's). A cell is what the finest
 level adds to the value as shipped, and half the error bar of the finest level, both in percent of the shipped value; "in x" instead of
 a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
@@ -29,10 +29,11 @@ CASES = {"frontal": "shell solid", "oblique": "shell solid", "perforation": "she
          "fan-blade": "shell solid", "fan-blade-spin": "shell solid", "fan-row": "shell solid", "fan-blade-composite": "shell",
          "certification/large-bird": "shell", "certification/medium-bird": "shell", "certification/flock": "shell"}
 
-LEVELS = {"oblique": 8, "sheath": 8, "fan-blade": 7, "fan-row": 7, "fan-blade-composite": 7, "certification/large-bird": 7,
-          "certification/medium-bird": 7, "certification/flock": 7}  # an edge cuts the bird; of others five
+# Levels of the particles, and how many of them are coarser than the case: more where an edge cuts the bird.
+PARTICLES = {"oblique": (8, 2), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (7, 2), "fan-blade-composite": (7, 2),
+             "certification/large-bird": (7, 2), "certification/medium-bird": (7, 2), "certification/flock": (7, 2)}
+OTHER_PARTICLES = (5, 2)
 LADDERS = {"particles": (), "mesh": ("--levels", "3", "--finer", "1"), "step": ("--levels", "3")}
-SHIPPED = {"particles": 2, "mesh": 1, "step": 0}  # the case's own level of the ladder, from the coarsest on
 FEWEST_OF_AN_ORDER = 6
 
 QUANTITIES = {"Tip: peak (mid-chord)": ("tip peak", "mm", 1e3), "Tip: permanent deflection": ("permanent deflection", "mm", 1e3),
@@ -45,8 +46,8 @@ QUIET = ("Time/Threads=1", "Output/Blade fields=false", "Output/Bird fields=fals
 class Ladder:
     """converge.csv of a case: by quantity its values from the coarsest on, and the rest of its row."""
 
-    def __init__(self, path, name):
-        self.name = name
+    def __init__(self, path, level):
+        self.level = level  # of the case
         with open(path, newline="") as file:
             self.rows = {row["quantity"]: row for row in csv.DictReader(file)}
 
@@ -62,7 +63,7 @@ class Ladder:
 
     def shipped(self, quantity):
         values = self.values(quantity)
-        return values and values[SHIPPED[self.name]]
+        return values and values[self.level]
 
     def rises(self, quantity):
         return self.rows.get(quantity, {}).get("still rising") == "yes"
@@ -85,8 +86,13 @@ def whole_order(text):
 
 
 def ladder_of(case, name):
-    n = LEVELS.get(case, 5)
-    return LADDERS[name] or ("--levels", str(n), "--finer", str(n - 1 - SHIPPED[name]), "--ratio", "1.2")
+    levels, coarser = PARTICLES.get(case, OTHER_PARTICLES)
+    return LADDERS[name] or ("--levels", str(levels), "--finer", str(levels - 1 - coarser), "--ratio", "1.2")
+
+
+def level_of_case(case, name):
+    """From the coarsest on."""
+    return {"particles": PARTICLES.get(case, OTHER_PARTICLES)[1], "mesh": 1, "step": 0}[name]
 
 
 def folder_of(folder, case, kind, name):
@@ -96,7 +102,7 @@ def folder_of(folder, case, kind, name):
 def read(folder, case, kind, name):
     """None where there is none."""
     table = os.path.join(folder_of(folder, case, kind, name), "converge.csv")
-    return Ladder(table, name) if os.path.exists(table) else None
+    return Ladder(table, level_of_case(case, name)) if os.path.exists(table) else None
 
 
 def converge(program, folder, case, kind, name, extra):
@@ -115,7 +121,7 @@ def converge(program, folder, case, kind, name, extra):
 def climb(program, folder, case, kind, name, extra):
     """Also limits.csv: of each quantity the whole order that the particles show, h -> 0 by it and half of its interval."""
     ladder = converge(program, folder, case, kind, name, extra)
-    if name != "particles" or not ladder or LEVELS.get(case, 5) < FEWEST_OF_AN_ORDER:
+    if name != "particles" or not ladder or PARTICLES.get(case, OTHER_PARTICLES)[0] < FEWEST_OF_AN_ORDER:
         return ladder
     by_order = {order: converge(program, folder, case, kind, name, [*extra, "--order", str(order)]) for order in (1, 2)}
     with open(folder_of(folder, case, kind, "limits.csv"), "w", newline="") as file:
