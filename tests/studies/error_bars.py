@@ -30,7 +30,7 @@ CASES = {"frontal": "shell solid", "oblique": "shell solid", "perforation": "she
          "certification/large-bird": "shell", "certification/medium-bird": "shell", "certification/flock": "shell"}
 
 # Levels of the particles, and how many of them are coarser than the case: more where an edge cuts the bird.
-PARTICLES = {"oblique": (8, 2), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (7, 2), "fan-blade-composite": (7, 2),
+PARTICLES = {"oblique": (8, 2), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (6, 1), "fan-blade-composite": (7, 2),
              "certification/large-bird": (7, 2), "certification/medium-bird": (7, 2), "certification/flock": (7, 2)}
 OTHER_PARTICLES = (5, 2)
 LADDERS = {"particles": (), "mesh": ("--levels", "3", "--finer", "1"), "step": ("--levels", "3")}
