@@ -178,7 +178,7 @@ def lines_of(case, kind, ladders, limits):
 
 SUMMARY = ("Tip: peak (mid-chord)", "Root: peak bending moment", "Plasticity: plastic work", "Contact: impulse (norm)")
 HEADS = {"error_bars.md": ["case", "as shipped", *LADDERS, "particles, h → 0"],
-         "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s", "finest particles",
+         "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s", "finest particles (spacing, mm)",
                         "mesh 1.5 times finer", "steps 0.44 times as long", "tip, h → 0 of the particles"]}
 
 
@@ -188,7 +188,7 @@ def summary_of(case, kind, ladders, limits):
                        for quantity, value in zip(SUMMARY, values)) for ladder in ladders.values()]
     particles = ladders["particles"]
     if particles:
-        cells[0] += f" ({show(1e3 * particles.finest_size(), 1.)} mm)"
+        cells[0] += f" ({1e3 * particles.finest_size():.3g})"
     cells.append(limit_cell(limits.get(SUMMARY[0]), particles.shipped(SUMMARY[0])) if particles else "–")
     yield f"| {case}, {kind} | {'; '.join(value or '–' for value in values)} | {' | '.join(cells)} |"
 
