@@ -26,7 +26,7 @@ namespace birdstrike
     double                   ratio      = 1.5; ///< of sizes from level to level
     std::size_t              n_finer    = 0;   ///< levels finer than the case; the others are coarser
     std::optional<double>    order;            ///< of the method, where it is known
-    std::size_t              n_jobs     = 0;   ///< levels side by side; 0: one a core
+    std::size_t              n_jobs = 0;       ///< levels side by side; 0: one a core
     std::vector<std::string> overrides;
     std::string              output; ///< folder; empty: runs/converge/<the file's name>
   };
