@@ -25,7 +25,8 @@ namespace birdstrike
   /// mesh, and reports it with its error bar and the time that all took (report/study/climb.h says how errors are
   /// estimated). Bird and mesh are refined apart: three levels each to begin with, the third the case's own, then the
   /// one whose next level promises the most error for its time. Every run keeps its folder, and is reused. With an
-  /// order of the bird's ladder that is known, the value is that of a run and what takes it to h = 0 of the particles.
+  /// order of the bird's ladder that is known, the value may be that of a run with its finest level, of four at least,
+  /// and what takes it to h = 0 of the particles.
   ///
   /// Throws InputError for what the user must change; NumericalFailure, with the best value and what is wrong with its
   /// estimate, where the target cannot be claimed: no order that can be trusted, or the ladder's end.

@@ -138,7 +138,13 @@ namespace birdstrike
   double ClimbAxis::correction(const std::size_t level) const
   {
     const auto fit = limit();
-    return fit ? fit->limit - values[level] : 0.;
+    return fit && level + 1 == values.size() ? fit->limit - values[level] : 0.;
+  }
+
+  double ClimbAxis::share_beyond(const std::size_t level) const
+  {
+    const double way = std::abs(values[level] - values.front()), more = std::abs(correction(level));
+    return way > 0. ? 1. + more / way : 1.;
   }
 
   double ClimbAxis::bar() const
@@ -155,8 +161,12 @@ namespace birdstrike
     if (!is_refined())
       return all;
     const double of_finest = bar();
-    if (limit())
-      return std::vector<double>(sizes.size(), of_finest);
+    if (const auto fit = limit())
+      {
+        for (std::size_t k = 0; k < sizes.size(); ++k)
+          all[k] = std::abs(values[k] + correction(k) - fit->limit) + of_finest;
+        return all;
+      }
     double farthest = 0.;
     for (std::size_t k = sizes.size(); k-- > 0;)
       {

@@ -33,7 +33,7 @@ namespace birdstrike
     std::string         name; ///< "bird"
     std::vector<double> sizes, values;
 
-    std::optional<double> known_order = {}; ///< then values are corrected to h = 0 by it (fit_known_order)
+    std::optional<double> known_order = {}; ///< then the finest level is corrected to h = 0 by it (fit_known_order)
 
     /// False for a direction that cannot be refined: it has one level, and its error is in no bar.
     bool is_refined() const;
@@ -44,15 +44,19 @@ namespace birdstrike
     /// h = 0 by the order that is known; none where it is not, or there are fewer than four levels.
     std::optional<KnownOrderFit> limit() const;
 
-    /// What takes a level's value there; 0 without a limit.
+    /// What takes the finest level's value there; 0 of other levels, and without a limit.
     double correction(std::size_t level) const;
+
+    /// What comes from the way of the values to a level comes from that to the limit, if it is corrected: so many times
+    /// as much.
+    double share_beyond(std::size_t level) const;
 
     /// Half the error bar of the finest level: that of the estimate; where changes grow, and it has none, three times
     /// the largest change of the three finest levels. With a limit half of its interval.
     double bar() const;
 
     /// The same for each level: what it and every finer one is away from the finest, at most, and the finest's own bar.
-    /// With a limit, to which each is corrected, its interval.
+    /// With a limit, what it is away from that, the finest corrected, and half of the interval.
     std::vector<double> errors() const;
 
     /// Whether errors may be claimed: the ladder's estimate is trusted, or its bar, by the larger factor of safety, is

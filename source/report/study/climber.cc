@@ -64,6 +64,8 @@ namespace birdstrike
       axes[0].known_order = require_usable_order(*request.bird_order, "--bird-order");
     for (std::size_t a = 0; a < 2; ++a)
       levels[a] = make_levels(parameters, a);
+    if (request.bird_order && levels[0].size() == 1)
+      throw InputError("--bird-order: there is no bird whose particles could be refined.\n  Action: leave it out.");
     if (levels[0].size() == 1 && levels[1].size() == 1)
       throw InputError("There is neither a bird nor a built-in mesh that could be refined.\n  Action: run the case "
                        "without --target-error.");
@@ -162,7 +164,7 @@ namespace birdstrike
     run({place});
     const double value = runs.at(place).value;
     const double sum   = runs.at({place.first, 0}).value + runs.at({0, place.second}).value - runs.at({0, 0}).value;
-    const double aside = std::abs(value - sum);
+    const double aside = axes[0].share_beyond(place.first) * std::abs(value - sum);
     interaction        = std::max(interaction, aside);
     return {place, value + axes[0].correction(place.first), axes[0].errors()[place.first],
             axes[1].errors()[place.second], aside};
@@ -229,12 +231,14 @@ namespace birdstrike
                        format_share(target.share * errors / allowed), name_refinements(axes[0], axes[1]));
   }
 
-  /// Of the smallest value that was seen, so that it is allowed of any.
+  /// Of the smallest value that was seen or may be claimed, so that it is allowed of any.
   double Climber::allowed_error() const
   {
-    double smallest = std::abs(runs.begin()->second.value);
+    const std::size_t n_levels = axes[0].values.size();
+    double            smallest = std::abs(runs.begin()->second.value);
     for (const auto &[place, known] : runs)
-      smallest = std::min(smallest, std::abs(known.value));
+      for (const double value : {known.value, known.value + axes[0].correction(std::min(place.first, n_levels - 1))})
+        smallest = std::min(smallest, std::abs(value));
     return target.share * smallest;
   }
 
@@ -301,9 +305,9 @@ namespace birdstrike
       "{}: {} {} +- {}{}\n  of the bird {}, of the mesh {}, of both together {}\n  {}\n  {}\n  {} runs; this "
       "one in {}",
       row.group, row.quantity, format_value(answer.value, row.unit), show_share(answer.bar(), answer.value),
-      axes[0].limit() ? "\n  a run's " + format_value(answer.value - added, row.unit) + ", and " +
-                          format_value(added, row.unit) + " to h = 0 of the particles"
-                      : "",
+      added != 0. ? "\n  a run's " + format_value(answer.value - added, row.unit) + ", and " +
+                      format_value(added, row.unit) + " to h = 0 of the particles"
+                  : "",
       show_share(answer.bird, answer.value), show_share(answer.mesh, answer.value),
       show_share(answer.interaction, answer.value), describe_axis(0), describe_axis(1), runs.size(),
       runs.at(answer.place).folder.string());

@@ -110,17 +110,22 @@ TEST(Climb, TakesALadderOfAKnownOrderToItsLimit)
   EXPECT_NEAR(cut.limit()->limit, 8.098235, 1e-6);
   EXPECT_NEAR(cut.bar(), 3.182446 * 0.085243, 2e-6);
   EXPECT_TRUE(cut.is_trusted(1e-9));
-  for (std::size_t k = 0; k < 5; ++k)
+  EXPECT_NEAR(cut.values[4] + cut.correction(4), cut.limit()->limit, 1e-12);
+  EXPECT_EQ(cut.errors()[4], cut.bar());
+  for (std::size_t k = 0; k < 4; ++k)
     {
-      EXPECT_NEAR(cut.values[k] + cut.correction(k), cut.limit()->limit, 1e-12) << "of whichever level";
-      EXPECT_EQ(cut.errors()[k], cut.bar());
+      EXPECT_EQ(cut.correction(k), 0.) << "the finest alone is corrected";
+      EXPECT_NEAR(cut.errors()[k], cut.values[k] - cut.limit()->limit + cut.bar(), 1e-12);
+      EXPECT_EQ(cut.share_beyond(k), 1.);
     }
+  EXPECT_NEAR(cut.share_beyond(4), (11.01 - 8.098235) / (11.01 - 8.89), 1e-6)
+    << "of the way to the limit, to the finest";
   cut.sizes.resize(3);
   cut.values.resize(3);
   EXPECT_FALSE(cut.limit()) << "of three";
   EXPECT_FALSE(cut.is_trusted(1.)) << "so a fourth is run, whatever their own estimate says";
-  EXPECT_EQ(cut.correction(0), 0.);
-  EXPECT_EQ(axis_of_power(1., 0.1, 5).correction(0), 0.) << "no order is known";
+  EXPECT_EQ(cut.correction(2), 0.);
+  EXPECT_EQ(axis_of_power(1., 0.1, 5).correction(4), 0.) << "no order is known";
 }
 
 TEST(Climb, ChoosesTheCoarsestMeshForEachBirdAndNeverBothAtTheirCoarsest)
