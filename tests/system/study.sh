@@ -39,7 +39,7 @@ kill -TERM $running
 wait $running
 code=$?
 require "a signal ends study and runs" '[ $code -eq 143 ] && grep -q "Points that are complete will be reused" out.txt && [ "$(grep -l "stopped by a signal" stopped/*/summary.json | wc -l)" -eq 2 ]'
-ask "what was complete is there" 0 "3 points, 1 of them are there, 2 will go on from a checkpoint" "stopped at [0-9.]+ ms, will go on" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
+ask "what was complete is there" 0 "3 points, 1 of them are there, 2 will go on from a checkpoint" "stopped at [0-9.]+ [mu]?s, will go on" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
 
 # and what was not goes on from where it was, as if nothing had happened; where 'resume' refuses, it is run anew
 long=(--set "Time/End time=240e-3" --set "Output/HDF5=false" --vary "Bird/Mass=0.1, 0.12" --jobs 2)

@@ -241,11 +241,13 @@ namespace birdstrike
   {
     Warnings               warnings = find_unused_entries(parameters);
     const BladeParameters &blade    = parameters.blade;
-    check_renamed_metals(parameters, warnings);
     if (sets_nothing(parameters.file.original()))
       warnings.push_back({"case/empty", "The parameter file sets nothing: but for --set this is the default case."});
     if (blade.is_deformable())
-      check_metals(blade, warnings);
+      {
+        check_metals(blade, warnings);
+        check_renamed_metals(parameters, warnings);
+      }
     if (blade.is_deformable() && blade.mesh.generator == MeshGenerator::blade && Rotor(blade.spin).turns() &&
         !parameters.file.is_given("Blade/Spin/Axis"))
       warnings.push_back({"blade/axis_not_given",
