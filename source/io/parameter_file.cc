@@ -155,7 +155,8 @@ namespace birdstrike
 
   bool ParameterFile::is_given(const std::string &entry) const
   {
-    return given.count(entry) > 0;
+    const auto found = given.find(entry);
+    return found != given.end() && !found->second.is_default;
   }
 
   std::vector<std::string> ParameterFile::set_before(const std::string &section, const std::string &name) const
@@ -169,10 +170,10 @@ namespace birdstrike
         change->second.value == change->second.before.value_or(entry->default_value))
       return names;
     for (const KnownEntry &each : known.entries())
-      if (to_string(each.section) == section && each.value != each.default_value)
-        if (const auto found = given.find(section + "/" + each.name); found != given.end() &&
-                                                                      found->second.source != change->second.source &&
-                                                                      found->second.order < change->second.order)
+      if (to_string(each.section) == section)
+        if (const auto found = given.find(section + "/" + each.name);
+            found != given.end() && found->second.value != each.default_value &&
+            found->second.source != change->second.source && found->second.order < change->second.order)
           names.push_back(each.name);
     return names;
   }

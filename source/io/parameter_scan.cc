@@ -61,9 +61,7 @@ namespace birdstrike
         std::optional<std::string> before;
         if (const auto earlier = result.given.find(entry); earlier != result.given.end())
           before = earlier->second.source == source ? earlier->second.before : earlier->second.value;
-        result.given.erase(entry);
-        if (!is_default)
-          result.given[entry] = {source, result.n_read, value, before};
+        result.given[entry] = {source, result.n_read, value, before, is_default};
         ++result.n_read;
       }
     };

@@ -46,7 +46,8 @@ namespace birdstrike
     std::string                source; ///< a file; empty: the command line
     std::size_t                order;  ///< grows from entry to entry as they were read
     std::string                value;
-    std::optional<std::string> before; ///< its value by the sources before this one, if they gave one
+    std::optional<std::string> before;     ///< its value by the sources before this one, if they gave one
+    bool                       is_default; ///< given back, as if nothing had set it
   };
 
   /// Entries that are set, by "Section/Entry".

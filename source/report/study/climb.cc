@@ -179,7 +179,7 @@ namespace birdstrike
   bool ClimbAxis::is_trusted(const double allowed) const
   {
     if (known_order && is_refined())
-      return limit().has_value();
+      return limit() && estimate().trend != Trend::diverging;
     return !is_refined() || estimate().is_trusted() || bar() <= small_bar * allowed;
   }
 

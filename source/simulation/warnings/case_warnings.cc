@@ -201,7 +201,6 @@ namespace birdstrike
                                                        across, bird.section)});
     }
 
-    /// Whether no line of a parameter file sets or includes anything.
     /// A name that is changed from outside leaves what the file says beside it.
     void check_renamed_metals(const CaseParameters &parameters, Warnings &warnings)
     {
@@ -211,7 +210,7 @@ namespace birdstrike
           std::string       names;
           for (const std::string &name : parameters.file.set_before(section, "Name"))
             names += (names.empty() ? "" : ", ") + name;
-          if (!names.empty())
+          if (!names.empty() && !of_section.is_laminate())
             warnings.push_back(
               {"entry/of_another_metal", section + "/Name is now '" + of_section.material.name +
                                            "', and what was set beside another name still holds: " + names +
@@ -219,6 +218,7 @@ namespace birdstrike
         }
     }
 
+    /// Whether no line of a parameter file sets or includes anything.
     bool sets_nothing(const std::string &file)
     {
       static const std::set<std::string> statements{"set", "SET", "include", "INCLUDE"};

@@ -91,6 +91,7 @@ TEST(ParameterFile, KnowsWhatWasSetBesideAnotherValue)
   EXPECT_EQ(before(flat + base, {}), Names{}) << "set after it";
   EXPECT_EQ(before(base, {"Bird/Shape=flat"}), Names{"Mass"});
   EXPECT_EQ(before(base, {"Bird/Mass=3", "Bird/Shape=flat"}), Names{}) << "the command line is one source";
+  EXPECT_EQ(before(flat + base, {"Bird/Shape=default"}), (Names{"Mass"})) << "given back";
   EXPECT_EQ(before(base, {"Bird/Shape=hemispherical"}), Names{}) << "the default";
   EXPECT_EQ(before(base + flat, {"Bird/Shape=flat"}), Names{}) << "as the file has it";
   EXPECT_EQ(before("subsection Bird\n set Mass = 2\n set Shape = flat\nend\n", {}), Names{}) << "one file";

@@ -126,6 +126,9 @@ TEST(Climb, TakesALadderOfAKnownOrderToItsLimit)
   EXPECT_FALSE(cut.is_trusted(1.)) << "so a fourth is run, whatever their own estimate says";
   EXPECT_EQ(cut.correction(2), 0.);
   EXPECT_EQ(axis_of_power(1., 0.1, 5).correction(4), 0.) << "no order is known";
+  ClimbAxis parts   = axis_of_power(-1., 0.05, 5);
+  parts.known_order = 1.;
+  EXPECT_FALSE(parts.is_trusted(1.)) << "a line can be laid through values that have no limit";
 }
 
 TEST(Climb, ChoosesTheCoarsestMeshForEachBirdAndNeverBothAtTheirCoarsest)

@@ -151,6 +151,16 @@ TEST(CaseWarnings, NamesWhatANewMetalKeepsOfTheOldOne)
   EXPECT_EQ(codes(of_inputs({al, hardening, modulus})), codes({}));
   EXPECT_EQ(codes(of_inputs({"Blade/Material/Name=Ti-6Al-4V"})), codes({})) << "what it is";
   EXPECT_EQ(codes(of_inputs({al, "Blade/Material/Name=Ti-6Al-4V"})), codes({})) << "there and back";
+  CaseParameters plies;
+  plies.read(BIRDSTRIKE_SOURCE_DIR "/prm/fan-blade-composite.prm", {al});
+  EXPECT_FALSE(std::ranges::count(codes(find_input_warnings(plies)), "entry/of_another_metal")) << "of a laminate";
+  CaseParameters              of_table;
+  std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-table-XXXXXX").string();
+  const std::filesystem::path folder  = mkdtemp(pattern.data());
+  std::ofstream(folder / "case.prm") << "subsection Blade\nsubsection Material\nset Yield stress = table\nend\nend\n";
+  of_table.read((folder / "case.prm").string(), {al});
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(codes(find_input_warnings(of_table)), codes({})) << "follows the name, though it is written out by then";
 }
 
 // What a run writes as parameters.prm has every entry, and none of them is there by a person's will.
