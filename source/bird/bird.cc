@@ -241,9 +241,10 @@ namespace birdstrike
   {
     if (!parameters.retire)
       return 0;
-    const RetiredShare share =
-      retire_particles(particles, blade_box.widened(parameters.retirement_margin),
-                       [this](const std::size_t p) { return stored_energy(particles.mu[p]) + shear_energy(p); });
+    const RetiredShare share = retire_particles(
+      particles, blade_box.widened(parameters.retirement_margin),
+      [this](const std::size_t p) { return stored_energy(particles.mu[p]) + shear_energy(p); },
+      parameters.tension_cutoff);
     if (share.particles == 0)
       return 0;
     retired_share.add(share);

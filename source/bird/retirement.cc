@@ -17,13 +17,13 @@ namespace birdstrike
   } // namespace
 
   RetiredShare retire_particles(Particles &particles, const Box &box,
-                                const std::function<double(std::size_t p)> &specific_energy)
+                                const std::function<double(std::size_t p)> &specific_energy, const bool has_cutoff)
   {
     RetiredShare             share;
     std::vector<std::size_t> kept;
     for (std::size_t p = 0; p < particles.size(); ++p)
       {
-        const bool   is_loose = particles.signal_speed[p] == 0. || particles.largest_mu[p] < cavitated;
+        const bool   is_loose = particles.signal_speed[p] == 0. || (has_cutoff && particles.largest_mu[p] < cavitated);
         const Point3 v        = at(particles.v, p);
         if (!is_loose || !box.passage(at(particles.x, p), v).is_empty())
           {

@@ -46,10 +46,10 @@ namespace birdstrike
 
   void Observed::update_shares(const Balance &balance, const double time)
   {
-    // Until a hundredth of all energy has reached the blade, a ratio of two small numbers says nothing.
+    // Until a hundredth of the strike's energy has reached the blade, a ratio of two small numbers says nothing.
     const EnergyReport &energy   = balance.state().blade;
     const double        internal = energy.elastic + energy.plastic + energy.hourglass + energy.viscous;
-    if (internal > 1e-2 * balance.initial_energy())
+    if (internal > 1e-2 * balance.energy_scale())
       hourglass_share.update(time, energy.hourglass / internal);
   }
 

@@ -164,9 +164,10 @@ namespace birdstrike
     void require_the_same_case(const Checkpoint &checkpoint, const CaseParameters &then, const CaseParameters &now)
     {
       if (const std::string entry = first_difference(then, now, may_change); !entry.empty())
-        throw InputError(entry + " is another one than when the run began.\n  A run that goes on may change Time/End "
-                                 "time, Threads, Maximum wall time, Energy error limit, Stop at tip peak, Step scale "
-                                 "and Bird step scale, and intervals of Output.\n  Action: run the changed case anew.");
+        throw InputError(
+          entry + " is another one than when the run began.\n  A run that goes on may change Time/End "
+                  "time, Threads, Maximum wall time, Energy error limit, Stop at tip peak, Tip peak wait, "
+                  "Step scale and Bird step scale, and intervals of Output.\n  Action: run the changed case anew.");
       const std::vector<InputFile> inputs = list_input_files(now);
       for (const InputFile &input : checkpoint.inputs)
         if (!std::filesystem::exists(input.name))

@@ -5,12 +5,12 @@
     bash tests/studies/error_bars.sh fan-row sheath:solid    # these alone
 
 Of each case `birdstrike converge` climbs three ladders, one thread a run: particles (levels 1.2 apart,
-PARTICLES: far coarser ones are not in the asymptotic range where an edge cuts the bird), mesh (three, the finest 1.5 times finer along
+PARTICLES: far coarser ones are not in the asymptotic range where an edge cuts the bird), mesh (five, the finest 1.5 times finer along
 span and chord) and time steps (three, the coarsest the case's). A cell is what the finest
 level adds to the value as shipped, and half the error bar of the finest level, both in percent of the shipped value; "in x" instead of
 a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
-The last column is what h -> 0 adds by a fit of the whole order that the ladder of the particles shows (of six levels and more, by least squares
-within 0.35 of 1 or 0.5 of 2), with the 95 % confidence interval of that fit (`converge --order`).
+The last column is what h -> 0 adds by a fit of order 1 or 2 to the ladder of the particles, with its 95 % confidence interval
+(`converge --order`): where the ladder converges and its levels reject one of the two orders (at the 5 % level) and not the other.
 
 Writes a folder a ladder, whose runs are reused by the next call, and of all ladders that are there error_bars.md (a line a quantity) and
 summary.md (a line a case: what the finest levels add).
@@ -33,8 +33,9 @@ CASES = {"frontal": "shell solid", "oblique": "shell solid", "perforation": "she
 PARTICLES = {"oblique": (8, 2), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (6, 1), "fan-blade-composite": (7, 2),
              "certification/large-bird": (7, 2), "certification/medium-bird": (7, 2), "certification/flock": (7, 2)}
 OTHER_PARTICLES = (5, 2)
-LADDERS = {"particles": (), "mesh": ("--levels", "3", "--finer", "1"), "step": ("--levels", "3")}
+LADDERS = {"particles": (), "mesh": ("--levels", "5", "--finer", "2", "--ratio", "1.2247"), "step": ("--levels", "3")}
 FEWEST_OF_AN_ORDER = 6
+ORDERS, SIGNIFICANCE = (1, 2), 0.05
 
 QUANTITIES = {"Tip: peak (mid-chord)": ("tip peak", "mm", 1e3), "Tip: permanent deflection": ("permanent deflection", "mm", 1e3),
               "Root: peak bending moment": ("root moment", "N m", 1.), "Plasticity: plastic work": ("plastic work", "J", 1.),
@@ -70,19 +71,13 @@ class Ladder:
 
     def cell(self, quantity):
         values = self.values(quantity)
-        if not values:
-            return ""
+        if not values or not self.shipped(quantity):
+            return "–"
         scale = 100. / abs(self.shipped(quantity))
         added = f"{scale * (values[-1] - self.shipped(quantity)):+.1f}"
         bar = self.rows[quantity]["error bar"]
         spread = max(values[-3:]) - min(values[-3:])
         return f"{added} ± {scale * float(bar):.1f}" if bar else f"{added} in {scale * spread:.1f}"
-
-
-def whole_order(text):
-    """1 or 2 where what is observed is near it, else None."""
-    order = float(text or "nan")
-    return 1 if abs(order - 1.) <= 0.35 else 2 if abs(order - 2.) <= 0.5 else None
 
 
 def ladder_of(case, name):
@@ -92,7 +87,7 @@ def ladder_of(case, name):
 
 def level_of_case(case, name):
     """From the coarsest on."""
-    return {"particles": PARTICLES.get(case, OTHER_PARTICLES)[1], "mesh": 1, "step": 0}[name]
+    return {"particles": PARTICLES.get(case, OTHER_PARTICLES)[1], "mesh": 2, "step": 0}[name]
 
 
 def folder_of(folder, case, kind, name):
@@ -118,20 +113,29 @@ def converge(program, folder, case, kind, name, extra):
     return read(folder, case, kind, name) if done.returncode in (0, 3) else None  # 3: levels were lost, and its table says so
 
 
+def limit_rows(quantity, of_orders):
+    """One row, [quantity, order, limit, half interval], where the ladder converges and rejects all ORDERS but one; else none."""
+    if any(rows.get(quantity, {}).get("ladder") != "converges" for rows in of_orders.values()):
+        return []
+    left = [(order, rows[quantity]) for order, rows in of_orders.items()
+            if float(rows[quantity]["p-value of known order [-]"] or "nan") >= SIGNIFICANCE]
+    return [[quantity, order, row["extrapolated by known order"], row["half of its 95 % interval"]] for order, row in left
+            if len(left) == 1]
+
+
 def climb(program, folder, case, kind, name, extra):
-    """Also limits.csv: of each quantity the whole order that the particles show, h -> 0 by it and half of its interval."""
+    """Of six levels of particles and more also limits.csv; converge.csv is that of no given order."""
+    limits = folder_of(folder, case, kind, "limits.csv")
+    if name == "particles" and os.path.exists(limits):
+        os.remove(limits)
+    is_long = name == "particles" and PARTICLES.get(case, OTHER_PARTICLES)[0] >= FEWEST_OF_AN_ORDER
+    by_order = {order: converge(program, folder, case, kind, name, [*extra, "--order", str(order)]) for order in ORDERS if is_long}
     ladder = converge(program, folder, case, kind, name, extra)
-    if name != "particles" or not ladder or PARTICLES.get(case, OTHER_PARTICLES)[0] < FEWEST_OF_AN_ORDER:
-        return ladder
-    by_order = {order: converge(program, folder, case, kind, name, [*extra, "--order", str(order)]) for order in (1, 2)}
-    with open(folder_of(folder, case, kind, "limits.csv"), "w", newline="") as file:
-        out = csv.writer(file)
-        out.writerow(["quantity", "order", "limit", "half interval"])
-        for quantity, row in ladder.rows.items():
-            order = whole_order(row["observed order [-]"])
-            if order and by_order[order].rows[quantity]["limit by it"]:
-                of_order = by_order[order].rows[quantity]
-                out.writerow([quantity, order, of_order["limit by it"], of_order["half of its 95 % interval"]])
+    if ladder and is_long and all(by_order.values()):
+        of_orders = {order: each.rows for order, each in by_order.items()}
+        with open(limits, "w", newline="") as file:
+            csv.writer(file).writerows([["quantity", "order", "limit", "half interval"],
+                                        *(row for quantity in ladder.rows for row in limit_rows(quantity, of_orders))])
     return ladder
 
 
@@ -145,7 +149,7 @@ def limits_of(folder, case, kind):
 
 
 def limit_cell(row, shipped):
-    if not row:
+    if not row or not shipped:
         return "–"
     scale = 100. / abs(shipped)
     return f"{scale * (float(row['limit']) - shipped):+.1f} ± {scale * float(row['half interval']):.1f} (order {row['order']})"

@@ -21,22 +21,31 @@ def impulses(folder):
     return found
 
 
-def check_limits(expect, ladder, limits):
-    """The intercepts of straight lines over h^p, of the quantities whose observed order is near a whole one."""
+def check_limits(expect, ladder):
+    """Of a ladder with `--order 1`: the intercepts of straight lines over h."""
     for quantity, row in ladder.rows.items():
-        order, values = error_bars.whole_order(row["observed order [-]"]), ladder.values(quantity)
-        expect(f"{quantity}: a limit where there is an order", (quantity in limits) == bool(order and values))
-        if quantity in limits:
-            sizes = [float(key.split()[3])**order for key in row if key.startswith("at h = ")]
-            line = statistics.linear_regression(sizes, values)
-            found = float(limits[quantity]["limit"])
-            expect(f"{quantity}: {found}, {line}", abs(found - line.intercept) <= 1e-9 * max(map(abs, values)))  # of round-off
-            if ladder.shipped(quantity) == 0.:
-                continue  # has no line in the tables
-            shipped = ladder.shipped(quantity)
-            cell, added = error_bars.limit_cell(limits[quantity], shipped), 100 * (line.intercept - shipped) / abs(shipped)
-            expect(f"{quantity}: {cell}", cell.startswith(f"{added:+.1f} ") and f"(order {order})" in cell)
-    expect("some quantity has a limit", limits)
+        values, limit = ladder.values(quantity), row["extrapolated by known order"]
+        expect(f"{quantity}: a limit where there are values", bool(limit) == bool(values))
+        if limit:
+            line = statistics.linear_regression([float(key.split()[3]) for key in row if key.startswith("at h = ")], values)
+            expect(f"{quantity}: {limit}, {line}", abs(float(limit) - line.intercept) <= 1e-9 * max(map(abs, values)))  # of round-off
+    expect("some quantity has a limit", any(row["extrapolated by known order"] for row in ladder.rows.values()))
+
+
+def check_choice(expect):
+    """A limit where the ladder converges and one order alone is left."""
+    def of(p_values, ladder="converges"):
+        rows = {order: {"tip": {"ladder": ladder, "p-value of known order [-]": p, "extrapolated by known order": f"1.{order}",
+                                "half of its 95 % interval": f"0.0{order}"}} for order, p in zip((1, 2), p_values)}
+        return error_bars.limit_rows("tip", rows)
+    expect("order 1 is left", of(("0.4", "0.01")) == [["tip", 1, "1.1", "0.01"]])
+    expect("order 2 is left", of(("1e-4", "0.05")) == [["tip", 2, "1.2", "0.02"]])
+    expect("both are left", of(("0.4", "0.2")) == [])
+    expect("none is left", of(("0.01", "0.02")) == [])
+    expect("no test", of(("", "")) == [])
+    expect("no order", of(("0.4", "0.01"), "scatters") == [])
+    cell = error_bars.limit_cell({"order": "2", "limit": "1.2", "half interval": "0.02"}, 1.25)
+    expect(f"its cell: {cell}", cell == "-4.0 ± 1.6 (order 2)")
 
 
 def main():
@@ -57,12 +66,11 @@ def main():
             expect(f"{name}: {cell}, runs {runs}", cell.startswith(f"{100 * (two / one - 1):+.1f} "))
         step = ladders["step"]
         expect("the step's ladder begins at the case", step.shipped("Contact: impulse (norm)") == step.values("Contact: impulse (norm)")[0])
-        expect("orders near whole ones", [error_bars.whole_order(text) for text in ("", "0.6", "0.9", "1.3", "1.4", "1.6", "2.5", "4")] ==
-               [None, None, 1, 1, None, 2, 2, None])
-        error_bars.whole_order = lambda text: 1 # so short a strike shows none
-        error_bars.climb(sys.argv[1], folder, "sheath", "shell", "particles", COARSE)
+        check_choice(expect)
         limits = error_bars.limits_of(folder, "sheath", "shell")
-        check_limits(expect, ladders["particles"], limits)
+        expect("limits are looked for", (pathlib.Path(folder) / "sheath-shell" / "limits.csv").exists())
+        expect("the ladder's own table is that of no order", not any(row["known order [-]"] for row in ladders["particles"].rows.values()))
+        check_limits(expect, error_bars.converge(sys.argv[1], folder, "sheath", "shell", "particles", [*COARSE, "--order", "1"]))
         lines = list(error_bars.lines_of("sheath", "shell", ladders, limits))
         print("\n".join(lines))
         expect("no plastic work and no permanent deflection yet", len(lines) == 3)

@@ -40,9 +40,11 @@ namespace birdstrike
   };
 
   /// Removes particles whose ballistic path misses `box` and that are loose: alone within their support, or cavitated
-  /// (mu < -0.01) with only cavitated neighbours. Unstrained liquid never counts as loose, so that a release wave from
-  /// the strike still finds it. Columns are compacted in order; neighbour lists made before become invalid.
-  /// `specific_energy` is what a particle stores (J/kg); without it, the energy equation's.
+  /// (mu < -0.01) with only cavitated neighbours, where tension is cut off: else such liquid pulls. Unstrained liquid
+  /// never counts as loose, so that a release wave from the strike still finds it. Columns are compacted in order;
+  /// neighbour lists made before become invalid. `specific_energy` is what a particle stores (J/kg); without it, the
+  /// energy equation's.
   RetiredShare retire_particles(Particles &particles, const Box &box,
-                                const std::function<double(std::size_t p)> &specific_energy = {});
+                                const std::function<double(std::size_t p)> &specific_energy = {},
+                                bool                                        has_cutoff      = true);
 } // namespace birdstrike

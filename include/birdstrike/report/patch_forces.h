@@ -5,6 +5,7 @@
 #include <birdstrike/structure/histories.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace birdstrike
@@ -14,8 +15,9 @@ namespace birdstrike
   /// the surface without overlap sum up to the whole contact force:
   ///   F = sum_n w_n f_n,   pressure = |sum_n w_n f_n . n_n| / A,   impulse = integral of F,
   /// n_n the mean normal of the node's facets in the patch, A the patch's area, of the present surface; the impulse by
-  /// the trapezoidal rule over every evaluation of contact, as the half kicks give it to the blade. Facets that erosion
-  /// bares belong to no patch.
+  /// the trapezoidal rule over every evaluation of contact, as the half kicks give it to the blade. A node inside of
+  /// bricks, on no facet until erosion bares it, counts whole where it lies in the ball or box itself (but in no
+  /// blade's patch of a row); n_n and A stay those of the first facets.
   ///
   /// Of a shell each facet stands for both of its sides. The skin of bricks has two facets there, which look opposite
   /// ways: as the undeformed normals say, each facet of a patch is on one side or the other of the axis that most of
@@ -59,8 +61,9 @@ namespace birdstrike
       Point3                force = Point3::Zero(), impulse = Point3::Zero(); ///< N, N s
       double                peak = 0.;                                        ///< N, since the last row
     };
-    template <class Holds>
-    void   add(const std::string &name, const FacetsView &surface, const Holds &holds); ///< holds(facet, its middle)
+    template <class Holds> ///< holds(facet, its middle); `inside`, of nodes on no facet: none are held without it
+    void   add(const std::string &name, const FacetsView &surface, const Holds &holds,
+               const std::function<bool(const Point3 &)> &inside = {});
     void   add_columns(const std::string &name, std::size_t n_facets);
     void   find_sides(Patch &patch) const;
     Point3 area_vector(const Patch &patch, const Facet &facet) const; ///< m^2, present

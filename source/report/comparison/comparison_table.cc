@@ -40,6 +40,14 @@ namespace birdstrike
       names += (names.empty() ? "'" : ", '") + name + "'";
     }
 
+    /// Less the first: what spin and steady loads did before the strike is not permanent.
+    std::vector<double> change_of(std::vector<double> values)
+    {
+      for (const double first = values[0]; double &value : values)
+        value -= first;
+      return values;
+    }
+
     double compute_impulse(const RunRecord &run)
     {
       const Summary &summary = run.summary();
@@ -192,9 +200,10 @@ namespace birdstrike
         const RunRecord &record  = run.record;
         const bool       has_tip = record.is_complete() && !record.column("tip_mid_chord").empty() && !is_rigid(record),
                    is_pushed     = has_tip && has_warning(record, unfinished_contact);
-        const auto mean          = has_tip && !is_pushed
-                                     ? compute_mean_over_last_period(record.column("time"), record.column("tip_mid_chord"))
-                                     : std::nullopt;
+        const auto mean =
+          has_tip && !is_pushed
+            ? compute_mean_over_last_period(record.column("time"), change_of(record.column("tip_mid_chord")))
+            : std::nullopt;
         row.values.push_back(mean ? mean->mean : absent);
         if (mean)
           how += (how.empty() ? "" : "; ") + run.name + ": " + format_quantity(mean->period, "s") + " from " +
@@ -204,8 +213,9 @@ namespace birdstrike
       }
     add_row(row);
     if (!how.empty())
-      remarks.push_back("Permanent deflection: mean over the last whole period of the tip after its peak (" + how +
-                        ").");
+      remarks.push_back("Permanent deflection: mean over the last whole period of the tip after its peak, less the "
+                        "deflection before the strike (" +
+                        how + ").");
     if (!pushed.empty())
       remarks.push_back("Permanent deflection: none for " + pushed +
                         ", where the bird still pushes on the blade at the end; a later Time/End time gives it.");

@@ -82,7 +82,9 @@ namespace birdstrike
       else
         {
           const std::vector<double> numbers = parse(patch, text);
-          add(patch, surface, [&](std::size_t, const Point3 &middle) { return holds(numbers, middle); });
+          add(
+            patch, surface, [&](std::size_t, const Point3 &middle) { return holds(numbers, middle); },
+            [&](const Point3 &x) { return holds(numbers, x); });
           patches.back().plane = SymmetryPlane(surface.plane.exists() && is_on_plane(patch, numbers));
         }
     for (unsigned int place = 1; place <= places.size(); ++place)
@@ -97,7 +99,8 @@ namespace birdstrike
   }
 
   template <class Holds>
-  void PatchForces::add(const std::string &patch_name, const FacetsView &surface, const Holds &holds)
+  void PatchForces::add(const std::string &patch_name, const FacetsView &surface, const Holds &holds,
+                        const std::function<bool(const Point3 &)> &inside)
   {
     Patch                                     patch;
     std::vector<std::array<std::uint32_t, 4>> held;
@@ -126,6 +129,8 @@ namespace birdstrike
           place[n] = static_cast<std::uint32_t>(patch.nodes.size());
           patch.nodes.push_back({n, here[n] / all[n], surface.plane.exists() && position[3 * n + 1] == 0.});
         }
+      else if (all[n] == 0. && inside && inside(Point3(position + 3 * n)))
+        patch.nodes.push_back({n, 1., surface.plane.exists() && position[3 * n + 1] == 0.});
     for (const auto &nodes : held)
       patch.facets.push_back({{place[nodes[0]], place[nodes[1]], place[nodes[2]], place[nodes[3]]}, 1.});
     if (!surface.two_sided)

@@ -92,6 +92,21 @@ namespace birdstrike
       return column.values;
     }
 
+    /// The filter rings out beyond both ends, where nothing was computed.
+    void cut_to_run(RunCurve &curve, const std::filesystem::path &run)
+    {
+      const double        end = DataTable(run / "history.csv").column("time").values.back();
+      std::vector<double> x, y;
+      for (std::size_t k = 0; k < curve.x.size(); ++k)
+        if (curve.x[k] >= 0. && curve.x[k] <= end)
+          {
+            x.push_back(curve.x[k]);
+            y.push_back(curve.y[k]);
+          }
+      curve.x = std::move(x);
+      curve.y = std::move(y);
+    }
+
     RunCurve read_column(const std::filesystem::path &run, const std::string &quantity, const std::string &name)
     {
       const auto        slash  = name.find('/');
@@ -115,6 +130,8 @@ namespace birdstrike
           curve.y                  = whole(data, found);
           curve.unit               = found.unit;
         }
+      if (table == filtered_table)
+        cut_to_run(curve, run);
       return curve;
     }
   } // namespace

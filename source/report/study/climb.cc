@@ -20,6 +20,9 @@ namespace birdstrike
     constexpr double small_bar            = 0.5; ///< of what is allowed: then even a bar without an order will do
     constexpr double factor_without_order = 3.;
 
+    /// Of four levels the test of an order that is wrong by one rejects a half at best (scatter of 6 % of the change).
+    constexpr std::size_t fewest_of_a_test = 5;
+
     double largest_change(const std::vector<double> &values)
     {
       const std::size_t n       = std::min<std::size_t>(values.size(), 3);
@@ -179,7 +182,12 @@ namespace birdstrike
   bool ClimbAxis::is_trusted(const double allowed) const
   {
     if (known_order && is_refined())
-      return limit() && estimate().trend != Trend::diverging;
+      {
+        const auto  fit   = limit();
+        const Trend trend = estimate().trend;
+        return fit && values.size() >= fewest_of_a_test && fit->limit * values.back() > 0. &&
+               (trend == Trend::settled || (!fit->rejects_order() && trend != Trend::diverging));
+      }
     return !is_refined() || estimate().is_trusted() || bar() <= small_bar * allowed;
   }
 

@@ -61,7 +61,8 @@ namespace birdstrike
 
     /// Whether errors may be claimed: the ladder's estimate is trusted, or its bar, by the larger factor of safety, is
     /// below half of what is allowed: of three levels, then all changes are below a sixth of that. With an order that
-    /// is known: whether there is a limit, and the values do not part.
+    /// is known: whether there is a limit, of the finest value's sign, and five levels and more do not reject the order
+    /// nor part, or have settled.
     bool is_trusted(double allowed) const;
 
     /// What one more level would take off the error of the finest, by the order that is seen, else by one.

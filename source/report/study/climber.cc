@@ -114,7 +114,10 @@ namespace birdstrike
             made[k].point.name +
             ", or the bird still pushes there: it may be no peak yet.\n  Action: a later Time/End time.");
         const double seconds = record.summary().number("cost/wall");
-        runs.emplace(wanted[k], KnownRun{row.values[0], seconds, made[k].folder});
+        runs.emplace(wanted[k], KnownRun{row.values[0],
+                                         seconds,
+                                         made[k].folder,
+                                         {"'" + made[k].point.name + "'", record.summary().warnings()}});
       }
   }
 

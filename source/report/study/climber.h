@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/comparison/warning_digest.h"
 #include "report/study/climb.h"
 #include "report/study/refinement.h"
 #include "report/study/study_runs.h"
@@ -43,13 +44,15 @@ namespace birdstrike
     Answer climb(); ///< throws NumericalFailure where nothing can be claimed
 
     std::string describe(const Answer &answer) const;
-    std::string as_csv() const; ///< a row a run
+    std::string warnings_as_text() const; ///< of all runs, a line a code
+    std::string as_csv() const;           ///< a row a run
 
   private:
     struct KnownRun
     {
       double                value, seconds;
       std::filesystem::path folder;
+      WarnedRun             warned;
     };
 
     const TargetRequest                     request;

@@ -45,7 +45,9 @@ namespace birdstrike
   {
     const double allowed = allowed_error();
     if (!axes[0].is_trusted(allowed) || !axes[1].is_trusted(allowed))
-      return "a larger target, or a case whose ladders converge (birdstrike converge)";
+      return axes[0].known_order && !axes[0].is_trusted(allowed)
+               ? "another --bird-order, or none; birdstrike converge shows what a longer ladder has"
+               : "a larger target, or a case whose ladders converge (birdstrike converge)";
     const double errors = axes[0].errors().back() + axes[1].errors().back() + interaction;
     return fmt::format("a target well above {}, or {} in the case: the finest levels are half of its own sizes",
                        format_share(target.share * errors / allowed), name_refinements(axes[0], axes[1]));
@@ -56,9 +58,11 @@ namespace birdstrike
     if (!axes[a].is_refined())
       return axes[a].name + ": not refined, its error is in no bar";
     if (const auto fit = axes[a].limit())
-      return fmt::format("{}: {} levels to {}, order {:g} as given: {} more takes the finest to h = 0, +- {}",
+      return fmt::format("{}: {} levels to {}, order {:g} as given{}: {} more takes the finest to h = 0, +- {}",
                          axes[a].name, axes[a].sizes.size(), format_quantity(axes[a].sizes.back(), "m"),
-                         *axes[a].known_order, format_value(axes[a].correction(axes[a].sizes.size() - 1), row.unit),
+                         *axes[a].known_order,
+                         fit->rejects_order() ? fmt::format(", which they reject (p = {:.2g})", fit->p_value) : "",
+                         format_value(axes[a].correction(axes[a].sizes.size() - 1), row.unit),
                          show_share(fit->half_interval, fit->limit));
     const GridConvergence made = axes[a].estimate();
     return fmt::format(
@@ -78,6 +82,17 @@ namespace birdstrike
     for (const auto &[place, known] : runs)
       text += fmt::format("{},{},{},{},{}\n", size_of(0, place.first), size_of(1, place.second), known.value,
                           known.seconds, csv_field(known.folder.string()));
+    return text;
+  }
+
+  std::string Climber::warnings_as_text() const
+  {
+    std::vector<WarnedRun> all;
+    for (const auto &[place, known] : runs)
+      all.push_back(known.warned);
+    std::string text;
+    for (const std::string &line : digest_warnings(all))
+      text += line + "\n";
     return text;
   }
 

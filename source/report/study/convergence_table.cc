@@ -14,13 +14,29 @@ namespace birdstrike
   {
     constexpr auto nothing = "-";
 
+    /// None without the finest value, or fewer than four in all.
+    std::optional<KnownOrderFit> fit_what_is_there(const double order, const std::vector<double> &sizes,
+                                                   const std::vector<double> &values)
+    {
+      std::vector<double> h, f;
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (std::isfinite(values[k]))
+          {
+            h.push_back(sizes[k]);
+            f.push_back(values[k]);
+          }
+      if (!std::isfinite(values[0]) || f.size() < fewest_of_an_interval)
+        return std::nullopt;
+      return fit_known_order(order, h, f);
+    }
+
     ConvergingRow make_row(const ComparisonRow &row, const std::vector<double> &sizes,
                            const std::optional<double> order)
     {
       const std::vector<double> values(row.values.rbegin(), row.values.rend());
       ConvergingRow             made{&row, values, estimate_convergence(sizes, values), {}};
-      if (order && std::ranges::all_of(values, [](const double value) { return std::isfinite(value); }))
-        made.of_known_order = fit_known_order(*order, sizes, values);
+      if (order)
+        made.of_known_order = fit_what_is_there(*order, sizes, values);
       return made;
     }
 
@@ -54,22 +70,32 @@ namespace birdstrike
     std::string describe_interval(const std::optional<double> order)
     {
       return order ? fmt::format("Order {:g}, h -> 0: of the fit with this order, with its 95 % confidence interval, "
-                                 "which holds scatter alone.\n",
+                                 "which holds scatter alone;\nrejected: another order fits better than scatter "
+                                 "explains, at the 5 % level (Box, Tidwell 1962).\n",
                                  *order)
                    : "";
     }
 
-    /// Two: the value by the known order, and half of its interval over it.
+    /// Two: the value by the known order, and half of its interval, in percent of it unless that holds zero.
     std::vector<std::string> show_limit(const std::optional<KnownOrderFit> &fit, const std::string &unit)
     {
       if (!fit)
         return {nothing, nothing};
-      return {show(fit->limit, unit), "+- " + show_share(std::abs(fit->half_interval / fit->limit))};
+      return {show(fit->limit, unit),
+              "+- " + (fit->half_interval < std::abs(fit->limit) ? show_share(fit->half_interval / std::abs(fit->limit))
+                                                                 : show(fit->half_interval, unit))};
     }
 
     std::string csv_limit(const std::optional<double> order, const std::optional<KnownOrderFit> &fit)
     {
-      return fit ? fmt::format(",{},{},{}", *order, fit->limit, fit->half_interval) : ",,,";
+      return "," + (order ? csv_number(*order) : "") +
+             (fit ? fmt::format(",{},{},", fit->limit, fit->half_interval) + csv_number(fit->p_value) : ",,,");
+    }
+
+    std::string describe_test(const std::optional<double> order, const std::optional<KnownOrderFit> &fit)
+    {
+      return fit && fit->rejects_order() ? fmt::format("; order {:g} is rejected, p = {:.2g}", *order, fit->p_value)
+                                         : "";
     }
 
     /// The finest value with its bar, and the way from there to Richardson's value.
@@ -133,6 +159,7 @@ namespace birdstrike
           std::ranges::move(show_limit(each.of_known_order, each.row->unit), std::back_inserter(line));
         line.push_back(describe(made.trend) +
                        (made.n_fitted < sizes.size() && made.n_fitted > 0 ? "; of " + made.method() : "") +
+                       describe_test(known_order, each.of_known_order) +
                        (each.is_rising() ? "; still rising at the end, no peak, or still pushed by the bird" : ""));
         cells.push_back(std::move(line));
       }
@@ -145,7 +172,8 @@ namespace birdstrike
     for (auto size = sizes.rbegin(); size != sizes.rend(); ++size)
       text += fmt::format(",at h = {} {}", *size, size_unit(refinement));
     text += ",observed order [-],extrapolated,change [-],extrapolated error [-],GCI [-],error bar,GCI ratio [-],method,"
-            "standard deviation,known order [-],limit by it,half of its 95 % interval,still rising,ladder\n";
+            "standard deviation,known order [-],extrapolated by known order,"
+            "half of its 95 % interval,p-value of known order [-],still rising,ladder\n";
     for (const ConvergingRow &each : all)
       {
         const GridConvergence &made = each.estimate;

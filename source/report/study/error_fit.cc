@@ -17,9 +17,10 @@ namespace birdstrike
   {
     constexpr double absent       = std::numeric_limits<double>::quiet_NaN();
     constexpr double lowest_order = 0.5, highest_order = 2.;
-    constexpr double largest_order        = 10.;
     constexpr int    n_orders             = 200; ///< on either side of zero
     constexpr double factor_without_trend = 3.;
+    constexpr double significance         = 0.05;
+    constexpr double round_off            = 1e-12; ///< of changes: what is left of values that are a power
 
     using Values = Eigen::Map<const Eigen::VectorXd>;
 
@@ -111,6 +112,21 @@ namespace birdstrike
       throw std::logic_error("no expansion");
     }
 
+    /// Of beta = 0 in phi_0 + alpha x + beta x ln x, where phi_0 + alpha x leaves `sum` of squares.
+    double test_power(const Eigen::VectorXd &x, const Eigen::VectorXd &phi, const double sum)
+    {
+      const double freedom = static_cast<double>(x.size()) - 3.;
+      if (freedom < 1.)
+        return absent;
+      if (std::sqrt(sum) <= round_off * (phi.maxCoeff() - phi.minCoeff()))
+        return 1.;
+      Eigen::MatrixXd both(x.size(), 2);
+      both << x, x.cwiseProduct(x.array().log().matrix());
+      const double with_it = solve(both, phi, Eigen::VectorXd::Ones(x.size())).sum;
+      const double t       = std::sqrt(std::max(sum - with_it, 0.) / (with_it / freedom)); // infinite where it is exact
+      return 2. * boost::math::cdf(boost::math::complement(boost::math::students_t(freedom), t));
+    }
+
     bool is_in_range(const ErrorFit &fit)
     {
       return fit.order >= lowest_order && fit.order <= highest_order;
@@ -178,6 +194,11 @@ namespace birdstrike
     return (largest - smallest) / static_cast<double>(values.size() - 1);
   }
 
+  bool KnownOrderFit::rejects_order() const
+  {
+    return p_value < significance;
+  }
+
   KnownOrderFit fit_known_order(const double order, const std::span<const double> sizes,
                                 const std::span<const double> values)
   {
@@ -191,7 +212,7 @@ namespace birdstrike
     const double          mean  = x.mean();
     const double          share = 1. / static_cast<double>(n) + mean * mean / (x.array() - mean).square().sum();
     const double          t     = boost::math::quantile(boost::math::students_t(freedom), 0.975);
-    return {values[0] + fit.coefficients[0], t * std::sqrt(fit.sum / freedom * share)};
+    return {values[0] + fit.coefficients[0], t * std::sqrt(fit.sum / freedom * share), test_power(x, phi, fit.sum)};
   }
 
   double uncertainty(const ErrorFit &fit, const double range, const double factor)

@@ -73,6 +73,9 @@ namespace birdstrike
   {
     double limit;         ///< phi_0, of the values' unit
     double half_interval; ///< of the 95 % confidence interval of phi_0
+    double p_value;       ///< of the test of the order; NaN of three values
+
+    bool rejects_order() const; ///< p_value below 5 %
   };
 
   /// By least squares, all values alike: the interval of a straight line's intercept over x = h^p,
@@ -80,7 +83,9 @@ namespace birdstrike
   ///   t s sqrt(1/n + mean(x)^2/sum (x_i - mean(x))^2),  s^2 = sum (phi_i - fit(h_i))^2/(n - 2),
   ///
   /// t Student's 97.5 % quantile of n - 2 degrees of freedom (N. Draper, H. Smith: Applied regression analysis, Wiley
-  /// 1998, section 1.4). It holds scatter alone: a wrong order is in no interval.
+  /// 1998, section 1.4). It holds scatter alone: a wrong order is in no interval. The order is tested by a third term,
+  /// beta x ln x, which is what a slightly different power adds (G. Box, P. Tidwell: Transformation of the independent
+  /// variables, Technometrics 4 (1962) 531): p_value is that of beta = 0, of Student's t with n - 3 degrees of freedom.
   ///
   /// Throws std::logic_error for fewer than three values, another number of sizes, or an order that is not positive.
   KnownOrderFit fit_known_order(double order, std::span<const double> sizes, std::span<const double> values);

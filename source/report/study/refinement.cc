@@ -14,7 +14,8 @@ namespace birdstrike
     constexpr std::size_t fewest_levels = 3, most_levels = 8;
     constexpr double      highest_order  = 4.;
     constexpr double      smallest_ratio = 1.05; ///< below, changes drown in what has no order; Celik et al.: 1.3
-    bool                  refines_mesh(const Refinement refinement)
+
+    bool refines_mesh(const Refinement refinement)
     {
       return refinement == Refinement::mesh || refinement == Refinement::both;
     }
@@ -29,9 +30,13 @@ namespace birdstrike
       const BladeParameters &blade = parameters.blade;
       if (refines_bird(refinement) && !parameters.bird.enabled)
         throw InputError("There is no bird whose particles could be refined.\n  Action: --vary mesh, step or points.");
-      if (refines_mesh(refinement) && (blade.kind == BladeKind::none || blade.mesh.generator == MeshGenerator::file))
+      const bool is_one_facet = blade.kind == BladeKind::rigid && blade.rigid.surface == RigidSurface::rectangle;
+      if (refines_mesh(refinement) &&
+          (blade.kind == BladeKind::none || is_one_facet || blade.mesh.generator == MeshGenerator::file))
         throw InputError(std::string("There is no built-in blade whose mesh could be refined: ") +
-                         (blade.kind == BladeKind::none ? "Blade/Kind is none" : "it comes from a file") +
+                         (blade.kind == BladeKind::none ? "Blade/Kind is none"
+                          : is_one_facet                ? "a rigid plate is one facet"
+                                                        : "it comes from a file") +
                          ".\n  Action: --vary particles, or a study over Blade/Mesh/File with a finer file each.");
     }
 
@@ -66,9 +71,8 @@ namespace birdstrike
   {
     if (!(order > 0.) || order > highest_order)
       throw InputError(
-        fmt::format("{} {:g}.\n  Allowed: above 0, at most {:g}; that of the particles is 1 where an edge "
-                    "cuts the bird.",
-                    option, order, highest_order));
+        fmt::format("{} {:g}.\n  Allowed: above 0, at most {:g}; the order that a longer ladder has shown.", option,
+                    order, highest_order));
     return order;
   }
 

@@ -34,10 +34,12 @@ namespace birdstrike
     catch (const NumericalFailure &)
       {
         folder.write_text("target.csv", climber.as_csv());
+        log().info("\n{}", climber.warnings_as_text());
         throw;
       }
     folder.write_text("target.csv", climber.as_csv());
     const std::chrono::duration<double> taken = Clock::now() - begin;
-    log().info("\n{}\n  in {} altogether", climber.describe(answer), format_duration(taken.count()));
+    log().info("\n{}\n  in {} altogether\n{}", climber.describe(answer), format_duration(taken.count()),
+               climber.warnings_as_text());
   }
 } // namespace birdstrike

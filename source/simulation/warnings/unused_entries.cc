@@ -37,6 +37,8 @@ namespace birdstrike
         add_row();
         add_rigid();
         add_liquids();
+        for (const BirdCase &each : parameters.birds())
+          add_correction(each.bird);
         for (const CaseParameters::FurtherBird &each : parameters.further_birds)
           if (!each.bird.enabled && parameters.file.is_changed(each.bird.section))
             warnings.push_back(
@@ -137,6 +139,17 @@ namespace birdstrike
               (number == 0 || blade.sections[number - 1].material.name != BladeParameters::Section::same))
             for (const UnusedEntry &entry : unused_entries(of_section.material))
               add("Blade/" + BladeParameters::section_path(number) + "Material/" + entry.name, true, entry.reason);
+      }
+
+      void add_correction(const BirdParameters &bird)
+      {
+        const std::string path = bird.section + "/Correction interval";
+        if (!bird.enabled || bird.correction_interval == BirdParameters().correction_interval)
+          return;
+        add(path, !bird.is_riemann(), "Formulation is standard");
+        add(path, bird.is_riemann() && !bird.gradient_correction, "Gradient correction is false");
+        add(path, bird.reconstruction == Reconstruction::linear, "linear reconstruction renews the matrices at each");
+        add(path, bird.has_strength(), "a bird with strength renews the matrices at each");
       }
 
       /// What a further bird has of the first one is told of that one alone.

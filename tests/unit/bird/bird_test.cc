@@ -223,6 +223,18 @@ TEST(Bird, OnlyLooseParticlesThatMissTheBladeRetire)
   EXPECT_TRUE(std::isinf(bird.step_limit().value)) << "nobody is left to vote";
 }
 
+TEST(Bird, LiquidUnderTensionIsNotLoose)
+{
+  ThreadPool     pool(1);
+  BirdParameters pulled = small_bird();
+  pulled.tension_cutoff = false;
+  Bird         bird(pulled, EosParameters(), pool);
+  const double z = bird.packing().centre[2];
+  const Box    behind{{{-0.1, -0.1, z - 0.31}}, {{0.1, 0.1, z - 0.3}}};
+  bird.set_state([](Point3 &, Point3 &, double &mu) { mu = -0.05; });
+  EXPECT_EQ(bird.retire(behind), 0u) << "-6 MPa hold it together";
+}
+
 TEST(Bird, ALostStateIsReportedWithItsParticle)
 {
   ThreadPool pool(2);

@@ -131,6 +131,19 @@ TEST(Climb, TakesALadderOfAKnownOrderToItsLimit)
   EXPECT_FALSE(parts.is_trusted(1.)) << "a line can be laid through values that have no limit";
 }
 
+TEST(Climb, TrustsNoOrderThatItsLevelsContradict)
+{
+  ClimbAxis second   = axis_of_power(2., 0.1, 5);
+  second.known_order = 2.;
+  EXPECT_TRUE(second.is_trusted(1e-9));
+  second.known_order = 1.;
+  EXPECT_FALSE(second.is_trusted(1.)) << "exactly of the second order";
+  // A line that ends below zero: 0.9, 0.5 less a unit.
+  ClimbAxis beyond{"bird", {5., 4., 3., 2., 1.}, {0.9, 0.7001, 0.5, 0.2999, 0.1}, 1.};
+  EXPECT_LT(beyond.limit()->limit, 0.);
+  EXPECT_FALSE(beyond.is_trusted(1.)) << "of another sign than the finest";
+}
+
 TEST(Climb, ChoosesTheCoarsestMeshForEachBirdAndNeverBothAtTheirCoarsest)
 {
   const ClimbAxis bird = axis_of_power(2., 0.1, 4), mesh = axis_of_power(1., 0.1, 4);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -169,6 +171,48 @@ TEST(ErrorFit, IntervalOfAKnownOrderIsThatOfAnIntercept)
   EXPECT_NEAR(fit_known_order(2., roots, first).limit, 3.0001, 5e-5) << "the same line over h^2";
 }
 
+// The p-values are numpy's and scipy's (lstsq over 1, x, x ln x; stats.t). The second set is a parabola, and drawn to
+// be taken for a line by all that a line's own fit tells.
+TEST(ErrorFit, AnOrderThatTheValuesContradictIsRejected)
+{
+  const Values x{10, 8, 13, 9, 11, 14, 6, 4, 12, 7, 5};
+  const Values first{8.04, 6.95, 7.58, 8.81, 8.33, 9.96, 7.24, 4.26, 10.84, 4.82, 5.68};
+  const Values second{9.14, 8.14, 8.74, 8.77, 9.26, 8.10, 6.13, 3.10, 9.13, 7.26, 4.74};
+  EXPECT_NEAR(fit_known_order(1., x, first).p_value, 0.497944, 1e-6);
+  EXPECT_FALSE(fit_known_order(1., x, first).rejects_order());
+  EXPECT_NEAR(fit_known_order(1., x, second).p_value, 4.9637e-9, 1e-12);
+  EXPECT_TRUE(fit_known_order(1., x, second).rejects_order());
+  // Tip peaks of prm/oblique.prm, mm, with particles 1.2 apart: order 0.92 by least squares.
+  Values h{1.};
+  while (h.size() < 7)
+    h.push_back(1.2 * h.back());
+  const Values tips{196.7, 198.1, 199.1, 200.1, 202.6, 204.8, 206.6};
+  EXPECT_NEAR(fit_known_order(1., h, tips).p_value, 0.579065, 1e-6);
+  EXPECT_NEAR(fit_known_order(2., h, tips).p_value, 0.010368, 1e-6);
+  EXPECT_TRUE(std::isnan(fit_known_order(1., Values{1., 2., 3.}, Values{1., 2., 2.5}).p_value)) << "none to test it by";
+  EXPECT_FALSE(fit_known_order(1., Values{1., 2., 3.}, Values{1., 2., 2.5}).rejects_order());
+}
+
+TEST(ErrorFit, OneInTwentyOfLaddersOfTheOrderIsRejected)
+{
+  std::mt19937               engine(1);
+  std::normal_distribution<> scatter(0., 0.003);
+  const Values               h{1., 1.2, 1.44, 1.728, 2.0736, 2.48832};
+  constexpr int              n        = 4000;
+  std::array<int, 2>         rejected = {0, 0}; // the right order, the wrong one
+  for (int k = 0; k < n; ++k)
+    {
+      Values values = of_power(h, 1., 0.05, 1.);
+      for (double &value : values)
+        value += scatter(engine);
+      for (const std::size_t wrong : {0u, 1u})
+        if (fit_known_order(wrong == 0 ? 1. : 2., h, values).rejects_order())
+          ++rejected[wrong];
+    }
+  EXPECT_NEAR(rejected[0] / double(n), 0.05, 3. * std::sqrt(0.05 * 0.95 / n)) << "three standard deviations of a share";
+  EXPECT_GT(rejected[1], 4 * rejected[0]) << "a change of 0.07 shows the other order above scatter of 0.003";
+}
+
 TEST(ErrorFit, AKnownOrderLeavesNoIntervalOnItsPower)
 {
   for (const double p : {1., 2.})
@@ -177,6 +221,7 @@ TEST(ErrorFit, AKnownOrderLeavesNoIntervalOnItsPower)
       const KnownOrderFit fit = fit_known_order(p, h, of_power(h, 3., -0.05, p));
       EXPECT_NEAR(fit.limit, 3., 1e-13) << "round-off of the values over how little sizes differ";
       EXPECT_NEAR(fit.half_interval, 0., 1e-12);
+      EXPECT_EQ(fit.p_value, 1.) << "what is left is round-off";
     }
   EXPECT_THROW(fit_known_order(1., Values{1., 2.}, Values{1., 2.}), std::logic_error);
   EXPECT_THROW(fit_known_order(1., Values{1., 2., 3.}, Values{1., 2.}), std::logic_error);

@@ -101,6 +101,26 @@ namespace birdstrike::patch_forces_test
   constexpr std::size_t n_of_face = n_along * n_across;
   const char *const middle = "0.04 0.02 0 0.021", *const whole = "-1 -1 -1 1 1 1";
 
+  // A node between two layers is on no facet until bricks fail above it.
+  TEST(PatchForces, NodesThatErosionBaresCountWhereTheyLie)
+  {
+    PressedSurface plate = make_plate(true);
+    for (const double x : {0.04, 0.07})
+      plate.forces[3 * plate.node(x, 0.02, -0.5 * thickness) + 2] = 100.;
+    FacetsView view;
+    view.n_nodes  = plate.x.size() / 3;
+    view.position = plate.x.data();
+    view.n_facets = plate.facets.size();
+    view.nodes    = plate.facets.data();
+    PatchForces patches(std::string("m: ") + middle + "; w: " + whole, view);
+    patches.update({plate.forces.data(), 3}, 0.);
+    std::array<double, 16> row{};
+    patches.fill(row);
+    EXPECT_EQ(row[2], 100.) << "one of both";
+    EXPECT_EQ(row[10], 200.) << "all of the force";
+    EXPECT_EQ(row[4], 0.) << "pressure is that of the facets";
+  }
+
   // 5 MPa on one face is 5 MPa, on shells and on bricks, whose patches hold both faces and of the whole blade its rims:
   // node forces of a uniform pressure on equal facets are p times the area that the facets within have of each node, so
   // that the sum is exact.

@@ -81,6 +81,8 @@ TEST_F(Refining, RefusesWhatIsNoLadder)
   EXPECT_THROW(ladder("points", 3, 1.5, 3), InputError) << "23 points";
   EXPECT_THROW(ladder("particles", 3, 2., 0, {"Bird/Enabled=false"}), InputError);
   EXPECT_THROW(ladder("mesh", 3, 2., 0, {"Blade/Kind=none"}), InputError);
+  EXPECT_THROW(ladder("mesh", 3, 2., 0, {"Blade/Kind=rigid"}), InputError) << "a plate of one facet";
+  EXPECT_NO_THROW(ladder("mesh", 3, 2., 0, {"Blade/Kind=rigid", "Blade/Rigid/Surface=mesh"}));
 }
 
 TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
@@ -103,8 +105,7 @@ TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
   EXPECT_NEAR(peak->estimate.order, 2., 1e-6) << "round-off over changes of a hundredth";
   EXPECT_NEAR(peak->estimate.extrapolated, 0.2, 1e-9);
   EXPECT_NEAR(peak->estimate.bar, 1.25 * 0.004, 1e-9);
-  ASSERT_TRUE(peak->of_known_order);
-  EXPECT_NEAR(peak->of_known_order->limit, 0.2, 1e-9);
+  EXPECT_FALSE(peak->of_known_order) << "of three levels";
   EXPECT_NE(made.as_text().find("converges"), std::string::npos);
   const std::string csv   = made.as_csv();
   const std::size_t place = csv.find("\nTip: peak (mid-chord),m,");
@@ -117,8 +118,36 @@ TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
     EXPECT_NEAR(values[level], 0.2 + 1000. * std::pow(levels[level].size, 2.), 1e-15);
   const Figure       figure = made.make_figure();
   const FigurePanel &panel  = figure.panels[0];
-  ASSERT_EQ(panel.lines.size(), 4u);
+  ASSERT_EQ(panel.lines.size(), 3u);
   EXPECT_NEAR(panel.lines[1].bar[0], 0.005, 1e-9);
   EXPECT_NEAR(panel.lines[2].y[0], 0.2, 1e-9) << "at h = 0";
-  EXPECT_NEAR(panel.lines[3].y[0], 0.2, 1e-9) << "there too, by the known order";
+}
+
+TEST_F(Refining, TheTableSaysWhatAKnownOrderGives)
+{
+  const auto            levels = ladder("particles", 6, 1.5);
+  const StudyPlan       plan   = make_ladder_plan(Refinement::particles, levels);
+  std::vector<PointRun> runs;
+  for (const StudyPoint &point : make_ladder_points(levels))
+    {
+      RecordedRun run;
+      run.peak = 0.2 + 100. * std::pow(levels[runs.size()].size, 2.);
+      runs.push_back({point, scratch.path() / point.folder, "done", true, false, 0});
+      run.write(runs.back().folder, prm);
+    }
+  const StudyTable table(plan, runs);
+  const auto       peak_of = [&](const ConvergenceTable &made) {
+    return *std::ranges::find_if(made.rows(),
+                                       [](const ConvergingRow &row) { return row.row->quantity == "peak (mid-chord)"; });
+  };
+  const ConvergenceTable right(Refinement::particles, levels, table, 2.),
+    wrong(Refinement::particles, levels, table, 1.);
+  ASSERT_TRUE(peak_of(right).of_known_order);
+  EXPECT_NEAR(peak_of(right).of_known_order->limit, 0.2, 1e-9);
+  EXPECT_FALSE(peak_of(right).of_known_order->rejects_order());
+  EXPECT_NEAR(right.make_figure().panels[0].lines[3].y[0], 0.2, 1e-9) << "at h = 0";
+  EXPECT_TRUE(peak_of(wrong).of_known_order->rejects_order());
+  EXPECT_NE(wrong.as_text().find("; order 1 is rejected, p = "), std::string::npos) << wrong.as_text();
+  EXPECT_EQ(right.as_text().find("; order 2 is rejected"), std::string::npos);
+  EXPECT_NE(wrong.as_csv().find(",known order [-],extrapolated by known order,"), std::string::npos);
 }

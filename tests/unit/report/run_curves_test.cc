@@ -3,10 +3,31 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 
 #include "../io/scratch_folder.h"
 #include "recorded_run.h"
+
+// The filter's curve goes on where the run has ended, at 25.99 ms, and begins before it: no value was computed there.
+TEST(RunCurves, AFilteredForceIsThatOfTheRun)
+{
+  const ScratchFolder scratch;
+  RecordedRun         run;
+  const auto          folder = scratch.path() / "run";
+  run.write(folder, scratch.write("plate.prm", ""));
+  {
+    std::ofstream file(folder / "filtered.csv");
+    file << "time [s],contact_force_x [N],contact_force_y [N],contact_force_z [N]\n";
+    for (int k = -200; k <= 2800; ++k)
+      file << 1e-5 * k << ",3,0," << (k < 0 || k > 2599 ? 0 : 4) << "\n";
+  }
+  const auto force = birdstrike::read_run_curve(folder, "force");
+  EXPECT_EQ(force.x.front(), 0.);
+  EXPECT_NEAR(force.x.back(), 25.99e-3, 1e-12);
+  EXPECT_EQ(force.y.front(), 5.);
+  EXPECT_EQ(force.y.back(), 5.);
+}
 
 // A run made without a filter has no filtered.csv: what is wrong is its entry, not a file or a column.
 TEST(RunCurves, WithoutAFilterSayWhy)

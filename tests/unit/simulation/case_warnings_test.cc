@@ -111,6 +111,25 @@ TEST(CaseWarnings, NamesEntriesThatNoLawReads)
     }
 }
 
+TEST(CaseWarnings, NamesACorrectionIntervalThatNoPairsRead)
+{
+  using Texts = std::vector<std::string>;
+  for (Texts way :
+       {Texts{"Bird/Reconstruction=linear"}, Texts{"Bird/Gradient correction=false"},
+        Texts{"Bird/Formulation=standard"}, Texts{"Bird/Strength/Shear modulus=2e6", "Bird/Strength/Yield stress=2e4"}})
+    {
+      way.emplace_back("Bird/Correction interval=8");
+      const Warnings warnings = of_inputs(way);
+      EXPECT_TRUE(std::ranges::any_of(warnings,
+                                      [](const Warning &each) {
+                                        return each.text.starts_with(
+                                          "Bird/Correction interval is set, and means nothing");
+                                      }))
+        << way[0];
+    }
+  EXPECT_TRUE(of_inputs({"Bird/Correction interval=8"}).empty());
+}
+
 // The same entries where a law reads them, and those that say what is there anyway.
 TEST(CaseWarnings, SaysNothingOfEntriesThatAreUsed)
 {
