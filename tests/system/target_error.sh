@@ -11,7 +11,8 @@ require "every run has its folder and its row" '[ "$(ls -d claim/*/ | wc -l)" -e
 stamps=$(stat -c %Y.%y claim/*/history.csv)
 ask "the same again" 0 "impulse" -- "${strike[@]}" --target-error "impulse = 14 %" --output claim
 require "computes nothing" '[ "$stamps" = "$(stat -c %Y.%y claim/*/history.csv)" ]'
-ask "with an order that is known" 0 "Contact: impulse \(norm\) [0-9.]+ N s \+- [0-9.]+ %" "a run's [0-9.]+ N s, and -?[0-9.]+ m?N s to h = 0 of the particles" "bird: 5 levels to .*, order 1 as given" -- "${strike[@]}" --target-error "impulse = 20 %" --bird-order 1 --output claim
+ask "an order that the levels contradict" 3 "bird: 5 levels to .*, order 1 as given, which they reject \(p = 0.0[0-9]*\)" "another --bird-order, or none" "contact/unfinished at all 7" -- "${strike[@]}" --target-error "impulse = 20 %" --bird-order 1 --output claim
+ask "with an order that is known" 0 "Contact: impulse \(norm\) [0-9.]+ N s \+- [0-9.]+ %" "a run's [0-9.]+ N s, and -?[0-9.]+ m?N s to h = 0 of the particles" "bird: 5 levels to .*, order 2 as given" "mesh: not refined, its error is in no bar" -- "$top/prm/rigid-plate.prm" --set "Bird/Particle spacing=0.005" --set "Output/Field interval=0" --target-error "impulse = 5 %" --bird-order 2 --output rigid
 ask "without a bird the mesh alone" 0 "bird: not refined, its error is in no bar" -- "$top/prm/blade-impulse.prm" --set "Output/Field interval=0" --target-error "tip deflection at the end = 40 %" --output strip
 ask "no claim where there is no order" 3 "is not reached, and none is claimed" "bird: .* levels to" "refined together were not run: the value is the sum of both ladders" -- "${strike[@]}" --set "Time/End time=0.05e-3" --target-error "peak plastic strain = 0.01 %" --output none
 require "nor of what no run has measured" '! grep -q "both together add to it: " out.txt'
