@@ -1,6 +1,7 @@
 #include "shell_harness.h"
 
 #include "matrices.h"
+#include "node_groups.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -97,16 +98,22 @@ namespace shell_harness
 
   Eigen::MatrixXd Model::compute_stiffness()
   {
-    const double    small = 1e-14 * (mesh.nodes.back() - mesh.nodes.front()).norm();
-    Eigen::MatrixXd K(n_dofs(), n_dofs());
-    for (std::size_t d = 0; d < n_dofs(); ++d)
-      {
-        Eigen::VectorXd       increment = Eigen::VectorXd::Unit(n_dofs(), d) * small;
-        const Eigen::VectorXd force     = move(increment);
-        K.col(d)                        = -force / small;
-        increment *= -1.;
-        move(increment);
-      }
+    const double         small     = 1e-14 * (mesh.nodes.back() - mesh.nodes.front()).norm();
+    const test::NodeSets neighbors = test::find_neighbors(mesh.nodes.size(), mesh.cells);
+    Eigen::MatrixXd      K         = Eigen::MatrixXd::Zero(n_dofs(), n_dofs());
+    for (const auto &group : test::find_groups(neighbors))
+      for (std::size_t c = 0; c < 6; ++c)
+        {
+          Eigen::VectorXd increment = Eigen::VectorXd::Zero(n_dofs());
+          for (const std::size_t n : group)
+            increment[6 * n + c] = small;
+          const Eigen::VectorXd force = move(increment);
+          for (const std::size_t n : group)
+            for (const std::size_t near : neighbors[n])
+              K.block<6, 1>(6 * near, 6 * n + c) = -force.segment<6>(6 * near) / small;
+          increment *= -1.;
+          move(increment);
+        }
     return K;
   }
 

@@ -1,6 +1,7 @@
 #include "solid_harness.h"
 
 #include "matrices.h"
+#include "node_groups.h"
 
 #include <algorithm>
 #include <map>
@@ -87,38 +88,21 @@ namespace solid_harness
   {
     test::SparseMatrix assemble(Model &model)
     {
-      const Mesh                             &mesh = model.mesh;
-      std::vector<std::vector<std::uint32_t>> neighbors(mesh.nodes.size());
-      for (const auto &cell : mesh.cells)
-        for (const auto n : cell)
-          neighbors[n].insert(neighbors[n].end(), cell.begin(), cell.end());
-      std::vector<int> color(mesh.nodes.size(), -1);
-      int              n_colors = 0;
-      for (std::size_t n = 0; n < color.size(); ++n)
-        {
-          std::vector<bool> taken(color.size() + 1, false);
-          for (const auto m : neighbors[n])
-            for (const auto far : neighbors[m])
-              if (color[far] >= 0)
-                taken[color[far]] = true;
-          color[n] = int(std::find(taken.begin(), taken.end(), false) - taken.begin());
-          n_colors = std::max(n_colors, color[n] + 1);
-        }
-      const double                          small = 1e-14 * (mesh.nodes.back() - mesh.nodes.front()).norm();
+      const Mesh                           &mesh      = model.mesh;
+      const double                          small     = 1e-14 * (mesh.nodes.back() - mesh.nodes.front()).norm();
+      const test::NodeSets                  neighbors = test::find_neighbors(mesh.nodes.size(), mesh.cells);
       std::map<std::pair<int, int>, double> entries;
-      for (int k = 0; k < n_colors; ++k)
+      for (const auto &group : test::find_groups(neighbors))
         for (int c = 0; c < 3; ++c)
           {
             Eigen::VectorXd increment = Eigen::VectorXd::Zero(model.n_dofs());
-            for (std::size_t n = 0; n < color.size(); ++n)
-              if (color[n] == k)
-                increment[3 * n + c] = small;
+            for (const std::size_t n : group)
+              increment[3 * n + c] = small;
             const Eigen::VectorXd force = model.move(increment);
-            for (std::size_t n = 0; n < color.size(); ++n)
-              if (color[n] == k)
-                for (const auto m : neighbors[n])
-                  for (int r = 0; r < 3; ++r)
-                    entries[{3 * int(m) + r, 3 * int(n) + c}] = -force[3 * m + r] / small;
+            for (const std::size_t n : group)
+              for (const std::size_t near : neighbors[n])
+                for (int r = 0; r < 3; ++r)
+                  entries[{3 * int(near) + r, 3 * int(n) + c}] = -force[3 * near + r] / small;
             model.move(-increment);
           }
       test::Entries triplets;
