@@ -3,6 +3,7 @@
 #include "report/measurement/data_table.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/output_parameters.h>
+#include <birdstrike/report/text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,9 @@ namespace birdstrike
     /// The filter rings out beyond both ends, where nothing was computed.
     void cut_to_run(RunCurve &curve, const std::filesystem::path &run)
     {
-      const double        end = DataTable(run / "history.csv").column("time").values.back();
+      const DataTable     history(run / "history.csv");
+      const auto         &times = history.column("time").values;
+      const double        end   = times.empty() ? 0. : times.back();
       std::vector<double> x, y;
       for (std::size_t k = 0; k < curve.x.size(); ++k)
         if (curve.x[k] >= 0. && curve.x[k] <= end)
@@ -103,6 +106,9 @@ namespace birdstrike
             x.push_back(curve.x[k]);
             y.push_back(curve.y[k]);
           }
+      if (x.size() < 2)
+        throw InputError("The run in " + run.string() + " is too short for a filtered force: it ends at " +
+                         format_quantity(end, "s") + ".");
       curve.x = std::move(x);
       curve.y = std::move(y);
     }

@@ -27,6 +27,9 @@ TEST(RunCurves, AFilteredForceIsThatOfTheRun)
   EXPECT_NEAR(force.x.back(), 25.99e-3, 1e-12);
   EXPECT_EQ(force.y.front(), 5.);
   EXPECT_EQ(force.y.back(), 5.);
+  std::ofstream(folder / "filtered.csv") << "time [s],contact_force_x [N],contact_force_y [N],contact_force_z [N]\n"
+                                            "-1,0,0,0\n1,0,0,0\n";
+  EXPECT_THROW(birdstrike::read_run_curve(folder, "force"), birdstrike::InputError) << "no value lies in the run";
 }
 
 // A run made without a filter has no filtered.csv: what is wrong is its entry, not a file or a column.
