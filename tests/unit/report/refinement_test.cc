@@ -36,6 +36,20 @@ namespace
       request.n_finer    = n_finer;
       return make_ladder(parameters, request);
     }
+
+    /// Runs whose tip peaks (m) are 0.2 + c h^2.
+    std::vector<PointRun> record(const std::vector<LadderLevel> &levels, const double c) const
+    {
+      std::vector<PointRun> runs;
+      for (const StudyPoint &point : make_ladder_points(levels))
+        {
+          RecordedRun run;
+          run.peak = 0.2 + c * std::pow(levels[runs.size()].size, 2.);
+          runs.push_back({point, scratch.path() / point.folder, "done", true, false, 0});
+          run.write(runs.back().folder, prm);
+        }
+      return runs;
+    }
   };
 } // namespace
 
@@ -87,16 +101,9 @@ TEST_F(Refining, RefusesWhatIsNoLadder)
 
 TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
 {
-  const auto            levels = ladder("particles");
-  const StudyPlan       plan   = make_ladder_plan(Refinement::particles, levels);
-  std::vector<PointRun> runs;
-  for (const StudyPoint &point : make_ladder_points(levels))
-    {
-      RecordedRun run;
-      run.peak = 0.2 + 1000. * std::pow(levels[runs.size()].size, 2.);
-      runs.push_back({point, scratch.path() / point.folder, "done", true, false, 0});
-      run.write(runs.back().folder, prm);
-    }
+  const auto             levels = ladder("particles");
+  const StudyPlan        plan   = make_ladder_plan(Refinement::particles, levels);
+  const auto             runs   = record(levels, 1000.);
   const StudyTable       table(plan, runs);
   const ConvergenceTable made(Refinement::particles, levels, table, 2.);
   const auto             is_peak = [](const ConvergingRow &row) { return row.row->quantity == "peak (mid-chord)"; };
@@ -125,16 +132,9 @@ TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
 
 TEST_F(Refining, TheTableSaysWhatAKnownOrderGives)
 {
-  const auto            levels = ladder("particles", 6, 1.5);
-  const StudyPlan       plan   = make_ladder_plan(Refinement::particles, levels);
-  std::vector<PointRun> runs;
-  for (const StudyPoint &point : make_ladder_points(levels))
-    {
-      RecordedRun run;
-      run.peak = 0.2 + 100. * std::pow(levels[runs.size()].size, 2.);
-      runs.push_back({point, scratch.path() / point.folder, "done", true, false, 0});
-      run.write(runs.back().folder, prm);
-    }
+  const auto       levels = ladder("particles", 6, 1.5);
+  const StudyPlan  plan   = make_ladder_plan(Refinement::particles, levels);
+  const auto       runs   = record(levels, 100.);
   const StudyTable table(plan, runs);
   const auto       peak_of = [&](const ConvergenceTable &made) {
     return *std::ranges::find_if(made.rows(),
