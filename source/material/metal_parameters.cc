@@ -210,11 +210,24 @@ namespace birdstrike
     if (has_modulus && modulus == "table" && h.modulus == 0.)
       throw InputError(where + "Hardening modulus is not given, and the table has none for '" + name +
                        "'.\nGive a number, or set Hardening = perfect.");
-    // a table of another law has no exponent: 1 would be linear hardening
-    if (h.law == HardeningLaw::johnson_cook && exponent == "table" &&
-        metal_table().at(name).hardening.law != HardeningLaw::johnson_cook)
-      throw InputError(where + "Hardening exponent is not given, and the table has none for '" + name +
-                       "'.\nGive n of A + B p^n, or set Hardening = linear.");
+    // a table of another law has none of these: the usual 1 would be linear hardening
+    const auto require_given = [&](const std::string &value, const std::string &entry, const std::string &what) {
+      if (value == "table" && metal_table().at(name).hardening.law != h.law)
+        throw InputError(where + entry + " is not given, and the table has none for '" + name + "'.\nGive " + what +
+                         ", or set Hardening = linear.");
+    };
+    if (h.law == HardeningLaw::johnson_cook)
+      require_given(exponent, "Hardening exponent", "n of A + B p^n");
+    if (h.law == HardeningLaw::swift)
+      {
+        require_given(exponent, "Hardening exponent", "n of A (1 + p/e0)^n");
+        require_given(strain, "Hardening strain", "e0 of A (1 + p/e0)^n");
+      }
+    if (h.law == HardeningLaw::voce)
+      {
+        require_given(modulus, "Hardening modulus", "B of A + B (1 - exp(-n p))");
+        require_given(exponent, "Hardening exponent", "n of A + B (1 - exp(-n p))");
+      }
     if (h.law == HardeningLaw::swift && h.exponent > 1.)
       throw InputError(where + "Hardening exponent: " + std::to_string(h.exponent) +
                        " was read; Swift's law needs one from 0 to 1.");

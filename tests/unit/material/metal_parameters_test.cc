@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 using namespace birdstrike;
 
@@ -35,6 +38,32 @@ TEST(MetalParameters, CustomMetalsMustBeComplete)
   EXPECT_THROW(parameters.metal(), InputError);
   parameters.yield = "300e6";
   EXPECT_NO_THROW(parameters.metal());
+}
+
+// No metal of the table is of these laws: with the usual exponent of 1 they would be other laws, without a word.
+TEST(MetalParameters, LawsThatTheTableHasNotAreGivenWhole)
+{
+  for (const auto &[law, entries] :
+       {std::pair("swift", std::array{"0.3", "0.01", "table"}), std::pair("voce", std::array{"20", "table", "2e8"}),
+        std::pair("johnson-cook", std::array{"0.3", "table", "1e9"})})
+    {
+      const auto make = [&, law = law](const std::string &exponent, const std::string &strain,
+                                       const std::string &modulus) {
+        MetalParameters parameters;
+        parameters.name      = "Ti-6Al-4V";
+        parameters.hardening = law;
+        parameters.exponent  = exponent;
+        parameters.strain    = strain;
+        parameters.modulus   = modulus;
+        return parameters.metal();
+      };
+      EXPECT_NO_THROW(make(entries[0], entries[1], entries[2])) << law;
+      EXPECT_THROW(make("table", entries[1], entries[2]), InputError) << law;
+      if (std::string(law) == "swift")
+        EXPECT_THROW(make(entries[0], "table", entries[2]), InputError);
+      else
+        EXPECT_THROW(make(entries[0], entries[1], "table"), InputError) << law;
+    }
 }
 
 TEST(MetalParameters, BadValuesAreRefused)
