@@ -43,4 +43,13 @@ namespace birdstrike::test
       }
     return n_steps;
   }
+
+  /// Of 4 mm particles, aimed at the origin.
+  inline BirdParameters small_bird()
+  {
+    BirdParameters parameters;
+    parameters.spacing   = 0.004;
+    parameters.aim_point = {0., 0., 0.};
+    return parameters;
+  }
 } // namespace birdstrike::test
