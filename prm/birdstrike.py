@@ -175,7 +175,7 @@ class Run:
     def _series(self, part):
         path = self.folder / f"{part}.pvd"
         if not path.is_file():
-            raise KeyError(f"'{self.folder}' has no {part}.pvd: set Output/Field interval.")
+            raise KeyError(f"'{self.folder}' has no {part}.pvd: the scene has no {part}, or Output/{part.capitalize()} fields is false.")
         sets = xml.etree.ElementTree.parse(path).getroot().iter("DataSet")
         return [(float(entry.get("timestep")), self.folder / entry.get("file")) for entry in sets]
 

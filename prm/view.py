@@ -13,6 +13,7 @@ Needs ParaView 5.9 or newer (Debian: paraview, python3-paraview).
 
 import argparse
 import json
+import math
 import pathlib
 import re
 import sys
@@ -29,15 +30,19 @@ def parse(arguments):
     options = parser.parse_args(arguments)
     for part in ("blade", "bird"):
         if not (options.run / f"{part}.pvd").is_file():
-            sys.exit(f"{options.run} has no {part}.pvd: run the case with Output/Field interval above zero.")
+            sys.exit(f"{options.run} has no {part}.pvd: the scene has no {part}, or Output/{part.capitalize()} fields is false.")
     return options
 
 
 def particle_radius(run, density):
-    """Half the edge of the cube that a particle fills at this density (kg/m^3), m."""
-    with open(run / "summary.json", encoding="utf-8") as file:
-        bird = json.load(file)["bird"]
-    return 0.5 * (bird["mass"] / bird["particles"] / density) ** (1. / 3.)
+    """Half the edge of the cube that a particle fills at this density (kg/m^3), m; of a run without an end half the spacing."""
+    summary = run / "summary.json"
+    if summary.is_file():
+        bird = json.loads(summary.read_text(encoding="utf-8"))["bird"]
+        return 0.5 * (bird["mass"] / bird["particles"] / density) ** (1. / 3.)
+    entries = (run / "parameters.prm").read_text(encoding="utf-8")
+    number, millimetres = re.search(r"set Particle spacing\s*=\s*([0-9.eE+-]+)\s*(mm)?", entries).groups()
+    return 0.5 * float(number) * (1e-3 if millimetres else 1.)
 
 
 def colour(view, display, association, name, scale_range, title, simple):
@@ -111,7 +116,12 @@ def show(options):
     bird.UpdatePipeline(0.)
     particles.GaussianRadius = particle_radius(options.run, bird.PointData["density"].GetRange()[0])
     bounds = join(bounds, bird.GetDataInformation().GetBounds())
-    fastest = bird.PointData["velocity"].GetRange(-1)[1]
+    flight = [sum(bird.PointData["velocity"].GetRange(d)) for d in range(3)]  # twice the velocity
+    fastest = 0.
+    for time in bird.TimestepValues:  # particles speed up, and further birds come
+        bird.UpdatePipeline(time)
+        if "velocity" in bird.PointData.keys():
+            fastest = max(fastest, bird.PointData["velocity"].GetRange(-1)[1])
     bar = colour(view, particles, "POINTS", "velocity", (0., fastest), "speed of the bird, m/s", simple)
     bar.WindowLocation = "Upper Right Corner"
     simple.GetColorTransferFunction("velocity").ApplyPreset("Viridis (matplotlib)", True)
@@ -122,8 +132,7 @@ def show(options):
     label.Color, label.WindowLocation = (0., 0., 0.), "Upper Left Corner"
 
     simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
-    flight = [bird.PointData["velocity"].GetRange(d)[1] + bird.PointData["velocity"].GetRange(d)[0] for d in range(3)]
-    behind = [-component / (2. * fastest) for component in flight]  # where the bird comes from
+    behind = [-component / math.hypot(*flight) for component in flight]  # where the bird comes from
     look_at(view, bounds, options.direction or (0.4 + 0.5 * behind[0], -1. + 0.5 * behind[1], 0.5 * behind[2]))
     simple.SaveState(str(options.run / "view.pvsm"))
     for number, time in enumerate(options.at):

@@ -152,8 +152,10 @@ namespace birdstrike
     compare->add_option("FILE", request.prm_files, "Parameter files; differences are to the first")->required();
     declare_measurement(compare, requests.of_measurement);
     compare
-      ->add_option("--blade", request.blade_kinds,
-                   "Each file once for each of these values of Blade/Kind, e.g. shell,rigid")
+      ->add_option(
+        "--blade", request.blade_kinds,
+        "Each file once for each of these values of Blade/Kind, e.g. shell,solid; rigid: the same surface without "
+        "elements")
       ->delimiter(',')
       ->allow_extra_args(false);
     declare_overrides(compare, request.overrides);

@@ -32,7 +32,8 @@ namespace birdstrike
       }
     else if (spacing > 0.5 * std::cbrt(mass / density))
       refuse("Particle spacing", std::to_string(spacing) + " m leaves fewer than about eight particles.",
-             "Choose a spacing below " + std::to_string(0.5 * std::cbrt(mass / density)) + " m.");
+             "Choose a spacing below " + std::to_string(0.5 * std::cbrt(mass / density)) +
+               " m; '4 mm' or 0.004 are four millimetres.");
     if (n_periodic > 0 && shape != BirdShape::slab && shape != BirdShape::cylinder)
       refuse("Periodic directions", "a " + bird_shapes().name(shape) + " cannot repeat itself.",
              "Use 'none', or a slab or cylinder.");

@@ -91,10 +91,12 @@ namespace birdstrike
           least <= patch.radius * patch.radius ? compute_covered_share(facets, patch, of_facet) : 0.;
         if (covered == 0.)
           throw InputError(fmt::format("Contact/Pressure patches: '{}' at ({:.6g}, {:.6g}, {:.6g}) m with a radius of "
-                                       "{:.4g} m holds nothing of the blade, which is {:.4g} m away.\nGive a place on "
-                                       "its surface.",
+                                       "{:.4g} m holds nothing of the blade, {}.\nGive a place on its surface, and a "
+                                       "radius in m.",
                                        patch.name, patch.centre[0], patch.centre[1], patch.centre[2], patch.radius,
-                                       std::sqrt(least)));
+                                       least <= patch.radius * patch.radius
+                                         ? "which covers none of its places: the disc is far too large"
+                                         : fmt::format("which is {:.4g} m away", std::sqrt(least))));
         moved[p].area = covered * patch.area;
         for (unsigned int d = 0; d < 3; ++d)
           held.own[d] = of_facet[d].dot(arm);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <type_traits>
 #include <zlib.h>
@@ -191,6 +192,15 @@ namespace birdstrike
       return bytes;
     }
 
+    std::vector<std::string> lines_of(const std::string &text)
+    {
+      std::vector<std::string> lines;
+      std::istringstream       in(text);
+      for (std::string line; std::getline(in, line);)
+        lines.push_back(line);
+      return lines;
+    }
+
     constexpr const char *of_values = "/values", *of_lengths = "/lengths", *of_shape = "/shape";
   } // namespace
 
@@ -206,6 +216,11 @@ namespace birdstrike
     for (const InputFile &input : checkpoint.inputs)
       inputs += input.fingerprint + ' ' + input.name + '\n';
     writer.write("inputs", inputs);
+    std::string changes;
+    for (const std::string &change : checkpoint.changes)
+      changes += change + '\n';
+    if (!changes.empty())
+      writer.write("changes", changes);
     for (const auto &[name, quantity] : checkpoint.state)
       {
         const std::string path = "state/" + name;
@@ -250,16 +265,13 @@ namespace birdstrike
       reader.refuse("time");
     checkpoint.time = time[0];
     checkpoint.step = step[0];
-    std::string line;
-    for (const char letter : reader.text("inputs"))
-      if (letter != '\n')
-        line += letter;
-      else
-        {
-          const std::size_t blank = line.find(' ');
-          checkpoint.inputs.push_back({line.substr(blank + 1), line.substr(0, blank)});
-          line.clear();
-        }
+    for (const std::string &line : lines_of(reader.text("inputs")))
+      {
+        const std::size_t blank = line.find(' ');
+        checkpoint.inputs.push_back({line.substr(blank + 1), line.substr(0, blank)});
+      }
+    if (reader.has("changes"))
+      checkpoint.changes = lines_of(reader.text("changes"));
     for (const std::string &link : reader.names_below("state"))
       {
         if (!link.ends_with(of_values))

@@ -5,6 +5,8 @@
 
 #include <sys/file.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -18,6 +20,11 @@ namespace birdstrike
     namespace fs = std::filesystem;
 
     constexpr auto marker = ".birdstrike";
+
+    /// What a run writes of results but for field files.
+    constexpr std::array results{"summary.json", "failure.json", "history.csv",  "filtered.csv",
+                                 "blades.csv",   "nodes.csv",    "elements.csv", "gauges.csv",
+                                 "sections.csv", "patches.csv",  "results.h5"};
 
     /// stem, digits, ending: blade_0012.vtu
     bool is_numbered(const std::string &name, const std::string &stem, const std::string &ending)
@@ -33,12 +40,11 @@ namespace birdstrike
       std::string name = path.filename().string();
       if (name.ends_with(".part"))
         name.erase(name.size() - 5);
-      for (const char *known : {"original.prm", "parameters.prm", "log.txt", "history.csv", "filtered.csv",
-                                "results.h5", "summary.json", "failure.json", "blade.pvd", "bird.pvd"})
+      for (const char *known : {"original.prm", "parameters.prm", "log.txt", "blade.pvd", "bird.pvd"})
         if (name == known)
           return true;
-      return is_numbered(name, "blade_", ".vtu") || is_numbered(name, "bird_", ".vtu") ||
-             is_numbered(name, checkpoint_stem, ".h5");
+      return std::ranges::find(results, name) != results.end() || is_numbered(name, "blade_", ".vtu") ||
+             is_numbered(name, "bird_", ".vtu") || is_numbered(name, checkpoint_stem, ".h5");
     }
 
     /// Throws InputError where somebody else holds the folder.
@@ -168,7 +174,7 @@ namespace birdstrike
       {
         lock_alone(lock, directory);
         write_state(lock, directory, "failed: it never started");
-        for (const char *name : {"summary.json", "failure.json", "history.csv", "filtered.csv", "results.h5"})
+        for (const char *name : results)
           fs::remove(directory / name);
       }
     catch (...)

@@ -145,6 +145,8 @@ namespace birdstrike
         {
           require_both_edges(supports.clamped, "Supports/Clamped");
           require_both_edges(supports.hub, "Supports/Hub");
+          for (const auto &[key, motion] : parse_pairs(supports.driven, "Blade/Supports/Driven"))
+            require_both_edges(key, "Supports/Driven");
         }
       refuse_unless(supports.held.empty(), "Blade/Supports/Held", "nothing, with a symmetry plane");
       refuse_unless(supports.held_boxes.empty(), "Blade/Supports/Held boxes", "nothing, with a symmetry plane");

@@ -187,7 +187,7 @@ namespace birdstrike
     result.name      = name;
     Hardening   &h   = result.hardening;
     const double big = 1e30;
-    replace(result.density, density, where + "Density", 1e-6, big);
+    replace(result.density, density, where + "Density", 1e-12, big);
     replace(result.elasticity.young, young, where + "Young's modulus", 1e-6, big);
     replace(result.elasticity.poisson, poisson, where + "Poisson's ratio", -0.999, 0.4999);
     replace(h.yield, yield, where + "Yield stress", 1e-6, big);
@@ -207,17 +207,23 @@ namespace birdstrike
     set_heating(h, where);
     const bool has_modulus =
       h.law == HardeningLaw::linear || h.law == HardeningLaw::voce || h.law == HardeningLaw::johnson_cook;
-    if (has_modulus && modulus == "table" && h.modulus == 0.)
+    // a table of another law has none of these: its B, or the usual exponent of 1, would be another metal
+    const bool is_of_table   = metal_table().at(name).hardening.law == h.law;
+    const auto require_given = [&](const std::string &value, const std::string &entry, const std::string &what) {
+      if (value == "table" && !is_of_table)
+        throw InputError(where + entry + " is not given, and the table has none of this law for '" + name +
+                         "'.\nGive " + what + ", or set Hardening = perfect.");
+    };
+    if (has_modulus && is_of_table && modulus == "table" && h.modulus == 0.)
       throw InputError(where + "Hardening modulus is not given, and the table has none for '" + name +
                        "'.\nGive a number, or set Hardening = perfect.");
-    // a table of another law has none of these: the usual 1 would be linear hardening
-    const auto require_given = [&](const std::string &value, const std::string &entry, const std::string &what) {
-      if (value == "table" && metal_table().at(name).hardening.law != h.law)
-        throw InputError(where + entry + " is not given, and the table has none for '" + name + "'.\nGive " + what +
-                         ", or set Hardening = linear.");
-    };
+    if (h.law == HardeningLaw::linear)
+      require_given(modulus, "Hardening modulus", "B of A + B p");
     if (h.law == HardeningLaw::johnson_cook)
-      require_given(exponent, "Hardening exponent", "n of A + B p^n");
+      {
+        require_given(modulus, "Hardening modulus", "B of A + B p^n");
+        require_given(exponent, "Hardening exponent", "n of A + B p^n");
+      }
     if (h.law == HardeningLaw::swift)
       {
         require_given(exponent, "Hardening exponent", "n of A (1 + p/e0)^n");

@@ -28,6 +28,7 @@ namespace birdstrike
         const double density = density_of(cell->material_id());
         double       size = 0., element_mass = 0.;
         double       share[BladeMesh::n_corners] = {};
+        bool         is_given                    = true;
         for (const unsigned int q : values.quadrature_point_indices())
           {
             const dealii::Point<3> &p = values.quadrature_point(q);
@@ -45,6 +46,7 @@ namespace birdstrike
                   place.station[d] += w * nodal.station[n][d];
               }
             const double t = dim == 2 ? thickness_at(thickness, place) : 1.;
+            is_given       = is_given && t == place.given;
             const double m = density * t * values.JxW(q);
             size += values.JxW(q);
             element_mass += m;
@@ -63,6 +65,7 @@ namespace birdstrike
         if (this->is_owned(mass.element.size()))
           mass.total += element_mass;
         mass.element.push_back(element_mass);
+        mass.n_given += dim == 2 && is_given;
         if (dim == 2)
           mass.element_thickness.push_back(t);
       }

@@ -5,11 +5,15 @@
 #include "mesh/mesh_file.h"
 
 #include <birdstrike/core/contact_views.h>
+#include <birdstrike/core/errors.h>
+#include <birdstrike/core/text_lists.h>
 #include <birdstrike/mesh/orientation.h>
 
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace birdstrike
 {
@@ -86,6 +90,8 @@ namespace birdstrike
       const auto is_on_plane = [&mesh](const std::uint32_t n) {
         return std::binary_search(mesh.symmetry_nodes.begin(), mesh.symmetry_nodes.end(), n);
       };
+      std::ranges::copy_if(mesh.symmetry_nodes, std::back_inserter(skin.symmetry_nodes),
+                           [&](const std::uint32_t n) { return n < mesh.n_skin_nodes; });
       for (std::size_t facet = 0; facet < skin.cells.size(); ++facet)
         for (unsigned int side = 0; side < 4; ++side)
           if (const auto [a, b] = skin.side_nodes(facet, side);
@@ -118,7 +124,7 @@ namespace birdstrike
     extract(0, static_cast<std::uint32_t>(grid->dofs.n_dofs() / n_unknowns));
     if constexpr (dim == 2)
       if (!is_generated)
-        face_upwards();
+        face_upwards(mesh.top);
   }
 
   template <int dim>
@@ -157,6 +163,8 @@ namespace birdstrike
           }
         this->n_owned_cells += this->is_owned(n);
         this->material_ids.push_back(cell->material_id());
+        if (!grid->labels.element_ids.empty())
+          this->file_element_ids.push_back(grid->labels.element_ids[cell->active_cell_index()]);
         if (grid->row.n_blades > 1)
           this->blades.push_back(grid->blade_of(cell->active_cell_index()));
         for (unsigned int f = 0; f < this->n_sides; ++f)
@@ -189,7 +197,7 @@ namespace birdstrike
   }
 
   template <int dim>
-  void BladeMesh<dim>::face_upwards()
+  void BladeMesh<dim>::face_upwards(const std::string &top)
   {
     if constexpr (dim == 2)
       {
@@ -200,7 +208,20 @@ namespace birdstrike
             sum += this->area_vector(cell);
             area += this->area_vector(cell).norm();
           }
-        grid->is_turned = sum.norm() > 1e-6 * area && sign_by_axes(sum, {{2, 1, 0}}) < 0.;
+        const std::string entry = "Blade/Mesh/Top";
+        if (top.empty())
+          grid->is_turned = sum.norm() > 1e-6 * area && sign_by_axes(sum, {{2, 1, 0}}) < 0.;
+        else
+          {
+            const Point3 wanted(parse_numbers(top, 3, entry).data());
+            const double cosine = sum.dot(wanted) / (sum.norm() * wanted.norm());
+            if (!(std::abs(cosine) > 0.01)) // or not a number
+              throw InputError(entry + ": '" + top + "' lies along the surface, whose mean normal is (" +
+                               std::to_string(sum[0] / sum.norm()) + ", " + std::to_string(sum[1] / sum.norm()) + ", " +
+                               std::to_string(sum[2] / sum.norm()) +
+                               ").\nGive a direction out of it, or leave it empty.");
+            grid->is_turned = cosine < 0.;
+          }
         if (grid->is_turned)
           *this = part(0, this->space.size());
       }

@@ -120,6 +120,12 @@ namespace birdstrike
       "volumes), element sets and parts are materials. Entries take their names or ids. [-]",
       Anything());
     prm.add_parameter("File scale", p.file_scale, "Metres per length unit of the file, e.g. 0.001. [m]", Double(tiny));
+    prm.add_parameter(
+      "Top", p.top,
+      "Direction 'x y z' that the top face of a shell from a file looks into on the mean: pressure acts "
+      "along it, plies are stacked towards it. Empty: +z; where the mean normal has no such component "
+      "(0.01) +y, else +x. [-]",
+      Anything());
     prm.add_parameter("Material boxes", p.material_boxes,
                       "Material ids of the cells whose centre lies in a box: 'xmin ymin zmin xmax ymax zmax: 1; ...'; "
                       "other cells keep theirs, 0 in built-in parts. See Section 1. [m]",

@@ -184,8 +184,8 @@ namespace birdstrike
       }
     middle /= size;
     centroid /= carried;
-    if (!mesh.symmetry_nodes.empty())
-      middle[1] = centroid[1] = 0.; // of the whole
+    if (!mesh.symmetry_nodes.empty()) // of the whole
+      middle[1] = centroid[1] = span[1] = normal[1] = 0.;
     if constexpr (dim == 3)
       if (mesh.layers == 0 && !sides.empty())
         normal = weight * thin_axis(mesh, sides, middle);

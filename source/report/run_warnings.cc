@@ -117,14 +117,22 @@ namespace birdstrike
             !of_section.is_laminate() && !of_section.material_can_fail())
           check_strain(of_section, peak, warnings);
       const FailureReport &failure = run.observed.failure;
+      const auto           are_of  = [&](const bool plies) {
+        return std::ranges::any_of(sections, [&](const auto &each) {
+          return each.second.is_laminate() == plies && each.second.material_can_fail();
+        });
+      };
       if (failure.n_partly > 0)
-        warnings.push_back({"metal/partly_failed",
-                            fmt::format("{} elements carry on with {} failed points, the most in the one at ({:.4g}, "
-                                        "{:.4g}, {:.4g}) m: they are not among the failed elements (fields: "
-                                        "failed_points; Blade/Material/Failed share lets an element go before its last "
-                                        "point fails).",
-                                        failure.n_partly, failure.n_points, failure.partly_at[0], failure.partly_at[1],
-                                        failure.partly_at[2])});
+        warnings.push_back(
+          {"metal/partly_failed",
+           fmt::format("{} elements carry on with {} failed points, the most in the one at ({:.4g}, "
+                       "{:.4g}, {:.4g}) m: they are not among the failed elements (fields: "
+                       "failed_points; Blade/{}/Failed share lets an element go before its last "
+                       "{} fails).",
+                       failure.n_partly, failure.n_points, failure.partly_at[0], failure.partly_at[1],
+                       failure.partly_at[2],
+                       are_of(true) ? (are_of(false) ? "Material or Laminate" : "Laminate") : "Material",
+                       are_of(true) ? "point or ply" : "point")});
       if (failure.n_at_root > 0)
         warnings.push_back({"metal/failed_at_root", fmt::format("{} elements at the root section have failed: root "
                                                                 "forces and stresses lack theirs.",

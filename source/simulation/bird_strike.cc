@@ -198,7 +198,10 @@ namespace birdstrike
       return EndReason::signal;
     if (limits.maximum_wall_time > 0. && timings.wall() > limits.maximum_wall_time)
       return EndReason::wall_time;
-    if (limits.stop_at_tip_peak && observed.first_tip_peak.is_passed(now, limits.tip_peak_wait))
+    // a bird that is still to come, or has just come, may make a higher one
+    const bool has_last_bird = std::ranges::none_of(
+      scene.birds, [&](const Projectile &each) { return now < each.parameters.arrival + limits.tip_peak_wait; });
+    if (limits.stop_at_tip_peak && has_last_bird && observed.first_tip_peak.is_passed(now, limits.tip_peak_wait))
       return EndReason::tip_peak;
     return EndReason::none;
   }

@@ -1,11 +1,11 @@
 #include "simulation/explain.h"
+#include "simulation/explain_parts.h"
 #include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/core/prices.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/fields.h>
-#include <birdstrike/material/metal_constants.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
@@ -19,121 +19,6 @@ namespace birdstrike
 {
   namespace
   {
-    std::string vector_text(std::array<double, 3> a, const char *unit)
-    {
-      const double round_off = 1e-14 * std::hypot(a[0], a[1], a[2]);
-      for (double &x : a)
-        x = std::abs(x) > round_off ? x : 0.;
-      return fmt::format("({:.4g}, {:.4g}, {:.4g}) {}", a[0], a[1], a[2], unit);
-    }
-
-    void add_mass_scaling(TextTable &table, const MassScalingReport &scaling, const std::size_t n_elements)
-    {
-      if (scaling.step == 0.)
-        return;
-      table.add("selective mass scaling",
-                fmt::format("stable step {} instead of {}, {} of {} elements scaled",
-                            format_quantity(scaling.step, "s"), format_quantity(scaling.step_before, "s"),
-                            format_count(scaling.n_scaled), format_count(n_elements)));
-      table.add("inertia through the thickness",
-                fmt::format("times {:.3g} at most; translation has its mass", scaling.largest_factor));
-      table.add("rotary inertia of the blade",
-                fmt::format("+{} about its slenderest axis: first torsion -{}, bending less",
-                            format_share(scaling.added_rotary_inertia),
-                            format_share(0.5 * scaling.added_rotary_inertia)));
-    }
-
-    void add_span(TextTable &table, const Blade &blade)
-    {
-      const std::optional<SpanLine> line = blade.span_line();
-      if (!line)
-        return;
-      const Point3 span = Point3(line->tip.data()) - Point3(line->root.data()), along = span.normalized();
-      table.add("from root to tip",
-                format_quantity(span.norm(), "m") + " along " + vector_text({{along[0], along[1], along[2]}}, ""));
-    }
-
-    /// "19 nodes: ux uy uz rx ry rz held; x 0, y -0.04445 to 0.04445, z 0 m".
-    std::string describe(const SupportCensus &support, const std::size_t n_unknowns)
-    {
-      static constexpr std::array<const char *, 6> components{{"ux", "uy", "uz", "rx", "ry", "rz"}};
-      std::string                                  text = format_count(support.n_nodes) + " nodes:";
-      for (const auto &[are_there, what] :
-           {std::pair(support.is_held, " held;"), std::pair(support.is_driven, " driven;")})
-        if (std::find(are_there.begin(), are_there.end(), true) != are_there.end())
-          {
-            for (std::size_t c = 0; c < n_unknowns; ++c)
-              text += are_there[c] ? std::string(" ") + components[c] : "";
-            text += what;
-          }
-      for (std::size_t d = 0; d < 3; ++d)
-        {
-          text += (d > 0 ? ", " : " ") + std::string(1, "xyz"[d]) + fmt::format(" {:.4g}", support.low[d]);
-          text += support.low[d] < support.high[d] ? fmt::format(" to {:.4g}", support.high[d]) : "";
-        }
-      return text + " m";
-    }
-
-    void add_spin(TextTable &table, const Blade &blade)
-    {
-      const Rotor *const rotor = blade.rotor();
-      if (rotor == nullptr)
-        return;
-      const HubMotion motion = rotor->motion(0.);
-      const double    sign = motion.speed < 0. ? -1. : 1., speed = sign * motion.speed;
-      table.add("turns with its hub at",
-                fmt::format("{:.4g} rad/s, {:.4g} rpm{}, about {}", speed, speed * 30. / std::numbers::pi,
-                            rotor->is_steady() ? "" : " at t = 0 and changing",
-                            vector_text({{sign * motion.axis[0], sign * motion.axis[1], sign * motion.axis[2]}}, "")));
-      const StaticReport found = blade.static_report();
-      if (found.n_unknowns == 0)
-        table.add("centrifugal tension", motion.speed == 0. ? "none at the start: the hub is at rest"
-                                                            : "none at the start: Blade/Spin/Prestress is false");
-      else
-        table.add("centrifugal tension",
-                  fmt::format("from static equilibrium, {} unknowns, {} iterations; root {}, tip {} off its mesh",
-                              format_count(found.n_unknowns), found.n_iterations,
-                              format_quantity(blade.root_section().normal_force, "N"),
-                              format_quantity(blade.tip_deflection().mid_chord, "m")));
-    }
-
-    void add_blade(TextTable &table, const Blade &blade, const BladeParameters &parameters)
-    {
-      const BladeCensus census = blade.census();
-      table.add_heading("Blade: " + blade_kinds().name(blade.kind()) +
-                        (blade.is_deformable() ? ", " + parameters.formulation_name() : ""));
-      table.add("elements, nodes", format_count(blade.n_elements()) + ", " + format_count(blade.n_nodes()));
-      if (!blade.is_deformable())
-        return;
-      table.add("mass", census.mass, "kg");
-      table.add(blade.kind() == BladeKind::solid ? "area of the skin" : "area", fmt::format("{:.4g} m^2", census.area));
-      table.add("smallest element edge",
-                format_quantity(census.smallest_edge, "m") + " at " + vector_text(census.smallest_at, "m"));
-      table.add("largest over smallest element", fmt::format("{:.3g}", census.largest_edge_ratio));
-      table.add("centre of mass", vector_text(census.centre_of_mass, "m"));
-      add_span(table, blade);
-      table.add("held unknowns", format_count(census.n_held_dofs));
-      for (const SupportCensus &support : census.supports)
-        table.add("support", describe(support, blade.kind() == BladeKind::solid ? 3 : 6));
-      add_spin(table, blade);
-      const auto of = parameters.by_section();
-      for (const SectionCensus &section : census.sections)
-        table.add(section.number == 0 ? "the blade's own section" : "section " + std::to_string(section.number),
-                  fmt::format("{} elements ({}) of {}, {:.4g} kg", format_count(section.n_elements),
-                              of.at(section.number).formulation_name(),
-                              of.at(section.number).is_laminate() ? "a laminate" : of.at(section.number).material.name,
-                              section.mass));
-      for (const auto &[number, of_section] : of)
-        {
-          const bool is_laminate = of_section.is_laminate();
-          table.add((is_laminate ? "laminate" : "metal") +
-                      (of.size() == 1 ? "" : " of section " + std::to_string(number)),
-                    is_laminate ? describe(of_section.laminate) : describe(of_section.material.metal()));
-        }
-      add_mass_scaling(table, census.mass_scaling, census.n_elements);
-      table.add("memory", format_bytes(census.bytes));
-    }
-
     void add_bird(TextTable &table, const Bird &bird, const BirdParameters &parameters, const std::string &liquid)
     {
       table.add_heading(parameters.section + ": " + bird_shapes().name(parameters.shape) + ", " +
@@ -159,7 +44,22 @@ namespace birdstrike
       table.add("memory, about", format_bytes(prices::bytes_per_particle * static_cast<double>(bird.state().size())));
     }
 
-    void add_aim(TextTable &table, const Projectile &projectile)
+    /// As the entry Angle to surface has it, or in words where the velocity has a part along the span.
+    std::string describe_side(const Projectile &projectile)
+    {
+      const auto &surface = projectile.parameters.aimed_surface;
+      if (!surface)
+        return "";
+      const Point3 n(surface->normal.data()), chord(surface->chord.data()), v(projectile.aim.velocity.data());
+      const Point3 tangent = (chord - chord.dot(n) * n).normalized();
+      const double across = v.dot(n), along = v.dot(tangent), of_span = (v - across * n - along * tangent).norm();
+      if (of_span < 1e-3 * v.norm())
+        return fmt::format("; Angle to surface = {:.4g}", std::atan2(across, along) * 180. / std::numbers::pi);
+      return fmt::format("; {} the normal, from the {} edge on", across > 0. ? "with" : "against",
+                         along > 0. ? "leading" : "trailing");
+    }
+
+    void add_aim(TextTable &table, const Projectile &projectile, const bool is_turning)
     {
       const StrikeAim &aim   = projectile.aim;
       std::string      where = vector_text(aim.point, "m");
@@ -172,8 +72,13 @@ namespace birdstrike
         table.add("arrival", projectile.parameters.arrival, "s");
       table.add("velocity relative to the blade",
                 fmt::format("{:.5g} m/s, {}", aim.speed, vector_text(aim.velocity, "m/s")));
-      table.add("angle to its surface",
-                fmt::format("{:.4g} degrees, normal speed {:.5g} m/s", aim.angle, aim.normal_speed));
+      table.add("angle to its surface", fmt::format("{:.4g} degrees, normal speed {:.5g} m/s{}", aim.angle,
+                                                    aim.normal_speed, is_turning ? "" : describe_side(projectile)));
+      if (const auto &surface = projectile.parameters.aimed_surface; surface && !is_turning)
+        {
+          table.add("chord there, from its leading edge", vector_text(surface->chord, ""));
+          table.add("normal there, span x chord", vector_text(surface->normal, ""));
+        }
       if (aim.normal_speed > 0.)
         table.add("Hugoniot pressure of that", aim.hugoniot_pressure, "Pa");
       table.add("stagnation pressure", aim.stagnation_pressure, "Pa");
@@ -281,7 +186,7 @@ namespace birdstrike
         add_bird(table, *each.bird, each.parameters,
                  EquationOfState(each.liquid, each.parameters.density).summary(speed));
         if (each.contact)
-          add_aim(table, each);
+          add_aim(table, each, scene.blade->rotor() != nullptr);
         if (each.contact)
           add_mass_in_the_way(table, each.first_touch.share_in_the_way, each.parameters);
       }

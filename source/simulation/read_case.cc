@@ -13,11 +13,17 @@ namespace birdstrike
       log().warn("Warning: {}", warning.text);
   }
 
+  std::string set_directory(const std::string &directory)
+  {
+    const std::string its_own = "default"; // which gives an entry its own value back
+    return "Output/Directory=" + (directory == its_own ? "./" + directory : directory);
+  }
+
   Warnings read_case(CaseParameters &parameters, const CaseRequest &request)
   {
     std::vector<std::string> overrides = request.overrides;
     if (!request.output.empty())
-      overrides.push_back("Output/Directory=" + request.output);
+      overrides.push_back(set_directory(request.output));
     parameters.read(request.prm_file, overrides);
     Warnings warnings = find_input_warnings(parameters);
     show(warnings);

@@ -10,6 +10,9 @@ namespace birdstrike
   /// On the screen and in the log.
   void show(const Warnings &warnings);
 
+  /// The override that sets the folder of a run, whatever its name.
+  std::string set_directory(const std::string &directory);
+
   /// Reads and checks a case; the command line's folder wins over the file's. Warnings of the entries are shown at
   /// once, for what is built of a wrong unit may take long, and returned.
   Warnings read_case(CaseParameters &parameters, const CaseRequest &request);

@@ -180,6 +180,24 @@ namespace birdstrike
     }
   } // namespace
 
+  namespace
+  {
+    /// Those that the checkpoint tells of, and those that it goes on with.
+    std::vector<std::string> collect_changes(const Checkpoint &checkpoint, const TimeParameters &then,
+                                             const TimeParameters &now)
+    {
+      std::vector<std::string> changes = checkpoint.changes;
+      const auto               add     = [&](const char *entry, const double before, const double after) {
+        if (before != after && checkpoint.step > 0)
+          changes.push_back(
+                              fmt::format("{} from {:g} to {:g} at {}", entry, before, after, format_quantity(checkpoint.time, "s")));
+      };
+      add("Time/Step scale", then.step_scale, now.step_scale);
+      add("Time/Bird step scale", then.bird_step_scale, now.bird_step_scale);
+      return changes;
+    }
+  } // namespace
+
   void run_case(const CaseRequest &request)
   {
     survive_signals();
@@ -217,7 +235,7 @@ namespace birdstrike
     const std::string of_run     = std::string(checkpoint_folder) + "/parameters.prm";
     folder.write_text(of_run, checkpoint.parameters); // whatever has become of the file beside
     CaseParameters then, now;
-    const auto     prm = folder.file(of_run).string(), here = "Output/Directory=" + request.run;
+    const auto     prm = folder.file(of_run).string(), here = set_directory(request.run);
     then.read(prm, {here});
     std::vector<std::string> overrides = request.overrides;
     overrides.push_back(here);
@@ -236,13 +254,18 @@ namespace birdstrike
     folder.go_on();
     folder.write_text("parameters.prm", now.file.as_prm());
     remove_later_checkpoints(folder.path(), checkpoint.step); // damaged, or they would have been taken
-    const Warnings warnings = find_all_warnings(of_inputs, now, scene);
-    BirdStrike     strike(now, scene, folder.path(), warnings);
-    Archive        archive = Archive::reading(checkpoint.state);
+    Warnings   warnings = find_all_warnings(of_inputs, now, scene);
+    const auto changes  = collect_changes(checkpoint, then.time, now.time);
+    if (!changes.empty())
+      warnings.push_back({"run/other_steps", "The run has gone on with other time steps than it began with: " +
+                                               fmt::format("{}", fmt::join(changes, "; ")) +
+                                               ". What parameters.prm gives when it is run anew differs by that."});
+    BirdStrike strike(now, scene, folder.path(), warnings);
+    Archive    archive = Archive::reading(checkpoint.state);
     strike.archive(archive);
     archive.finish();
     Checkpoints checkpoints(now.output.checkpoints, folder.path(),
-                            {now.file.as_prm(), checkpoint.inputs, program(), 0., 0, {}}, strike);
+                            {now.file.as_prm(), checkpoint.inputs, program(), 0., 0, {}, changes}, strike);
     finish_run(strike, checkpoints, folder, now, checkpoint.inputs);
   }
 } // namespace birdstrike

@@ -58,6 +58,10 @@ namespace birdstrike
     check_row();
     require(mesh.row.n_blades == 1 || std::hypot(spin.axis[0], spin.axis[1], spin.axis[2]) > 0.,
             "Spin/Axis: the axis of the row has no length.\nAllowed: any three numbers that are not all zero.");
+    require(mesh.generator == MeshGenerator::file || mesh.file.empty() ||
+              !(is_deformable() || rigid.surface == RigidSurface::mesh),
+            "Mesh/File: a file is named, and Generator takes another mesh.\nSet Mesh/Generator = file, or leave File "
+            "empty.");
     require(mesh.row.n_blades == 1 || mass_scaling.method == MassScalingMethod::off,
             "Mass scaling/Method: it knows one blade, not a row.\nSet it to off, or Mesh/Row/Blades to 1.");
     if (is_deformable() || rigid.surface == RigidSurface::mesh)
@@ -83,6 +87,9 @@ namespace birdstrike
                 "Probes: two are called '" + probe + "'.\nGive each a name of its own: it names their curves.");
       }
     check_geometry();
+    require(kind != BladeKind::solid || thickness.by_material.empty(),
+            "Thickness/By material: bricks are as thick as the mesh, built-in ones as Value or Maximum say.\nLeave it "
+            "empty, or set Kind = shell.");
     require(kind != BladeKind::solid || thickness.table.empty(),
             "Thickness/Table: bricks are as thick as the mesh.\nLeave it empty, or set Kind = shell.");
     require(kind != BladeKind::solid || mesh.generator != MeshGenerator::file || thickness.maximum.empty(),

@@ -53,7 +53,7 @@ namespace birdstrike
     , mesh(parameters)
     , hub(parameters.spin)
     , supports(parameters.supports, mesh, hub.turns(), parameters.mesh.row.is_rigid())
-    , sections(parameters, mesh.material_ids, mesh.material_names, mesh.blades)
+    , sections(parameters, mesh.material_ids, mesh.material_names, mesh.blades, mesh.file_element_ids)
     , lumped(Kind::compute_mass(mesh, sections, supports))
     , elements(Kind::make_elements(mesh, lumped, sections, pool))
     , pressed(Kind::find_pressed(mesh, parameters.loads))

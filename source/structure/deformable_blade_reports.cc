@@ -3,6 +3,8 @@
 #include "structure/histories/watched_blade.h"
 #include <birdstrike/core/errors.h>
 
+#include <algorithm>
+
 namespace birdstrike
 {
   template <class Kind>
@@ -23,7 +25,14 @@ namespace birdstrike
     census.mass        = mass();
     census.area        = plane.whole(census.area);
     census.n_held_dofs = supports.held_dofs.size();
-    Point3 moment      = Point3::Zero();
+    if (!lumped.element_thickness.empty())
+      {
+        const auto [least, most] = std::ranges::minmax(lumped.element_thickness);
+        census.thinnest          = least;
+        census.thickest          = most;
+        census.n_thickness_given = plane.whole(lumped.n_given);
+      }
+    Point3 moment = Point3::Zero();
     for (std::size_t n = 0; n < mesh.space.n_owned(); ++n)
       moment += lumped.node[n] * mesh.node(n);
     for (unsigned int d = 0; d < 3; ++d)
@@ -68,7 +77,7 @@ namespace birdstrike
           const auto &nodes = Kind::nodes_of(plain, e);
           snapshot.cells.insert(snapshot.cells.end(), nodes.begin(), nodes.end());
           left.push_back(e);
-          number.values.push_back(static_cast<double>(e));
+          number.values.push_back(static_cast<double>(plain.element_label(e)));
           if (can_fail)
             {
               damage.values.push_back(elements.damage(e));
@@ -77,7 +86,7 @@ namespace birdstrike
         }
     Field node{"node", "", false, 1, {}, true};
     for (std::size_t n = 0; n < plain.nodes.size(); ++n)
-      node.values.push_back(static_cast<double>(n));
+      node.values.push_back(static_cast<double>(plain.node_label(n)));
     snapshot.fields = {std::move(node), std::move(number)};
     motion.add_fields(snapshot.fields);
     snapshot.fields.push_back(contact_pressure());

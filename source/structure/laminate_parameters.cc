@@ -77,7 +77,7 @@ namespace birdstrike
                       Patterns::Integer(0, 100000));
     prm.add_parameter(
       "Failed share", failed_share,
-      "Share of an element's plies whose fibres must have failed before all of it is taken away; 0: the "
+      "Share of an element's thickness in which fibres must have failed before all of it is taken away; 0: the "
       "blade's. [-]",
       Patterns::Double(0., 1.));
     prm.add_parameter("Smallest step", smallest_step,

@@ -10,9 +10,11 @@
 namespace birdstrike
 {
   SectionTable::SectionTable(const BladeParameters &parameters, const std::vector<unsigned int> &material_ids,
-                             const NamedIds &names, const std::vector<std::uint32_t> &blades)
-    : names(names)
+                             const NamedIds &names, const std::vector<std::uint32_t> &blades,
+                             const std::vector<std::int64_t> &labels)
+    : names(names), ids(material_ids), labels(labels)
   {
+    std::ranges::sort(ids);
     for (auto &[k, of_section] : parameters.by_section())
       {
         const std::string entry = BladeParameters::section_path(k) + "Material ids";
@@ -66,6 +68,13 @@ namespace birdstrike
 
   ThicknessLaw SectionTable::thickness_law() const
   {
+    const std::string entry = "Blade/Thickness/By material";
+    for (const auto &[key, value] : parse_pairs(all.front().thickness.by_material, entry))
+      for (const unsigned int id : names.parse(key, entry))
+        if (!std::ranges::binary_search(ids, id))
+          throw InputError(
+            entry + ": no cell of the mesh has the material id " + std::to_string(id) +
+            ".\nSet Blade/Mesh/Material boxes, or name an id that the file has; its names: " + names.list() + ".");
     struct Given
     {
       std::string  entry;

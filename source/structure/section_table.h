@@ -19,7 +19,8 @@ namespace birdstrike
     /// `material_ids` of the cells, and names for them; of a row `blades` of the cells: each blade then has sections of
     /// its own, one blade's after the other's. Throws InputError for an id that is named twice or that no cell has.
     SectionTable(const BladeParameters &parameters, const std::vector<unsigned int> &material_ids,
-                 const NamedIds &names, const std::vector<std::uint32_t> &blades = {});
+                 const NamedIds &names, const std::vector<std::uint32_t> &blades = {},
+                 const std::vector<std::int64_t> &labels = {});
 
     DensityLaw   density_law() const;
     ThicknessLaw thickness_law() const; ///< of shells
@@ -31,6 +32,8 @@ namespace birdstrike
     std::size_t                           n_of_blade; ///< sections of each blade
     std::map<unsigned int, std::uint32_t> of_id;      ///< which, of ids that sections name
     NamedIds                              names;      ///< of material ids
+    std::vector<unsigned int>             ids;        ///< of the cells, sorted
+    std::vector<std::int64_t>             labels;     ///< of elements, by which users know them; empty: their places
   };
 
   /// Sections as elements take them; `make`: one of these from the parameters with its entries.
@@ -40,6 +43,6 @@ namespace birdstrike
     std::vector<Section> all;
     for (const BladeParameters &of_section : table.all)
       all.push_back(make(of_section));
-    return {std::move(all), table.of_element, table.is_rigid};
+    return {std::move(all), table.of_element, table.is_rigid, table.labels};
   }
 } // namespace birdstrike

@@ -22,6 +22,8 @@ namespace birdstrike
     double                 time = 0.;  ///< s since first touch
     std::uint64_t          step = 0;   ///< time steps so far
     ArchivedState          state;
+    /// Of time steps that a resumed run has changed: "Time/Step scale from 0.9 to 0.2 at 0.3 ms".
+    std::vector<std::string> changes = {};
   };
 
   /// One file: a line of text, padded to 512 bytes, that says format, length and CRC-32 of the rest; then HDF5 (any

@@ -64,6 +64,15 @@ namespace birdstrike
     double melting_temperature = 0.;   ///< K, where T* = 1
   };
 
+  /// Of a metal that flows at no stress that there is; finite, as laws that compute with a flow stress need.
+  inline Hardening hardening_without_flow()
+  {
+    Hardening result;
+    result.law   = HardeningLaw::perfect;
+    result.yield = 1e30;
+    return result;
+  }
+
   /// Flow stress (Pa) and its derivative with respect to the plastic strain of the step (Pa).
   template <class Number>
   struct FlowStress

@@ -40,7 +40,8 @@ namespace birdstrike
       std::vector<double> element;           ///< kg
       std::vector<double> rotary;            ///< kg m^2, per node of a shell
       std::vector<double> element_thickness; ///< m, mean over the area of a shell's element
-      double              total = 0.;        ///< kg, of the cells that are owned
+      std::size_t         n_given = 0;       ///< elements of a shell whose thickness the file or a table gives
+      double              total   = 0.;      ///< kg, of the cells that are owned
     };
 
     explicit BladeMesh(const GeometryParameters &parameters);
@@ -75,7 +76,7 @@ namespace birdstrike
 
     BladeMesh() = default;
     void extract(std::uint32_t first, std::uint32_t last);
-    void face_upwards();
+    void face_upwards(const std::string &top);
 
     std::shared_ptr<Grid> grid;
   };

@@ -31,8 +31,9 @@ namespace birdstrike
 
     NodeSpace                                      space;
     std::vector<std::array<double, 3>>             nodes;         ///< m
-    std::vector<std::int64_t>                      file_node_ids; ///< per node; empty: no file gives them, or .msh
+    std::vector<std::int64_t>                      file_node_ids; ///< per node; empty: no file gives them
     std::vector<Cell>                              cells;
+    std::vector<std::int64_t>                      file_element_ids; ///< per cell; empty: no file gives them
     std::size_t                                    n_owned_cells = 0;
     std::vector<std::array<std::int32_t, n_sides>> neighbors;      ///< cell across a side, or as FacetsView says
     std::vector<unsigned int>                      material_ids;   ///< per cell
@@ -43,6 +44,16 @@ namespace birdstrike
     std::vector<unsigned int>                      boundary_ids;   ///< sorted, of the whole mesh
     std::vector<unsigned int>                      mirrored_ids;   ///< boundary ids that only the other half has
     NamedIds                                       boundary_names, material_names{NamedIds::Of::materials};
+
+    /// By which users know them: the ids of the mesh's file, else the place in these lists.
+    std::int64_t node_label(const std::size_t n) const
+    {
+      return file_node_ids.empty() ? static_cast<std::int64_t>(n) : file_node_ids[n];
+    }
+    std::int64_t element_label(const std::size_t cell) const
+    {
+      return file_element_ids.empty() ? static_cast<std::int64_t>(cell) : file_element_ids[cell];
+    }
 
     Point3 node(const std::size_t n) const
     {

@@ -75,6 +75,7 @@ namespace birdstrike
     Row           row;
     std::string   file;
     double        file_scale = 1.; ///< m per unit of the file
+    std::string   top;             ///< "x y z", into which a shell's top face looks; empty: upwards
     std::string   material_boxes;  ///< "xmin ymin zmin xmax ymax zmax: 1; ..."
 
     void declare(dealii::ParameterHandler &prm); ///< in the handler's present section, "Blade"

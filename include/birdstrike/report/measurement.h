@@ -15,6 +15,9 @@ namespace birdstrike
     std::string              output = "runs/measured";
   };
 
+  /// The last parts of these paths, of each so many that no two are alike.
+  std::vector<std::string> shortest_names(const std::vector<std::string> &folders);
+
   /// Rates what runs have left against a measurement, quantity by quantity: ratio and times of the peaks, Sprague's and
   /// Geers' figures, the rating of ISO/TS 18571 (source/report/measurement/curve_metrics.h), on the screen and in
   /// ratings.csv; measurement.csv has the curves, drawn one upon the other in measurement.svg. Curves are compared

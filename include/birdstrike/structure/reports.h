@@ -42,15 +42,17 @@ namespace birdstrike
   {
     std::size_t           n_elements    = 0;
     std::size_t           n_nodes       = 0;
-    double                mass          = 0.;          ///< kg
-    double                area          = 0.;          ///< m^2, of the mid-surface, or of the skin of a solid
-    double                smallest_edge = 0.;          ///< m
-    std::array<double, 3> smallest_at{};               ///< m, centroid of the element with that edge
-    unsigned int          n_layers               = 0;  ///< of bricks, all through; 0: none, or no layers
-    double                largest_edge_ratio     = 1.; ///< longest over shortest `smallest_edge` of all elements
-    std::size_t           n_held_dofs            = 0;  ///< of what is computed, as are bytes
-    std::size_t           n_elements_with_points = 0;  ///< that hold points through the thickness at present
-    double                bytes                  = 0.; ///< estimated memory of state, elements and surface
+    double                mass          = 0.;           ///< kg
+    double                area          = 0.;           ///< m^2, of the mid-surface, or of the skin of a solid
+    double                smallest_edge = 0.;           ///< m
+    std::array<double, 3> smallest_at{};                ///< m, centroid of the element with that edge
+    unsigned int          n_layers = 0;                 ///< of bricks, all through; 0: none, or no layers
+    double                thinnest = 0., thickest = 0.; ///< m, of the elements of a shell
+    std::size_t           n_thickness_given      = 0;   ///< of these, by the file of the mesh or a table of nodes
+    double                largest_edge_ratio     = 1.;  ///< longest over shortest `smallest_edge` of all elements
+    std::size_t           n_held_dofs            = 0;   ///< of what is computed, as are bytes
+    std::size_t           n_elements_with_points = 0;   ///< that hold points through the thickness at present
+    double                bytes                  = 0.;  ///< estimated memory of state, elements and surface
     MassScalingReport     mass_scaling;
 
     std::array<double, 3>      centre_of_mass{}; ///< m, of a rigid surface none

@@ -94,6 +94,7 @@ namespace birdstrike
             }
         for (const auto &element : elements())
           {
+            labels.element_ids.push_back(element.id);
             cells.emplace_back(n_corners);
             for (unsigned int k = 0; k < n_corners; ++k)
               cells.back().vertices[k] = vertex_of.at(element.nodes[round_the_faces[k]]);

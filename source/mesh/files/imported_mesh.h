@@ -18,7 +18,7 @@ namespace birdstrike
   struct MeshLabels
   {
     NamedIds                  boundaries, materials{NamedIds::Of::materials};
-    std::vector<std::int64_t> node_ids{}; ///< of the file, per vertex; empty: not known
+    std::vector<std::int64_t> node_ids{}, element_ids{}; ///< of the file, per vertex and cell; empty: not known
     /// Of shells, per cell and corner in the order of deal.II's vertices; 0: not given; empty: no file says it.
     std::vector<std::array<double, 4>> corner_thickness{}; ///< in units of the file
   };

@@ -25,6 +25,14 @@ namespace birdstrike
       return is_of_run ? fs::absolute(path).lexically_normal().parent_path().filename().string() : parameters.name;
     }
 
+    /// A deformable blade whose file does not say what a rigid surface would be.
+    bool is_of_mesh(const std::string &file, const std::vector<std::string> &overrides)
+    {
+      CaseParameters plain;
+      plain.read(file, overrides);
+      return plain.blade.is_deformable() && !plain.file.is_given("Blade/Rigid/Surface");
+    }
+
     PlannedCase read_case(const CompareRequest &request, const std::string &file, const std::string &kind)
     {
       PlannedCase planned;
@@ -32,6 +40,8 @@ namespace birdstrike
       planned.overrides = request.overrides;
       if (!kind.empty())
         planned.overrides.push_back("Blade/Kind=" + kind);
+      if (kind == blade_kinds().name(BladeKind::rigid) && is_of_mesh(file, request.overrides))
+        planned.overrides.push_back("Blade/Rigid/Surface=mesh"); // the blade's own, not a rectangle of its own size
       planned.parameters = std::make_unique<CaseParameters>();
       planned.parameters->read(file, planned.overrides);
       planned.name   = name_of(file, *planned.parameters) + (kind.empty() ? "" : " " + kind);

@@ -6,6 +6,7 @@
 #include <birdstrike/io/input_files.h>
 #include <birdstrike/report/summary.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace birdstrike
@@ -46,6 +47,9 @@ namespace birdstrike
         return "a signal ended it";
       if (ended == end_reasons().name(EndReason::wall_time))
         return "Time/Maximum wall time ended it, which depends on the machine";
+      if (std::ranges::any_of(run.summary().warnings(),
+                              [](const Warning &warning) { return warning.code == "run/other_steps"; }))
+        return "it was resumed with other time steps than it began with";
       if (run.state() != "done")
         return "its state is '" + run.state() + "'";
       if (run.column("time").empty())

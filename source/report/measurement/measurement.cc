@@ -207,6 +207,28 @@ namespace birdstrike
     }
   } // namespace
 
+  std::vector<std::string> shortest_names(const std::vector<std::string> &folders)
+  {
+    std::vector<std::filesystem::path> left;
+    std::vector<std::string>           names(folders.size());
+    for (const std::string &folder : folders)
+      left.push_back((std::filesystem::path(folder) / "").parent_path());
+    const auto is_unique = [&](const std::string &name) { return std::ranges::count(names, name) == 1; };
+    while (!std::ranges::all_of(names, is_unique))
+      {
+        const std::vector<std::string> before = names;
+        for (std::size_t k = 0; k < names.size(); ++k)
+          if (std::ranges::count(before, before[k]) > 1 && left[k].has_filename())
+            {
+              names[k] = before[k].empty() ? left[k].filename().string() : (left[k].filename() / before[k]).string();
+              left[k]  = left[k].parent_path();
+            }
+        if (names == before)
+          break; // the same folder twice
+      }
+    return names;
+  }
+
   void compare_with_measurement(const MeasurementRequest &request)
   {
     if (request.of_file.size() < 2)
@@ -215,6 +237,7 @@ namespace birdstrike
         "--measured test.csv \"tip sensor: tip\"");
     const DataTable    table(request.of_file.front());
     std::vector<Rated> rated;
+    const auto         names = shortest_names(request.runs);
     Figure             figure{"measurement", request.of_file.size() > 2 ? 2u : 1u, {}};
     for (std::size_t k = 1; k < request.of_file.size(); ++k)
       {
@@ -224,7 +247,7 @@ namespace birdstrike
             const std::filesystem::path folder(request.runs[run]);
             const RunCurve              of_run   = read_run_curve(folder, quantity);
             const Curve                 measured = read_measured(table, request, column, of_run);
-            const std::string           name     = (folder / "").parent_path().filename().string();
+            const std::string          &name     = names[run];
             rated.push_back(rate(name, column, quantity, of_run, measured));
             warn_of_units(table.column(column), rated.back());
             if (run == 0)

@@ -61,6 +61,9 @@ namespace birdstrike
         draw_figures(folder);
       }
     log().info("\n{}{}", convergence.as_text(), table.warnings_as_text());
+    for (const PointRun &run : runs)
+      if (!run.is_done)
+        log().info("No value of {}: {}", run.point.name, run.state);
     log().info("Ladder in {}", folder.path().string());
     Losses losses;
     for (const PointRun &run : runs)

@@ -108,8 +108,9 @@ namespace birdstrike
     if (refines_mesh(refinement))
       {
         const MeshParameters &mesh   = parameters.blade.mesh;
+        const double          pair   = parameters.has_symmetry_plane ? 2. : 1.; // halves are cut between elements
         const double          n_span = std::max(1., std::round(mesh.n_span / factor)),
-                     n_chord         = std::max(1., std::round(mesh.n_chord / factor));
+                     n_chord         = pair * std::max(1., std::round(mesh.n_chord / (pair * factor)));
         level.overrides              = {set_number("Blade/Mesh/Elements along span", n_span),
                                         set_number("Blade/Mesh/Elements along chord", n_chord)};
         level.size                   = std::sqrt(mesh.length * mesh.chord / (n_span * n_chord));

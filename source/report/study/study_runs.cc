@@ -10,6 +10,7 @@
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/checkpoint_file.h>
 #include <birdstrike/report/text.h>
+#include <birdstrike/time_control/end_reason.h>
 
 #include <fmt/format.h>
 #include <spdlog/logger.h>
@@ -116,6 +117,13 @@ namespace birdstrike
                                        (find_checkpoints(run.folder).empty() ? "" : ", will go on");
     }
 
+    /// By Time/Maximum wall time: its results are those of a part, and which depends on the machine.
+    bool ends_by_the_clock(const PointRun &run)
+    {
+      const RunRecord record = read_record(run.folder);
+      return record.is_complete() && record.summary().text("end/reason") == end_reasons().name(EndReason::wall_time);
+    }
+
     void judge(PointRun &run, const ChildResult &result)
     {
       if (run.goes_on && result.exit_code == static_cast<int>(ExitCode::bad_input))
@@ -124,8 +132,8 @@ namespace birdstrike
           run.state   = "run anew, for resume says: " + find_refusal(result.output);
           return;
         }
-      run.exit_code     = result.exit_code;
-      run.is_done       = result.exit_code == 0;
+      run.exit_code     = result.exit_code == 0 && ends_by_the_clock(run) ? Interrupted::exit_code : result.exit_code;
+      run.is_done       = run.exit_code == 0;
       const auto marker = read_record(run.folder).state();
       if (run.is_done)
         run.state = "done";
@@ -133,7 +141,7 @@ namespace birdstrike
         run.state = "lost: " + (marker.starts_with("failed: ") ? marker.substr(8) : marker);
       else if (result.exit_code == static_cast<int>(ExitCode::bad_input))
         run.state = "refused: " + find_refusal(result.output);
-      else if (result.exit_code == Interrupted::exit_code)
+      else if (run.exit_code == Interrupted::exit_code)
         run.state = describe_stop(run);
       else
         run.state = fmt::format("ended with exit code {}: {}", result.exit_code, last_line(result.output));

@@ -2,7 +2,7 @@
 #include "simulation/explain.h"
 #include "simulation/scene.h"
 #include "simulation/warnings/mesh_warnings.h"
-#include "simulation/warnings/plausible.h"
+#include "simulation/warnings/unit_warnings.h"
 #include "simulation/warnings/unused_entries.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
@@ -21,86 +21,6 @@ namespace birdstrike
 {
   namespace
   {
-    using Units = std::vector<Plausible::Unit>;
-    const Units of_density{{"g/cm^3", 1e3}, {"t/mm^3", 1e12}, {"kg/mm^3", 1e9}};
-    const Units of_stress{{"GPa", 1e9}, {"MPa", 1e6}}; // the larger one first: 113.8 is no rubber
-    const Units of_length{{"mm", 1e-3}};
-    const Units of_strain{{"%", 1e-2}};
-
-    void check_metals(const BladeParameters &blade, Warnings &warnings)
-    {
-      for (const auto &[number, of_section] : blade.by_section())
-        {
-          const std::string path = "Blade/" + BladeParameters::section_path(number);
-          if (of_section.is_laminate())
-            {
-              const std::string where = path + "Laminate/";
-              for (const auto &[name, entries, ply] : of_section.laminate.stack().materials)
-                {
-                  const std::string of_ply = name.empty() ? where : "Blade/Laminate/" + entries;
-                  // cores are of foam, balsa and honeycomb
-                  check({"density", of_ply + "Density", ply.density, "kg/m^3", 20., 25e3, of_density}, warnings);
-                  check({"young", of_ply + "Young's modulus 1", ply.young_1, "Pa", 5e5, 2e12, of_stress}, warnings);
-                }
-              continue;
-            }
-          const std::string where    = path + "Material/";
-          const Metal       metal    = of_section.material.metal(where);
-          const std::size_t n_before = warnings.size();
-          check({"density", where + "Density", metal.density, "kg/m^3", 500., 25e3, of_density}, warnings);
-          check({"young", where + "Young's modulus", metal.elasticity.young, "Pa", 5e5, 2e12, of_stress}, warnings);
-          if (metal.hardening.law == HardeningLaw::elastic)
-            continue;
-          const bool is_curve = metal.hardening.law == HardeningLaw::curve;
-          check({"yield", where + (is_curve ? "Hardening curve: yield stress" : "Yield stress"), metal.hardening.yield,
-                 "Pa", 1e5, 1e10, of_stress},
-                warnings);
-          if (metal.hardening.curve.n_segments > 0)
-            {
-              const auto &last = metal.hardening.curve.segments[metal.hardening.curve.n_segments - 1];
-              check({"curve_strain", where + "Hardening curve: last strain", last.begin + last.length, "(true strain)",
-                     1e-4, 3., of_strain},
-                    warnings);
-            }
-          if (metal.failure.law == FailureLaw::plastic_strain)
-            check({"failure_strain", where + "Failure strain", metal.failure.plastic_strain, "(true strain)", 1e-3, 3.,
-                   of_strain},
-                  warnings);
-          const double strain = metal.hardening.yield / metal.elasticity.young;
-          if (warnings.size() == n_before && strain > 0.1)
-            warnings.push_back({"material/yield_strain",
-                                fmt::format("{}Yield stress is {:.3g} of Young's modulus: no metal stays elastic to "
-                                            "such strains.",
-                                            where, strain)});
-        }
-    }
-
-    void check_bird(const BirdParameters &bird, Warnings &warnings)
-    {
-      const auto &v = bird.velocity;
-      if (bird.shape != BirdShape::slab)
-        check({"bird_mass", bird.section + "/Mass", bird.mass, "kg", 1e-3, 20., {{"g", 1e-3}}}, warnings);
-      check({"bird_density", bird.section + "/Density", bird.density, "kg/m^3", 300., 3e3, of_density}, warnings);
-      check({"speed",
-             "Norm of " + bird.section + "/Velocity",
-             std::hypot(v[0], v[1], v[2]),
-             "m/s",
-             5.,
-             1500.,
-             {{"mm/s", 1e-3}, {"km/s", 1e3}}},
-            warnings);
-      if (!bird.angle_to_surface.empty())
-        check({"angle",
-               bird.section + "/Angle to surface",
-               std::abs(bird.angle_to_surface[0]),
-               "degrees",
-               1.6,
-               180.,
-               {{"rad", 57.29577951}}},
-              warnings);
-      check({"spacing", bird.section + "/Particle spacing", bird.spacing, "m", 1e-4, 0.05, of_length}, warnings);
-    }
-
     /// Of a shell: how many facets are thicker than `thickest` times their shortest side.
     std::size_t count_thick(const FacetsView &facets, const double thickest)
     {
@@ -244,19 +164,15 @@ namespace birdstrike
     if (sets_nothing(parameters.file.original()))
       warnings.push_back({"case/empty", "The parameter file sets nothing: but for --set this is the default case."});
     if (blade.is_deformable())
-      {
-        check_metals(blade, warnings);
-        check_renamed_metals(parameters, warnings);
-      }
-    if (blade.is_deformable() && blade.mesh.generator == MeshGenerator::blade && Rotor(blade.spin).turns() &&
+      check_renamed_metals(parameters, warnings);
+    if (blade.is_deformable() && blade.mesh.generator != MeshGenerator::flat_plate && Rotor(blade.spin).turns() &&
         !parameters.file.is_given("Blade/Spin/Axis"))
       warnings.push_back({"blade/axis_not_given",
-                          "Blade/Spin/Axis is not given: the blade turns about z, while stagger "
-                          "and sweep of Mesh/Profile are those of an engine whose axis is y."});
-    for (const BirdCase &each : parameters.birds())
-      check_bird(each.bird, warnings);
-    check({"end_time", "Time/End time", parameters.time.end_time, "s", 0., 0.5, {{"ms", 1e-3}, {"us", 1e-6}}},
-          warnings);
+                          std::string("Blade/Spin/Axis is not given: the blade turns about z") +
+                            (blade.mesh.generator == MeshGenerator::blade
+                               ? ", while stagger and sweep of Mesh/Profile are those of an engine whose axis is y."
+                               : ", wherever the engine's axis lies in Mesh/File.")});
+    check_units(parameters, warnings);
     return warnings;
   }
 

@@ -1,10 +1,13 @@
 #include "simulation/warnings/mesh_warnings.h"
 #include "simulation/warnings/plausible.h"
+#include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/core/box.h>
 #include <birdstrike/core/closest_point.h>
 #include <birdstrike/core/contact_views.h>
+#include <birdstrike/core/expression.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/structure/blade.h>
+#include <birdstrike/structure/rotor.h>
 
 #include <fmt/format.h>
 
@@ -39,6 +42,28 @@ namespace birdstrike
         }
     }
 
+    /// Of a shell from a file: the default's, or an entry that the file leaves nothing to say.
+    void check_source_of_thickness(const CaseParameters &parameters, const BladeCensus &census, Warnings &warnings)
+    {
+      const BladeParameters &blade    = parameters.blade;
+      const auto             is_given = [&](const char *entry) {
+        return parameters.file.is_given(std::string("Blade/Thickness/") + entry);
+      };
+      const bool has_more =
+        is_given("Maximum") || is_given("By material") ||
+        std::ranges::any_of(blade.sections, [](const auto &each) { return !each.thickness.empty(); });
+      if (!is_given("Value") && !has_more && census.n_thickness_given < census.n_elements)
+        warnings.push_back({"blade/thickness_not_given",
+                            fmt::format("Blade/Thickness is not given: {} of {} elements of the shell are {:.4g} mm "
+                                        "thick, as the default plate. Thickness and metal that a mesh file gives by "
+                                        "section or property (*SECTION_SHELL, *Shell Section) are not read.",
+                                        census.n_elements - census.n_thickness_given, census.n_elements,
+                                        1e3 * std::stod(ThicknessParameters().value))});
+      if (is_given("Value") && census.n_thickness_given == census.n_elements)
+        warnings.push_back({"entry/unused", "Blade/Thickness/Value is set, and means nothing: file or table give the "
+                                            "thickness of every element."});
+    }
+
     void check_thickness(const CaseParameters &parameters, const Blade &blade, const BladeCensus &census,
                          Warnings &warnings)
     {
@@ -56,18 +81,54 @@ namespace birdstrike
         doubt("Was Blade/Thickness meant in mm?");
       else if (thickness < 1e-4 * size)
         doubt("Is Blade/Thickness right? It is in m, and 'mm' stands for 0.001.");
-      // what the file itself says, or a section, leads to another mean
-      const double standard = std::stod(ThicknessParameters().value);
-      const auto   is_given = [&](const char *entry) {
-        return parameters.file.is_given(std::string("Blade/Thickness/") + entry);
-      };
-      if (parameters.blade.mesh.generator == MeshGenerator::file && std::abs(thickness - standard) < 1e-6 * standard &&
-          !is_given("Value") && !is_given("Maximum") && !is_given("Table") && !is_given("By material"))
-        warnings.push_back({"blade/thickness_not_given",
-                            fmt::format("Blade/Thickness is not given: the shell is {:.4g} mm thick, as the default "
-                                        "plate. Thickness and metal that a mesh file gives by section or property "
-                                        "(*SECTION_SHELL, *Shell Section) are not read.",
-                                        1e3 * thickness)});
+      if (parameters.blade.mesh.generator == MeshGenerator::file)
+        check_source_of_thickness(parameters, census, warnings);
+    }
+
+    /// Of a shell from a file: pressure and plies go by its top face, which hardly looks upwards.
+    void check_top(const BladeParameters &parameters, const FacetsView &facets, Warnings &warnings)
+    {
+      if (!parameters.mesh.top.empty() || !(is_present(parameters.loads.pressure) || parameters.laminate.is_given()))
+        return;
+      Point3 sum = Point3::Zero();
+      for (std::size_t f = 0; f < facets.n_facets; ++f)
+        {
+          const auto x = facet_nodes(facets, f);
+          sum += (x[2] - x[0]).cross(x[3] - x[1]);
+        }
+      const Point3     mean = sum.normalized();
+      constexpr double none = 0.01, little = 0.2; // the first as of the rule
+      const double     by = std::abs(mean[2]) > none ? mean[2] : std::abs(mean[1]) > none ? mean[1] : mean[0];
+      if (by < little)
+        warnings.push_back(
+          {"blade/top_by_little",
+           fmt::format("The top face of the shell, {}, is told by a mean normal of ({:.3f}, {:.3f}, {:.3f}), which "
+                       "hardly looks up: a small turn of the mesh would change the side. Set Blade/Mesh/Top.",
+                       is_present(parameters.loads.pressure) ? "along whose normal pressure acts"
+                                                             : "to which plies are stacked",
+                       mean[0], mean[1], mean[2])});
+    }
+
+    void check_reference_direction(const CaseParameters &parameters, const Point3 &span, Warnings &warnings)
+    {
+      const std::string entry = "Blade/Laminate/Reference direction";
+      const double      angle = std::acos(std::min(1., std::abs(span[0]))) * 180. / M_PI;
+      if (parameters.blade.laminate.is_given() && !parameters.file.is_given(entry) && angle > 20.)
+        warnings.push_back({"laminate/direction_not_given",
+                            fmt::format("{} is not given: plies of 0 degrees lie along x, which is {:.3g} degrees from "
+                                        "the way from root to tip.",
+                                        entry, angle)});
+    }
+
+    void check_axis(const BladeParameters::Spin &spin, const Point3 &span, Warnings &warnings)
+    {
+      const Point3 axis  = Point3(spin.axis.data()).normalized();
+      const double angle = std::acos(std::min(1., std::abs(axis.dot(span)))) * 180. / M_PI;
+      if (Rotor(spin).turns() && angle < 20.)
+        warnings.push_back({"blade/axis_along_span",
+                            fmt::format("Blade/Spin/Axis is {:.3g} degrees from the way from root to tip: the blade "
+                                        "turns about its own span.",
+                                        angle)});
     }
 
     void check_supports(const CaseParameters &parameters, const Blade &blade, const BladeCensus &census,
@@ -164,6 +225,15 @@ namespace birdstrike
     check_thickness(parameters, blade, census, warnings);
     check({"blade_mass", "Mass of the blade", census.mass, "kg", 1e-4, 200., {{"g", 1e-3}}}, warnings);
     check_supports(parameters, blade, census, warnings);
+    if (const auto line = blade.span_line(); line && line->tip != line->root)
+      {
+        const Point3 span = (Point3(line->tip.data()) - Point3(line->root.data())).normalized();
+        check_axis(parameters.blade.spin, span, warnings);
+        if (is_file)
+          check_reference_direction(parameters, span, warnings);
+      }
+    if (is_file && blade.kind() == BladeKind::shell)
+      check_top(parameters.blade, blade.facets(), warnings);
     if (is_file)
       check_joints(blade.facets(), census, warnings);
     check_layers(parameters.blade, census.n_layers, warnings);

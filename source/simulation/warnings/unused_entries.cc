@@ -34,6 +34,8 @@ namespace birdstrike
             add_thickness();
             add_metals();
           }
+        if (blade.kind == BladeKind::shell)
+          add_shells();
         add_row();
         add_rigid();
         add_liquids();
@@ -65,10 +67,15 @@ namespace birdstrike
 
       void add_mesh()
       {
-        if (blade.mesh.generator != MeshGenerator::file)
-          return;
         const MeshParameters &m = blade.mesh, &d = standard.mesh;
-        const std::string     path = "Blade/Mesh/", reason = "Mesh/Generator is file";
+        if (m.generator != MeshGenerator::file)
+          {
+            add("Blade/Mesh/Top", !m.top.empty(), "Mesh/Generator is not file");
+            add("Blade/Mesh/File scale", differ(m.file_scale, d.file_scale), "Mesh/Generator is not file");
+            return;
+          }
+        add("Blade/Mesh/Top", !m.top.empty() && blade.kind == BladeKind::solid, "a solid has no top face");
+        const std::string path = "Blade/Mesh/", reason = "Mesh/Generator is file";
         add(path + "Length", differ(m.length, d.length), reason);
         add(path + "Chord", differ(m.chord, d.chord), reason);
         add(path + "Elements along span", m.n_span != d.n_span, reason);
@@ -100,6 +107,9 @@ namespace birdstrike
       void add_thickness()
       {
         const ThicknessParameters &t = blade.thickness, &d = standard.thickness;
+        add("Blade/Thickness/Value",
+            blade.kind == BladeKind::solid && blade.mesh.generator == MeshGenerator::file && t.value != d.value,
+            "bricks of a file are as thick as the mesh");
         if (!t.maximum.empty())
           return;
         const std::string path = "Blade/Thickness/", reason = "Thickness/Maximum is empty";
@@ -139,6 +149,34 @@ namespace birdstrike
               (number == 0 || blade.sections[number - 1].material.name != BladeParameters::Section::same))
             for (const UnusedEntry &entry : unused_entries(of_section.material))
               add("Blade/" + BladeParameters::section_path(number) + "Material/" + entry.name, true, entry.reason);
+      }
+
+      void add_shells()
+      {
+        const auto sections = blade.by_section();
+        const auto none_has = [&](const auto &has) {
+          return std::ranges::none_of(sections, [&](const auto &section) { return has(section.second); });
+        };
+        const BladeParameters::Element &e = blade.element, &d = standard.element;
+        add("Blade/Element/Hourglass coefficient",
+            differ(e.hourglass, d.hourglass) && none_has([](const BladeParameters &of_section) {
+              return of_section.shell_formulation() == ShellFormulation::belytschko_tsay;
+            }),
+            "it is that of Belytschko-Tsay shells, and there are none");
+        const bool        has_metal = !none_has([](const BladeParameters &of) { return !of.is_laminate(); });
+        const std::string plies = "all sections are of plies, which are integrated exactly and keep their thickness";
+        add("Blade/Element/Shear factor", differ(e.shear_factor, d.shear_factor) && !has_metal, plies);
+        add("Blade/Element/Thinning", e.has_thinning != d.has_thinning && !has_metal, plies);
+        add("Blade/Element/Points rule", e.rule != d.rule && !has_metal, plies);
+        add("Blade/Element/Points through thickness", e.n_points != d.n_points && !has_metal, plies);
+        for (const auto &[number, of_section] : sections)
+          add("Blade/" + BladeParameters::section_path(number) + "Points through thickness",
+              number > 0 && blade.sections[number - 1].n_points > 0 && of_section.is_laminate(),
+              "the section is of plies, which are integrated exactly");
+        MetalParameters only_named;
+        only_named.name = blade.material.name; // of which BladeParameters::unused_entries tells
+        add("Blade/Material", blade.laminate.is_given() && blade.material != only_named,
+            "Laminate has Plies, so that no entry of it is used");
       }
 
       void add_correction(const BirdParameters &bird)

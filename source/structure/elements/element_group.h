@@ -65,6 +65,7 @@ namespace birdstrike
     struct Place
     {
       std::vector<std::uint32_t> number; ///< [n_elements], in the mesh
+      std::vector<std::int64_t>  label;  ///< by which users know them
       std::vector<Cell>          cells;  ///< of these
       const Record              *records;
       Row_                      *corner_force;
@@ -113,7 +114,7 @@ namespace birdstrike
       Point3 x = Point3::Zero();
       for (const auto n : place.cells[element])
         x += (1. / n_corners) * Point3(place.records[n].position);
-      return {"element", place.number[element], {{x[0], x[1], x[2]}}};
+      return {"element", static_cast<std::uint64_t>(place.label[element]), {{x[0], x[1], x[2]}}};
     }
     bool is_owned(const std::size_t element) const
     {

@@ -86,12 +86,13 @@ namespace birdstrike
     is_rigid.resize(sections.all.size(), false);
     for (std::uint32_t group = 0; group < sections.all.size(); ++group)
       {
-        typename Group::Place of_group{{}, {}, nodes.records.data(), corner_force.data(), n_nodes};
+        typename Group::Place of_group{{}, {}, {}, nodes.records.data(), corner_force.data(), n_nodes};
         std::vector<Extra>    of_elements;
         for (std::uint32_t e = 0; e < cells.size(); ++e)
           if (place[e].group == group)
             {
               of_group.number.push_back(e);
+              of_group.label.push_back(sections.labels.empty() ? e : sections.labels[e]);
               of_group.cells.push_back(cells[e]);
               of_elements.push_back(extra[e]);
             }

@@ -20,8 +20,9 @@ namespace birdstrike
     Sections(const Section &only) : all{only}
     {
     }
-    Sections(std::vector<Section> all, std::vector<std::uint32_t> of_element, std::vector<bool> is_rigid = {})
-      : all(std::move(all)), of_element(std::move(of_element)), is_rigid(std::move(is_rigid))
+    Sections(std::vector<Section> all, std::vector<std::uint32_t> of_element, std::vector<bool> is_rigid = {},
+             std::vector<std::int64_t> labels = {})
+      : all(std::move(all)), of_element(std::move(of_element)), is_rigid(std::move(is_rigid)), labels(std::move(labels))
     {
     }
 
@@ -33,6 +34,7 @@ namespace birdstrike
     std::vector<Section>       all;
     std::vector<std::uint32_t> of_element;
     std::vector<bool>          is_rigid; ///< by section; empty: none
+    std::vector<std::int64_t>  labels;   ///< of elements, by which users know them; empty: their places
   };
 
   /// All elements of a blade, shells (ShellElements) or bricks (SolidElements): their strain increments, stresses,
@@ -84,6 +86,9 @@ namespace birdstrike
     struct Saved;
     std::shared_ptr<const Saved> save();
     void                         restore(const Saved &saved);
+    /// While it is suspended no point flows, whatever its stress: the response is that of unloading. Afterwards the
+    /// state of before is to be restored.
+    void suspend_flow(bool is_suspended);
 
     /// All that the next step depends on, by section and element; `position` as of the last forces. What has been
     /// summed up over elements (dissipated energies, work) is booked with the first element of each sum: totals are the

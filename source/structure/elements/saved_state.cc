@@ -43,6 +43,13 @@ namespace birdstrike
   }
 
   template <class Group>
+  void Elements<Group>::suspend_flow(const bool is_suspended)
+  {
+    for (Group &group : groups)
+      group.suspend_flow(is_suspended);
+  }
+
+  template <class Group>
   void Elements<Group>::restore(const Saved &saved)
   {
     for (std::size_t k = 0; k < groups.size(); ++k)

@@ -28,6 +28,8 @@ namespace birdstrike
             for (const std::uint32_t n : surface.cells[f])
               normals[n] += (cosine > 0. ? 1. : -1.) * area;
         }
+      for (const std::uint32_t n : surface.symmetry_nodes) // with the mirror image
+        normals[n][1] = 0.;
       for (Point3 &normal : normals)
         if (normal.norm() > 0.)
           normal.normalize();

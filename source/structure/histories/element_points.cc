@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace birdstrike
@@ -18,27 +19,36 @@ namespace birdstrike
   void ShellPoints::add(const std::uint32_t element, const double layer)
   {
     directors.add(element);
-    point.push_back(elements.nearest_point(element, layer));
+    height.push_back(elements.nearest_height(element, layer));
   }
 
   std::string ShellPoints::describe(const std::size_t k) const
   {
-    const ThicknessPoints rule = elements.thickness_points(directors.element(k));
-    return fmt::format("{}, integration point {} of {} through the thickness ({:.3g} of half of it)",
-                       describe_element(mesh, directors.element(k)), point[k] + 1, rule.n, rule.position[point[k]]);
+    const std::uint32_t   e     = directors.element(k);
+    const std::string     where = describe_element(mesh, e);
+    const ThicknessPoints rule  = elements.thickness_points(e);
+    if (const Laminate *plies = elements.laminate(e))
+      return fmt::format("{}, ply {} of {} from the bottom ({:.3g} of half the thickness)", where,
+                         plies->at(height[k]).ply + 1, plies->n_plies, height[k]);
+    const auto point = std::find(rule.position.begin(), rule.position.begin() + rule.n, height[k]);
+    return fmt::format("{}, integration point {} of {} through the thickness ({:.3g} of half of it)", where,
+                       point - rule.position.begin() + 1, rule.n, height[k]);
   }
 
   PointValues ShellPoints::values(const std::size_t k) const
   {
     const std::uint32_t e = directors.element(k);
     PointValues         now;
-    now.thickness      = elements.state(e).thickness;
-    now.plastic_strain = elements.point_plastic_strain(e, point[k]);
-    now.is_failed      = elements.is_failed(e);
+    now.thickness               = elements.state(e).thickness;
+    const ShellPointState state = elements.point_state(e, height[k]);
+    now.plastic_strain          = state.plastic_strain;
+    now.is_failed               = elements.is_failed(e);
     if (now.is_failed)
       return now;
-    now.stress = elements.point_stress(e, point[k]);
-    now.strain = logarithmic_strain(directors.deformation_gradient(k, elements.thickness_points(e).position[point[k]]));
+    now.stress = state.stress;
+    now.strain =
+      logarithmic_strain(elements.laminate(e) ? directors.deformation_gradient(k, height[k])
+                                              : directors.deformation_gradient(k, height[k], state.volume_strain));
     return now;
   }
 

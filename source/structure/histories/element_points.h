@@ -15,8 +15,9 @@ namespace birdstrike
     bool                  is_failed      = false;
   };
 
-  /// Watched points of shells: the integration point through the thickness that is nearest to a layer, means over those
-  /// in the plane. The strain is that at the middle of the element, of the layer through the point.
+  /// Watched points of shells: of metals the integration point through the thickness that is nearest to a layer, of
+  /// plies the layer itself; means over those in the plane. The strain is that at the middle of the element, of the
+  /// layer there: across it that of plane stress (plies: none).
   class ShellPoints
   {
   public:
@@ -35,10 +36,10 @@ namespace birdstrike
     }
 
   private:
-    const ShellMesh          &mesh;
-    const ShellElements      &elements;
-    ShellDirectors            directors;
-    std::vector<unsigned int> point;
+    const ShellMesh     &mesh;
+    const ShellElements &elements;
+    ShellDirectors       directors;
+    std::vector<double>  height; ///< 2 z/t
   };
 
   /// Watched points of bricks: the mean of the element (layer 0), or the middle of the face on the side of minus (-1)

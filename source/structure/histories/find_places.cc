@@ -28,13 +28,19 @@ namespace birdstrike
       return longest;
     }
 
-    void require_number(const std::uint32_t number, const std::size_t n, const std::string &noun,
-                        const std::string &name, const std::string &entry)
+    /// The place of a number in a list; `labels`: the numbers where these are not the places themselves.
+    std::uint32_t find_number(const std::uint32_t number, const std::vector<std::int64_t> &labels, const std::size_t n,
+                              const std::string &noun, const std::string &name, const std::string &entry)
     {
-      if (number >= n)
-        throw InputError(fmt::format("{}: '{}' is {} {}, and the mesh has {}, 0 to {}.\nField '{}' of blade.pvd shows "
-                                     "the numbers.",
-                                     entry, name, noun, number, n, n - 1, noun));
+      const auto        found = std::ranges::find(labels, static_cast<std::int64_t>(number));
+      const std::size_t place = labels.empty() ? number : static_cast<std::size_t>(found - labels.begin());
+      if (place >= n)
+        throw InputError(fmt::format("{}: '{}' is {} {}, and {}.\nField '{}' of blade.pvd shows the numbers.", entry,
+                                     name, noun, number,
+                                     labels.empty() ? fmt::format("the mesh has {}, 0 to {}", n, n - 1)
+                                                    : "the file of the mesh has none of this number",
+                                     noun));
+      return static_cast<std::uint32_t>(place);
     }
 
     void warn_of_distance(const Place &place, const std::string &found, const double distance, const double size,
@@ -73,23 +79,20 @@ namespace birdstrike
   template <int dim>
   std::string describe_node(const CellMesh<dim> &mesh, const std::size_t node)
   {
-    return fmt::format("node {} at {}", node, text_of(mesh.node(node)));
+    return fmt::format("node {} at {}", mesh.node_label(node), text_of(mesh.node(node)));
   }
 
   template <int dim>
   std::string describe_element(const CellMesh<dim> &mesh, const std::size_t element)
   {
-    return fmt::format("element {} at {}", element, text_of(mesh.centroid(element)));
+    return fmt::format("element {} at {}", mesh.element_label(element), text_of(mesh.centroid(element)));
   }
 
   template <int dim>
   std::uint32_t find_node(const BladeMesh<dim> &mesh, const Place &place, const std::string &entry, Warnings &warnings)
   {
     if (place.number)
-      {
-        require_number(*place.number, mesh.nodes.size(), "node", place.name, entry);
-        return *place.number;
-      }
+      return find_number(*place.number, mesh.file_node_ids, mesh.nodes.size(), "node", place.name, entry);
     const std::uint32_t node = mesh.nearest_node(place.point).value_or(0);
     double              size = 0.;
     for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
@@ -117,10 +120,7 @@ namespace birdstrike
                              Warnings &warnings)
   {
     if (place.number)
-      {
-        require_number(*place.number, mesh.cells.size(), "element", place.name, entry);
-        return *place.number;
-      }
+      return find_number(*place.number, mesh.file_element_ids, mesh.cells.size(), "element", place.name, entry);
     std::size_t nearest  = 0;
     double      distance = std::numeric_limits<double>::infinity();
     for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)

@@ -22,7 +22,8 @@ namespace birdstrike
       "Elements", elements,
       "Elements whose stress, strain and plastic strain elements.csv follows: 'name: x y z | layer' or "
       "'name: element 17 | layer', separated by semicolons. The layer is a share of half the thickness, "
-      "-1 (bottom) to 1 (top), whose nearest integration point is taken; 0 without. Bricks have -1, 0 "
+      "-1 (bottom) to 1 (top), whose nearest integration point is taken (of plies itself); 0 without. Bricks have -1, "
+      "0 "
       "and 1. [m]");
     prm.add_parameter("Gauges", gauges,
                       "Strain gauges for gauges.csv: 'name: x y z | direction | face', separated by semicolons. "

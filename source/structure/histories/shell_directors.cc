@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <cmath>
+
 namespace birdstrike
 {
   namespace
@@ -90,8 +92,15 @@ namespace birdstrike
     Point3         fibre = Point3::Zero();
     for (const Point3 &director : one.director)
       fibre += 0.25 * director;
-    const double stretch = elements.state(one.element).thickness / one.thickness;
-    return base_of(corners(k, zeta), stretch * fibre.normalized()) *
-           base_of(corners_at_rest(k, zeta), one.normal).inverse();
+    return base_of(corners(k, zeta), fibre.normalized()) * base_of(corners_at_rest(k, zeta), one.normal).inverse();
+  }
+
+  Matrix3<double> ShellDirectors::deformation_gradient(const std::size_t k, const double zeta,
+                                                       const double volume_strain) const
+  {
+    const Matrix3<double> F = deformation_gradient(k, zeta);
+    const Point3         &n = watched[k].normal;
+    // F n <- s F n
+    return F + (std::exp(volume_strain) / F.determinant() - 1.) * (F * n) * n.transpose();
   }
 } // namespace birdstrike

@@ -23,8 +23,10 @@ namespace birdstrike
 
     std::array<Point3, 4> corners_at_rest(std::size_t k, double zeta) const; ///< m
     std::array<Point3, 4> corners(std::size_t k, double zeta) const;         ///< m, now
-    /// F at the middle of the element, dx/dX by the base vectors of layer and fibre.
+    /// F at the middle of the element, dx/dX by the base vectors of layer and fibre; the fibre keeps its length, or
+    /// stretches at the layer so that ln det F is the volume strain.
     Matrix3<double> deformation_gradient(std::size_t k, double zeta) const;
+    Matrix3<double> deformation_gradient(std::size_t k, double zeta, double volume_strain) const;
     std::uint32_t   element(std::size_t k) const
     {
       return watched[k].element;

@@ -171,6 +171,29 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
+  SparseRows BladeEquilibrium<n_unknowns>::compute_elastic_tangent()
+  {
+    struct Suspension
+    {
+      BladeEquilibrium     &of;
+      const decltype(saved) before;
+
+      explicit Suspension(BladeEquilibrium &of) : of(of), before(of.saved)
+      {
+        of.elements.restore(*before);
+        of.elements.suspend_flow(true);
+        of.saved = of.elements.save();
+      }
+      ~Suspension()
+      {
+        of.elements.suspend_flow(false);
+        of.saved = before; // what every call starts from
+      }
+    } suspension(*this);
+    return compute_tangent(std::vector<double>(free->size(), 0.));
+  }
+
+  template <unsigned int n_unknowns>
   double BladeEquilibrium<n_unknowns>::load_norm()
   {
     std::vector<double> loads(is_held.size(), 0.), forces;

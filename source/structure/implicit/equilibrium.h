@@ -35,6 +35,8 @@ namespace birdstrike
     /// section laws: central differences of r, whose columns of one colour are found together (Curtis, Powell & Reid
     /// 1974).
     SparseRows compute_tangent(std::span<const double> step);
+    /// Of the accepted state, without flow: of vibrations about a state that has yielded, where a metal unloads.
+    virtual SparseRows compute_elastic_tangent() = 0;
     /// The state after this step is where the next one begins.
     virtual void accept(std::span<const double> step) = 0;
     /// Of loads and spin at the full factor, at the accepted state: norm of the forces on the unknowns.
@@ -69,6 +71,7 @@ namespace birdstrike
 
     void                             compute_forces(std::span<const double> step, std::vector<double> &forces) override;
     void                             accept(std::span<const double> step) override;
+    SparseRows                       compute_elastic_tangent() override;
     double                           load_norm() override;
     std::vector<double>              masses() const override;
     std::vector<std::vector<double>> rigid_motions() const override;

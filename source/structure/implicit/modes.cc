@@ -82,7 +82,7 @@ namespace birdstrike
                        " unknowns were asked for.\nAllowed: up to a third of the unknowns; ask for fewer or refine the "
                        "mesh.");
     const std::vector<double> masses    = equilibrium.masses();
-    SparseRows                stiffness = equilibrium.compute_tangent(std::vector<double>(size, 0.));
+    SparseRows                stiffness = equilibrium.compute_elastic_tangent();
     VibrationModes            result;
     result.n_unknowns = size;
     result.asymmetry  = make_symmetric(stiffness);

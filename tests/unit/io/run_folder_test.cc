@@ -56,12 +56,14 @@ TEST(RunFolder, ReplacesAnEarlierRunButKeepsForeignFiles)
     RunFolder run(scratch.path());
     fs::create_directories(scratch.path() / "fields");
     for (const char *name :
-         {"history.csv", "results.h5", "blade.pvd", "fields/blade_0000.vtu", "notes.md", "plot.py", "fields/view.pvsm"})
+         {"history.csv", "results.h5", "blade.pvd", "fields/blade_0000.vtu", "notes.md", "plot.py", "fields/view.pvsm",
+          "nodes.csv", "elements.csv", "gauges.csv", "sections.csv", "patches.csv", "blades.csv"})
       scratch.write(name, "old");
     run.finish("{}");
   }
   RunFolder run(scratch.path());
-  for (const char *name : {"history.csv", "results.h5", "blade.pvd", "fields/blade_0000.vtu", "summary.json"})
+  for (const char *name : {"history.csv", "results.h5", "blade.pvd", "fields/blade_0000.vtu", "summary.json",
+                           "nodes.csv", "elements.csv", "gauges.csv", "sections.csv", "patches.csv", "blades.csv"})
     EXPECT_FALSE(fs::exists(scratch.path() / name)) << name;
   for (const char *name : {"notes.md", "plot.py", "fields/view.pvsm"})
     EXPECT_EQ(read_text(scratch.path() / name), "old") << name;

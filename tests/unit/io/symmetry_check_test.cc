@@ -50,6 +50,7 @@ TEST(SymmetryPlane, RefusesWhatIsNotItsOwnMirrorImage)
                                     {"Blade/Loads/Initial velocity=0; 1; 0", "Loads/Initial velocity"},
                                     {"Blade/Loads/Initial spin=1; 0; 0", "Loads/Initial spin"},
                                     {"Blade/Supports/Clamped=0, 2", "Supports/Clamped"},
+                                    {"Blade/Supports/Driven=1: uz = 1e-3*t; 3: uz = 1e-3*t", "Supports/Driven"},
                                     {"Blade/Mesh/Elements along chord=7", "Blade/Mesh"},
                                     {"Blade/Probes=a: 0.2 -0.01 0", "Probes"}})
     {
@@ -57,6 +58,12 @@ TEST(SymmetryPlane, RefusesWhatIsNotItsOwnMirrorImage)
       EXPECT_NE(message.find(entry), std::string::npos) << text << ": " << message;
       EXPECT_NE(message.find("symmetric"), std::string::npos) << text << ": " << message;
     }
+}
+
+TEST(SymmetryPlane, TakesEdgesThatAreDrivenAlike)
+{
+  EXPECT_EQ(refusal_of_half("Blade/Supports/Driven=2, 3: uz = 1e-3*t"), "");
+  EXPECT_EQ(refusal_of_half("Blade/Supports/Driven=1: uz = 1e-3*t"), "");
 }
 
 TEST(SymmetryPlane, RefusesAThicknessOfASectionThatIsNotItsOwnMirrorImage)

@@ -66,6 +66,20 @@ TEST(MetalParameters, LawsThatTheTableHasNotAreGivenWhole)
     }
 }
 
+// Nor is B of another law the slope of a line: Johnson and Cook's, at 20 % of strain, is three times that.
+TEST(MetalParameters, ALineDoesNotTakeAModulusOfAnotherLaw)
+{
+  MetalParameters parameters;
+  parameters.name      = "Al 2024 Johnson-Cook";
+  parameters.hardening = "linear";
+  EXPECT_THROW(parameters.metal(), InputError);
+  parameters.modulus = "5e8";
+  EXPECT_EQ(parameters.metal().hardening.modulus, 5e8);
+  parameters.hardening = "johnson-cook";
+  parameters.modulus   = "table";
+  EXPECT_NO_THROW(parameters.metal()) << "its own";
+}
+
 TEST(MetalParameters, BadValuesAreRefused)
 {
   MetalParameters parameters;

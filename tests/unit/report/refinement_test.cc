@@ -72,6 +72,16 @@ TEST_F(Refining, SizesOfMeshesAreThoseOfWholeElements)
   EXPECT_EQ(ladder("both", 3, 2.)[1].overrides.size(), 3u);
 }
 
+// Half a plate is cut between elements: numbers along the chord are even, as the case's own must be.
+TEST_F(Refining, HalvesKeepPairsAlongTheChord)
+{
+  const auto levels = ladder("mesh", 4, 1.5, 0, {"Case/Symmetry plane=y"});
+  EXPECT_EQ(levels[3].overrides[1], "Blade/Mesh/Elements along chord=8");
+  EXPECT_EQ(levels[2].overrides[1], "Blade/Mesh/Elements along chord=6");
+  EXPECT_EQ(levels[1].overrides[1], "Blade/Mesh/Elements along chord=4");
+  EXPECT_EQ(levels[0].overrides[1], "Blade/Mesh/Elements along chord=2");
+}
+
 TEST_F(Refining, TimeStepsOnlyShrinkAndPointsAreOddNumbers)
 {
   const auto steps = ladder("step");

@@ -1,5 +1,6 @@
 #include "report/measurement/run_curves.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/report/measurement.h>
 
 #include <gtest/gtest.h>
 
@@ -53,4 +54,16 @@ TEST(RunCurves, WithoutAFilterSayWhy)
         }
       EXPECT_NE(said.find(cause), std::string::npos) << said;
     }
+}
+
+TEST(RunCurves, RunsAreNamedByWhatTheirFoldersDifferIn)
+{
+  using Names      = std::vector<std::string>;
+  const auto names = [](const Names &folders) { return birdstrike::shortest_names(folders); };
+  EXPECT_EQ(names({"runs/a"}), Names{"a"});
+  EXPECT_EQ(names({"runs/a/", "runs/b"}), (Names{"a", "b"}));
+  EXPECT_EQ(names({"one/out", "two/out/", "three"}), (Names{"one/out", "two/out", "three"}));
+  EXPECT_EQ(names({"x/one/out", "y/one/out", "y/two/out"}), (Names{"x/one/out", "y/one/out", "two/out"}));
+  EXPECT_EQ(names({"out", "out"}), (Names{"out", "out"})) << "the same folder";
+  EXPECT_EQ(names({"out", "a/out"}), (Names{"out", "a/out"}));
 }

@@ -7,9 +7,15 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <numbers>
+#include <set>
 
 // Histories of nodes, elements and gauges.
 namespace birdstrike::histories_test
@@ -119,6 +125,53 @@ namespace birdstrike::histories_test
       const double after = values_of(global).at("mid.v_z");
       EXPECT_NEAR((after - before) / (2. * dt), now.at("mid.a_z"), 2e-2 * std::abs(now.at("mid.a_z")));
       EXPECT_GT(std::abs(now.at("mid.a_z")), 100.);
+    }
+
+    // Two squares whose nodes and elements have numbers of their own: places go by these, and fields show them.
+    TEST(Histories, NumbersAreThoseOfTheFile)
+    {
+      std::string   pattern = (std::filesystem::temp_directory_path() / "birdstrike-XXXXXX").string() + ".inp";
+      const int     file    = ::mkstemps(pattern.data(), 4);
+      std::ofstream out(pattern);
+      ::close(file);
+      out << "*NODE\n11, 0, 0, 0\n2, 0.1, 0, 0\n40, 0.2, 0, 0\n5, 0, 0.1, 0\n1, 0.1, 0.1, 0\n7, 0.2, 0.1, 0\n"
+          << "*ELEMENT, TYPE=S4R, ELSET=blade\n1, 2, 40, 7, 1\n900, 11, 2, 1, 5\n*NSET, NSET=root\n11, 5\n";
+      out.close();
+      BladeParameters p  = test::elastic_plate(1, 1);
+      p.mesh.generator   = MeshGenerator::file;
+      p.mesh.file        = pattern;
+      p.supports.clamped = "root";
+      ThreadPool      pool;
+      const auto      blade = make_blade(p, pool);
+      HistoryRequests requests;
+      requests.nodes                             = "a: node 1; b: node 40";
+      requests.elements                          = "c: element 1; d: element 900; e: 0.01 0.05 0";
+      const auto                         written = blade->make_histories(requests);
+      std::map<std::string, std::string> meaning;
+      for (const auto &table : written.tables)
+        for (const Column &column : table->columns)
+          meaning[column.name] = column.meaning;
+      const auto tells = [&](const char *column, const char *what) {
+        return meaning.at(column).find(what) != std::string::npos;
+      };
+      EXPECT_TRUE(tells("a.u_x", "node 1 at (0.1, 0.1, 0) m")) << meaning.at("a.u_x");
+      EXPECT_TRUE(tells("b.u_x", "node 40 at (0.2, 0, 0) m"));
+      EXPECT_TRUE(tells("c.plastic_strain", "element 1 at (0.15, 0.05, 0) m"));
+      EXPECT_TRUE(tells("d.plastic_strain", "element 900 at (0.05, 0.05, 0) m"));
+      EXPECT_TRUE(tells("e.plastic_strain", "element 900 at"));
+      requests.nodes = "a: node 0"; // a place of the program's own lists
+      EXPECT_THROW(blade->make_histories(requests), InputError);
+      requests          = {};
+      requests.elements = "a: element 2";
+      EXPECT_THROW(blade->make_histories(requests), InputError);
+      const FieldSnapshot snapshot = blade->snapshot();
+      for (const auto &[name, numbers] :
+           {std::pair("node", std::set<double>{11, 2, 40, 5, 1, 7}), std::pair("element", std::set<double>{1, 900})})
+        {
+          const auto field = std::ranges::find(snapshot.fields, std::string(name), &Field::name);
+          EXPECT_EQ(std::set<double>(field->values.begin(), field->values.end()), numbers) << name;
+        }
+      std::filesystem::remove(pattern);
     }
 
     TEST(Histories, SayWhatTheMeshDoesNotHave)

@@ -146,6 +146,38 @@ namespace laminate_failure_test
           }
   }
 
+  // Fibres along tear at X_t/E_1; those across do not. What has failed counts by its thickness, however many plies it
+  // is written as.
+  TEST(LaminateFailure, AnElementGoesByTheThicknessThatHasFailed)
+  {
+    for (const auto formulation : covariant_formulations)
+      for (const auto &[along, n_along, n_across, goes] :
+           {std::tuple(0.2, 4, 1, false), {0.6, 1, 5, true}, {0.5, 1, 1, true}, {0.5, 3, 7, true}})
+        {
+          std::vector<PlyLayer> plies;
+          for (int k = 0; k < n_along; ++k)
+            plies.push_back({0., along / n_along});
+          for (int k = 0; k < n_across; ++k)
+            plies.push_back({90., (1. - along) / n_across});
+          auto laminate                 = std::make_shared<Laminate>(brittle(), plies, Point3::UnitX());
+          laminate->n_degradation_steps = 20;
+          laminate->failed_share        = 0.5;
+          ShellSection section;
+          section.formulation = formulation;
+          section.laminate    = laminate;
+          Square square(section);
+          while (square.work == 0. || square.model.elements.failed_shares(0)[fibre_tension] == 0.)
+            square.strain(2e-5, 0., 0.);
+          for (int k = 0; k < 25; ++k)
+            square.strain(2e-5, 0., 0.);
+          EXPECT_EQ(square.model.elements.is_failed(0), goes) << name_of(formulation) << along << n_along;
+          if (!goes)
+            {
+              EXPECT_NEAR(square.model.elements.failed_shares(0)[fibre_tension], along, 1e-12);
+            }
+        }
+  }
+
   TEST(LaminateFailure, ACrackedMatrixLeavesTheFibres)
   {
     for (const auto formulation : covariant_formulations)

@@ -55,5 +55,29 @@ namespace birdstrike::parameters_test
       p.element.n_points = 6;
       EXPECT_THROW(p.check(), InputError);
     }
+
+    // A file that would not be read, and a thickness that bricks would not have, are refused, not passed over.
+    TEST(BladeParameters, RefusesWhatWouldNotBeUsed)
+    {
+      for (const BladeKind kind : {BladeKind::shell, BladeKind::solid, BladeKind::rigid})
+        {
+          BladeParameters p;
+          p.kind      = kind;
+          p.mesh.file = "blade.msh";
+          if (kind == BladeKind::rigid)
+            {
+              EXPECT_NO_THROW(p.check()) << "a rectangle";
+              p.rigid.surface = RigidSurface::mesh;
+            }
+          EXPECT_THROW(p.check(), InputError);
+          p.mesh.generator = MeshGenerator::file;
+          EXPECT_NO_THROW(p.check());
+        }
+      BladeParameters p;
+      p.thickness.by_material = "1: 8e-3";
+      EXPECT_NO_THROW(p.check());
+      p.kind = BladeKind::solid;
+      EXPECT_THROW(p.check(), InputError);
+    }
   } // namespace
 } // namespace birdstrike::parameters_test

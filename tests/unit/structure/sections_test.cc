@@ -67,6 +67,18 @@ namespace birdstrike::sections_test
         EXPECT_NEAR(b[k], a[k], 1e-12 * (std::abs(a[k]) + 1e-3));
     }
 
+    TEST(Sections, AThicknessOfNoCellIsRefused)
+    {
+      BladeParameters p       = test::elastic_plate(6, 2);
+      p.mesh.material_boxes   = "0 -1 -1 0.15 1 1: 1";
+      p.thickness.by_material = "1: 8e-3";
+      ThreadPool   pool;
+      const double mass = make_blade(p, pool)->mass();
+      EXPECT_NEAR(mass, 4430. * 0.3112 * 0.0889 * (0.5 * 8e-3 + 0.5 * 0.00427), 1e-9 * mass);
+      p.thickness.by_material = "7: 8e-3";
+      EXPECT_THROW(make_blade(p, pool), InputError);
+    }
+
     TEST(Sections, TwoOfOneMetalAreAsOne)
     {
       expect_as_one_section<ShellBlade>(BladeKind::shell);

@@ -16,6 +16,14 @@ namespace birdstrike
     double                max_plastic_strain;
   };
 
+  /// State at a height of an element, in global axes; means over the points in the plane.
+  struct ShellPointState
+  {
+    std::array<double, 6> stress;         ///< xx, yy, zz, xy, yz, zx, Pa (Cauchy); transverse shear: the section's mean
+    double                plastic_strain; ///< equivalent
+    double                volume_strain;  ///< ln of the volume's ratio, elastic; of plies, which keep their height, 0
+  };
+
   enum class ShellLayer
   {
     bottom, ///< z = -t/2 (Lobatto) or the outermost point there (Gauss)
@@ -60,14 +68,14 @@ namespace birdstrike
     std::array<double, 6> global_layer_stress(std::size_t element, ShellLayer layer) const;
     /// Normal stress (Pa) of the bottom and of the top layer, as layer_stress, along a direction without its part out
     /// of the element's plane; zero of a failed element.
-    std::array<double, 2> outer_stresses_along(std::size_t element, const Point3 &direction) const;
-    /// The integration points through the thickness, and which of them is nearest to a share of half of it.
-    const ThicknessPoints &thickness_points(std::size_t element) const;
-    unsigned int           nearest_point(std::size_t element, double layer) const;
-    /// sxx, syy, szz, sxy, syz, szx (Pa) in global axes at such a point, with the mean transverse shear stress of the
-    /// section, and its plastic strain; mean and largest of the points in the plane.
-    std::array<double, 6> point_stress(std::size_t element, unsigned int point) const;
-    double                point_plastic_strain(std::size_t element, unsigned int point) const;
+    std::array<double, 2>  outer_stresses_along(std::size_t element, const Point3 &direction) const;
+    const ThicknessPoints &thickness_points(std::size_t element) const; ///< of metals
+    /// Where the state nearest to a layer (2 z/t) is known: of metals the height of an integration point, of plies the
+    /// layer itself.
+    double nearest_height(std::size_t element, double layer) const;
+    /// The state at such a height.
+    ShellPointState point_state(std::size_t element, double height) const;
+    const Laminate *laminate(std::size_t element) const; ///< none of metals
     /// Of a laminate, shares of the thickness in which each mode of PlyDamage has begun; of metals nothing.
     std::array<double, 4> failed_shares(std::size_t element) const;
     /// kg, of its plies whose fibres have begun to fail, and of others whose matrix has.

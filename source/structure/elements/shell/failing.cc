@@ -7,8 +7,7 @@ namespace birdstrike
   void ShellGroup::build_erosion()
   {
     erosion           = std::make_unique<Erosion>();
-    erosion->n_needed = n_points_to_fail(
-      section.failed_share(), n_in_plane * (laminate ? laminate->law->layers.size() : std::size_t(law.rule.n)));
+    erosion->n_needed = n_points_to_fail(section.failed_share(), n_in_plane * law.rule.n); // plies: see their share
     erosion->batches.resize(batches.size());
     erosion->damage.resize(points.size());
     has_new_failed.resize(batches.size(), 0);

@@ -20,7 +20,7 @@ namespace birdstrike
     return law.update_plastic(strain, dt, sections[k], points[k].data());
   }
 
-  // One body and `flatten`, as in the loop of the one-point elements (shell_loops.cc). Strains and resultants of the
+  // One body and `flatten`, as in the loop of the one-point elements (loops.cc). Strains and resultants of the
   // points lie in memory between the three passes, which costs less than the geometry of the end held beside that of
   // the midpoint.
   BIRDSTRIKE_FLATTEN void ShellGroup::update_fully_integrated(const std::size_t b, const double dt, ElementChunk &chunk)

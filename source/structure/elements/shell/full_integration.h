@@ -5,7 +5,7 @@
 namespace birdstrike
 {
   /// Fully integrated quadrilateral shell: MITC4 (Dvorkin & Bathe 1984) with 2 x 2 points in its plane; the reference
-  /// for the one-point element, with the same surface, directors, rotations and section law (shell_kernel.h).
+  /// for the one-point element, with the same surface, directors, rotations and section law (kernel.h).
   ///
   /// With tangents t_1 = (1, 0, eta), t_2 = (0, 1, xi) of a bilinear function in its modes, the covariant curvature is
   ///   k_ab = t_a . K . t_b,   K_ij = sym(a_i . dd_j + d_i . u_j),   i, j = 1, 2, 3,

@@ -41,6 +41,8 @@ namespace birdstrike
       return std::tuple_cat(ElementGroup::changing(), std::tie(points, stress, sections, has_new_failed, laminate));
     }
 
+    void suspend_flow(bool is_suspended); ///< see Elements::suspend_flow
+
     bool                   has_points(std::size_t batch) const;                 ///< any of its sections
     std::size_t            count_yielded(std::size_t batch) const;              ///< at an outer point; all of plies
     Lanes                  contraction(std::size_t batch, std::size_t k) const; ///< of a section: SectionLaw

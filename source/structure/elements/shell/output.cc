@@ -11,6 +11,15 @@ namespace birdstrike
     law.promote(n_in_plane == 1 ? stress[k] : sections[k], points[k].data());
   }
 
+  void ShellGroup::suspend_flow(const bool is_suspended)
+  {
+    law.hardening = is_suspended ? hardening_without_flow() : section.material.hardening;
+    initial_yield = law.initial_yield();
+    for (auto &of_section : points)
+      for (ShellPoint<Lanes> &point : of_section)
+        point.yield = initial_yield;
+  }
+
   const SectionStress<Lanes> &ShellGroup::section_of(const std::size_t batch, const std::size_t k) const
   {
     return n_in_plane == 1 ? stress[batch] : sections[n_in_plane * batch + k];
@@ -71,6 +80,15 @@ namespace birdstrike
     unsigned int point_of(const ShellLayer layer, const unsigned int n)
     {
       return layer == ShellLayer::bottom ? 0 : layer == ShellLayer::middle ? n / 2 : n - 1;
+    }
+
+    unsigned int nearest_point(const ThicknessPoints &rule, const double height)
+    {
+      unsigned int nearest = 0;
+      for (unsigned int k = 1; k < rule.n; ++k)
+        if (std::abs(rule.position[k] - height) < std::abs(rule.position[nearest] - height))
+          nearest = k;
+      return nearest;
     }
   } // namespace
 
@@ -167,56 +185,60 @@ namespace birdstrike
     return find(element).first.rule();
   }
 
-  unsigned int ShellElements::nearest_point(const std::size_t element, const double layer) const
+  double ShellElements::nearest_height(const std::size_t element, const double layer) const
   {
-    const ThicknessPoints &rule    = thickness_points(element);
-    unsigned int           nearest = 0;
-    for (unsigned int k = 1; k < rule.n; ++k)
-      if (std::abs(rule.position[k] - layer) < std::abs(rule.position[nearest] - layer))
-        nearest = k;
-    return nearest;
+    const ShellGroup &group = find(element).first;
+    return group.laminate ? layer : group.rule().position[nearest_point(group.rule(), layer)];
   }
 
-  std::array<double, 6> ShellElements::point_stress(const std::size_t element, const unsigned int point) const
+  const Laminate *ShellElements::laminate(const std::size_t element) const
   {
-    if (is_failed(element))
-      return {};
-    const auto [group, e]   = find(element);
-    const std::size_t     b = e / n_lanes, k = e % n_lanes;
-    const double          share = 1. / double(group.n_in_plane);
-    std::array<double, 5> s{}; // xx, yy, xy, xz, yz in the element's axes
+    const ShellGroup &group = find(element).first;
+    return group.laminate ? group.laminate->law.get() : nullptr;
+  }
+
+  ShellPointState ShellElements::point_state(const std::size_t element, const double height) const
+  {
+    ShellPointState state{{}, 0., 0.};
+    const auto [group, e] = find(element);
+    const std::size_t  b = e / n_lanes, k = e % n_lanes;
+    const double       share = 1. / double(group.n_in_plane);
+    const unsigned int point = nearest_point(group.rule(), height);
+    const Elasticity  &law   = group.section.material.elasticity;
+    Matrix3<double>    s     = Matrix3<double>::Zero(); // in the element's axes
     for (std::size_t i = 0; i < group.n_in_plane; ++i)
       {
         const auto &points  = group.points_of(b, i);
         const auto &section = group.section_of(b, i);
-        const auto  of_ply  = group.laminate ? group.ply_stress(e, i, group.rule().position[point]) : Point3::Zero();
-        for (int c = 0; c < 3; ++c)
-          s[c] += share * (group.laminate ? of_ply[c]
-                           : points.empty()
-                             ? lane(section.mean[c], k) + group.rule().position[point] * lane(section.outer[c], k)
-                             : lane(points[point].stress[c], k));
-        for (int c = 0; c < 2; ++c)
-          s[3 + c] += share * lane(section.shear[c], k);
+        Point3      plane   = Point3::Zero(); // xx, yy, xy, Kirchhoff's
+        if (group.laminate)
+          plane = group.ply_stress(e, i, height);
+        for (int c = 0; c < 3 && !group.laminate; ++c)
+          plane[c] = points.empty() ? lane(section.mean[c], k) + height * lane(section.outer[c], k)
+                                    : lane(points[point].stress[c], k);
+        const double    shear[2] = {lane(section.shear[0], k), lane(section.shear[1], k)};
+        Matrix3<double> of_section;
+        of_section << plane[0], plane[2], shear[0], plane[2], plane[1], shear[1], shear[0], shear[1], 0.;
+        s += share * lane(group.contraction(b, i), k) * of_section;
+        if (!points.empty())
+          state.plastic_strain += share * lane(points[point].plastic_strain, k);
+        if (!group.laminate)
+          state.volume_strain += share * (1. - 2. * law.poisson) / law.young * (plane[0] + plane[1]);
       }
-    const Matrix3<double> axes = state(element).axes;
-    Matrix3<double>       local;
-    local << s[0], s[2], s[3], s[2], s[1], s[4], s[3], s[4], 0.;
-    const Matrix3<double> S = axes * local * axes.transpose();
-    return {S(0, 0), S(1, 1), S(2, 2), S(0, 1), S(1, 2), S(2, 0)};
+    if (is_failed(element)) // its nodes may lie anywhere
+      return state;
+    const Matrix3<double> axes = this->state(element).axes, S = axes * s * axes.transpose();
+    state.stress = {S(0, 0), S(1, 1), S(2, 2), S(0, 1), S(1, 2), S(2, 0)};
+    return state;
   }
 
-  double ShellElements::point_plastic_strain(const std::size_t element, const unsigned int point) const
+  double ShellElements::layer_plastic_strain(const std::size_t element, const ShellLayer layer) const
   {
     const auto [group, e] = find(element);
     double largest        = 0.;
     for (std::size_t i = 0; i < group.n_in_plane; ++i)
       if (const auto &points = group.points_of(e / n_lanes, i); !points.empty())
-        largest = std::max(largest, lane(points[point].plastic_strain, e % n_lanes));
+        largest = std::max(largest, lane(points[point_of(layer, group.rule().n)].plastic_strain, e % n_lanes));
     return largest;
-  }
-
-  double ShellElements::layer_plastic_strain(const std::size_t element, const ShellLayer layer) const
-  {
-    return point_plastic_strain(element, point_of(layer, thickness_points(element).n));
   }
 } // namespace birdstrike

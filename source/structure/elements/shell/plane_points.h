@@ -4,7 +4,7 @@
 
 namespace birdstrike
 {
-  /// The 2 x 2 points in the plane of a fully integrated shell; theory: shell_full_integration.h.
+  /// The 2 x 2 points in the plane of a fully integrated shell; theory: full_integration.h.
   namespace full_integration
   {
     inline constexpr int    n_points = 4;

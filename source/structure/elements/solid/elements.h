@@ -41,7 +41,7 @@ namespace birdstrike
   /// made ten times its own in a hundred periods). Path-dependent it stays (Simo & Pister 1984): a cycle of elastic
   /// strain e leaves a stress of the order E e^3 (stabilisation: 0.3 E e^2). The flow stress is one of Kirchhoff's
   /// stress too; J - 1 is elastic, 0.2 % where titanium yields in tension. What is reported is Cauchy's. The theory
-  /// stands in solid_one_point.h and solid_b_bar.h, plasticity in solid_law.h and solid_flow.h.
+  /// stands in one_point.h and b_bar.h, plasticity in law.h and flow.h.
   class SolidElements : public Elements<SolidGroup>
   {
   public:

@@ -9,7 +9,7 @@ namespace birdstrike
   /// less what it has dissipated. That is the energy that it stores in the mean stress and in the stabilisation, and
   /// what is eroded when it fails: elastic energy is that of the others to round-off, whatever the path. A point of a
   /// B-bar brick that fails before its element gives away its own part: with the energy density u of its stress s at
-  /// the end of the step, u - s de/2, since its force of the end does no work (see shell_failure.h).
+  /// the end of the step, u - s de/2, since its force of the end does no work (see shell/failure.h).
   ///
   /// Of the one-point brick damage knows one point. Its stress is the mean of the element; the stabilisation, which is
   /// its bending and torsion, flows with it (SolidFlow) and counts in the von Mises stress of the triaxiality, not in

@@ -66,6 +66,8 @@ namespace birdstrike
       return std::tuple_cat(ElementGroup::changing(), std::tie(points, layers, stabilisation));
     }
 
+    void suspend_flow(bool is_suspended); ///< see Elements::suspend_flow
+
     bool                has_points(std::size_t batch) const;
     std::size_t         count_yielded(std::size_t batch) const; ///< at an outer layer; all of what has points anyway
     double              largest_plastic_strain(std::size_t element) const;

@@ -15,6 +15,16 @@ namespace birdstrike
     return result;
   }
 
+  void SolidGroup::suspend_flow(const bool is_suspended)
+  {
+    law.hardening = is_suspended ? hardening_without_flow() : section.material.hardening;
+    for (SolidPoint<Lanes> &point : points)
+      point.yield = law.initial_yield();
+    for (auto &of_batch : layers)
+      for (LayerPoint &point : of_batch)
+        point.yield = law.initial_yield();
+  }
+
   double SolidGroup::compute_volume_ratio(const std::size_t element, const std::size_t point) const
   {
     const SolidModes<double> x = modes(element);

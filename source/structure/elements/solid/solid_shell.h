@@ -5,7 +5,7 @@
 
 namespace birdstrike
 {
-  /// Solid-shell: the one-point brick (solid_one_point.h), with points through the thickness once it yields.
+  /// Solid-shell: the one-point brick (one_point.h), with points through the thickness once it yields.
   ///
   /// The third axis is the thickness. While nothing has yielded the element is the one-point brick: mean stress and
   /// stabilisation, whose plane k = 3 is the bending of the section in plane stress. When the bound q_mean + q_bending

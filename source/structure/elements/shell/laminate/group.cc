@@ -4,6 +4,7 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/simd/flatten.h>
 
+#include <algorithm>
 #include <cmath>
 
 // What groups of laminated shells hold and do besides their loops.
@@ -93,11 +94,11 @@ namespace birdstrike
                                                                              const LaminateState<Lanes> *old,
                                                                              const Lanes *volume, const double dt)
   {
-    const Laminate &law      = *laminate->law;
-    const double    at_once  = 1.; // s: a static solve
-    const double    growth   = dt > at_once ? 1. : 1. / law.n_degradation_steps;
-    const Lanes     zero     = 0.;
-    Lanes           n_failed = zero, carries = zero, grown = zero;
+    const Laminate &law     = *laminate->law;
+    const double    at_once = 1.; // s: a static solve
+    const double    growth  = dt > at_once ? 1. : 1. / law.n_degradation_steps;
+    const Lanes     zero    = 0.;
+    Lanes           failed = zero, carries = zero, grown = zero; // failed: of the thickness
     bool            has_damage = false;
     for (std::size_t i = 0; i < n_in_plane; ++i)
       {
@@ -117,14 +118,19 @@ namespace birdstrike
           }
         const auto step = birdstrike::update_failing_plies(law, growth, state, damage.data());
         for (std::size_t p = 0; p < damage.size(); ++p)
-          erosion->damage[k][p] = damage[p].fibre();
-        n_failed += count_failed(erosion->damage[k].data(), erosion->damage[k].size());
+          {
+            erosion->damage[k][p] = damage[p].fibre();
+            failed += select(erosion->damage[k][p] >= Lanes(1.), Lanes(law.layers[p].share()), zero);
+          }
         carries += step.carries;
         grown += step.growth;
         has_damage = true;
       }
     if (has_damage)
-      release_plies(b, old, volume, n_failed >= Lanes(erosion->n_needed), grown > zero, carries);
+      {
+        const double rounding = 1e-9, needed = std::max(law.failed_share - rounding, rounding);
+        release_plies(b, old, volume, failed >= Lanes(double(n_in_plane) * needed), grown > zero, carries);
+      }
   }
 
   // `fails`: the element does; `grows`: something has gone in this step.

@@ -44,7 +44,10 @@ namespace birdstrike
 
   Laminate::Laminate(const std::vector<Ply> &of_plies, const std::vector<PlyLayer> &plies, const Point3 &reference,
                      const unsigned int n_per_ply)
-    : materials(of_plies.begin(), of_plies.end()), reference(reference), density(of_plies[0].density)
+    : materials(of_plies.begin(), of_plies.end())
+    , n_plies(plies.size())
+    , reference(reference)
+    , density(of_plies[0].density)
   {
     Matrix6 C    = Matrix6::Zero();
     double  from = 0.;
@@ -57,7 +60,8 @@ namespace birdstrike
                      s         = is_turned ? std::sin(angle) : std::round(std::sin(angle));
         for (unsigned int k = 0; k < n_per_ply; ++k)
           layers.push_back({2. * (from + of.share * k / n_per_ply) - 1.,
-                            2. * (from + of.share * (k + 1) / n_per_ply) - 1., c, s, of.material});
+                            2. * (from + of.share * (k + 1) / n_per_ply) - 1., c, s, of.material,
+                            static_cast<std::size_t>(&of - plies.data())});
         from += of.share;
         density += of.share * (of_plies[of.material].density - of_plies[0].density);
       }

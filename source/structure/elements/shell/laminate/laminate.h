@@ -29,6 +29,7 @@ namespace birdstrike
       double      bottom, top; ///< h
       double      cos, sin;    ///< of the fibres' angle
       std::size_t material = 0;
+      std::size_t ply      = 0; ///< from the bottom
 
       double middle() const
       {
@@ -62,6 +63,7 @@ namespace birdstrike
 
     std::vector<Material> materials;
     std::vector<Layer>    layers;
+    std::size_t           n_plies;
     Point3                reference;    ///< global, that angles are counted from, projected on the elements
     double                density = 0.; ///< kg/m^3, mean over the thickness
 
