@@ -178,19 +178,16 @@ namespace birdstrike
           throw InputError("The file '" + input.name +
                            "' is not what it was when the run began.\n  Action: put it back, or run the case anew.");
     }
-  } // namespace
 
-  namespace
-  {
     /// Those that the checkpoint tells of, and those that it goes on with.
     std::vector<std::string> collect_changes(const Checkpoint &checkpoint, const TimeParameters &then,
                                              const TimeParameters &now)
     {
       std::vector<std::string> changes = checkpoint.changes;
+      const std::string        at      = format_quantity(checkpoint.time, "s");
       const auto               add     = [&](const char *entry, const double before, const double after) {
         if (before != after && checkpoint.step > 0)
-          changes.push_back(
-                              fmt::format("{} from {:g} to {:g} at {}", entry, before, after, format_quantity(checkpoint.time, "s")));
+          changes.push_back(fmt::format("{} from {:g} to {:g} at {}", entry, before, after, at));
       };
       add("Time/Step scale", then.step_scale, now.step_scale);
       add("Time/Bird step scale", then.bird_step_scale, now.bird_step_scale);

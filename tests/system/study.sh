@@ -41,6 +41,10 @@ code=$?
 require "a signal ends study and runs" '[ $code -eq 143 ] && grep -q "Points that are complete will be reused" out.txt && [ "$(grep -l "stopped by a signal" stopped/*/summary.json | wc -l)" -eq 2 ]'
 ask "what was complete is there" 0 "3 points, 1 of them are there, 2 will go on from a checkpoint" "stopped at [0-9.]+ [mu]?s, will go on" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
 
+# a limit of the wall's clock cuts a point: it has no values, and goes on with the next call
+ask "points cut by the clock" 130 "stopped at [0-9.]+ [mu]?s, will go on" -- "$a" "${fast[@]}" --set "Time/End time=9" --set "Time/Maximum wall time=0.5" --vary "Bird/Mass=0.1" --output cut
+require "have no values" 'grep -qE "^1,0.1,.*,stopped at " cut/study.csv && ! grep -qE ",done," cut/study.csv'
+
 # and what was not goes on from where it was, as if nothing had happened; where 'resume' refuses, it is run anew
 long=(--set "Time/End time=240e-3" --set "Output/HDF5=false" --vary "Bird/Mass=0.1, 0.12" --jobs 2)
 "$program" study "$a" "${fast[@]}" "${long[@]}" --output on >out.txt 2>&1 &

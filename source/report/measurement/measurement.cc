@@ -214,11 +214,11 @@ namespace birdstrike
     for (const std::string &folder : folders)
       left.push_back((std::filesystem::path(folder) / "").parent_path());
     const auto is_unique = [&](const std::string &name) { return std::ranges::count(names, name) == 1; };
-    while (!std::ranges::all_of(names, is_unique))
+    while (!std::ranges::all_of(names, is_unique) || names[0].empty())
       {
         const std::vector<std::string> before = names;
         for (std::size_t k = 0; k < names.size(); ++k)
-          if (std::ranges::count(before, before[k]) > 1 && left[k].has_filename())
+          if ((before[k].empty() || std::ranges::count(before, before[k]) > 1) && left[k].has_filename())
             {
               names[k] = before[k].empty() ? left[k].filename().string() : (left[k].filename() / before[k]).string();
               left[k]  = left[k].parent_path();

@@ -130,7 +130,7 @@ namespace birdstrike
     {
       const std::string path = section + "/Equation of state/";
       const Units       of_modulus{{"GPa", 1e9}, {"MPa", 1e6}, {"kPa", 1e3}};
-      const double      softest = 1e6, stiffest = 3e10; // Pa; water 2.2e9
+      const double      softest = 1e7, stiffest = 3e10; // Pa; water 2.2e9
       if (liquid.type == EosType::linear)
         check({"bulk_modulus", path + "Bulk modulus", liquid.bulk_modulus, "Pa", softest, stiffest, of_modulus},
               warnings);

@@ -115,31 +115,40 @@ namespace birdstrike
   template <int dim>
   Matrix3<double> SectionCut<dim>::fit_rotation(const double *position, const IsFree &is_free) const
   {
-    const auto  is_part = [&](const std::size_t k) { return !is_free || !is_free(attached[k]); };
-    std::size_t n_left  = 0;
+    // of half a section each node stands for its image, too; on the plane it is its own
+    const auto weight_of = [&](const std::size_t k) {
+      return is_free && is_free(attached[k]) ? 0. : plane.exists() && reference[k][1] == 0. ? 0.5 : 1.;
+    };
+    std::size_t n_left = 0;
+    double      total  = 0.;
+    Point3      before = Point3::Zero(), now = Point3::Zero();
     for (std::size_t k = 0; k < attached.size(); ++k)
-      n_left += is_part(k);
+      {
+        const double w = weight_of(k);
+        n_left += w > 0.;
+        total += w;
+        before += w * reference[k];
+        now += w * Point3(position + 3 * attached[k]);
+      }
     if (cut.empty() || n_left < 3)
       return Matrix3<double>::Identity();
-    Point3 before = Point3::Zero(), now = Point3::Zero();
-    for (std::size_t k = 0; k < attached.size(); ++k)
-      if (is_part(k))
-        {
-          before += reference[k] / static_cast<double>(n_left);
-          now += Point3(position + 3 * attached[k]) / static_cast<double>(n_left);
-        }
+    before /= total;
+    now /= total;
+    if (plane.exists())
+      before[1] = now[1] = 0.;
     Matrix3<double> covariance = Matrix3<double>::Zero();
     for (std::size_t k = 0; k < attached.size(); ++k)
       {
-        if (!is_part(k))
+        const double w = weight_of(k);
+        if (w == 0.)
           continue;
         Point3 a = reference[k] - before, b = Point3(position + 3 * attached[k]) - now;
-        covariance += b * a.transpose();
+        covariance += w * b * a.transpose();
         if (plane.exists()) // and its image
           {
             a[1] = -a[1];
             b[1] = -b[1];
-            covariance += b * a.transpose();
+            covariance += w * b * a.transpose();
           }
       }
     const Eigen::JacobiSVD<Matrix3<double>> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);

@@ -100,7 +100,8 @@ TEST(CaseWarnings, NamesEntriesThatNoLawReads)
     {"Blade/Thickness/Leading edge=0.1", "Thickness/Maximum is empty"},
     {"Blade/Mesh/Row/Pitch=20", "Mesh/Row/Blades is 1"},
     {"Blade/Rigid/Mass=2", "Blade/Kind is shell"},
-    {"Bird/Equation of state/Bulk modulus=1e9", "Type is murnaghan"}};
+    {"Bird/Equation of state/Bulk modulus=1e9", "Type is murnaghan"},
+    {"Blade/Element/Hourglass coefficient=0.1", "it is that of Belytschko-Tsay shells, and there are none"}};
   for (const auto &[entry, why] : unused)
     {
       const Warnings warnings = of_inputs({entry});
@@ -109,6 +110,45 @@ TEST(CaseWarnings, NamesEntriesThatNoLawReads)
       const std::string name = entry.substr(0, entry.find('='));
       EXPECT_NE(warnings[0].text.find(name), std::string::npos) << warnings[0].text; // or longer: Hardening modulus
     }
+}
+
+TEST(CaseWarnings, NamesWhatMetalsAloneRead)
+{
+  const auto texts_of = [](const std::vector<std::string> &entries) {
+    CaseParameters plies;
+    plies.read(frontal, entries);
+    std::vector<std::string> texts;
+    for (const Warning &each : find_input_warnings(plies))
+      texts.push_back(each.text);
+    return texts;
+  };
+  const std::vector<std::string> laminate{
+    "Blade/Laminate/Plies=[0/90]s",           "Blade/Laminate/Density=1600",
+    "Blade/Laminate/Young's modulus 1=138e9", "Blade/Laminate/Young's modulus 2=9e9",
+    "Blade/Laminate/Poisson's ratio 12=0.3",  "Blade/Laminate/Shear modulus 12=6.9e9",
+    "Blade/Laminate/Shear modulus 13=6.9e9",  "Blade/Laminate/Shear modulus 23=3.4e9"};
+  const std::vector<std::string> sheath{"Blade/Section 1/Material ids=7", "Blade/Section 1/Material/Name=Ti-6Al-4V"};
+  for (const std::string entry : {"Element/Shear factor=0.9", "Element/Thinning=false", "Element/Points rule=Lobatto",
+                                  "Element/Points through thickness=5", "Material/Density=4000"})
+    {
+      auto entries = laminate;
+      entries.push_back("Blade/" + entry);
+      const auto tells = [&](const std::vector<std::string> &texts) {
+        const std::string name = "Blade/" + entry.substr(0, entry.find(entry[0] == 'M' ? '/' : '='));
+        return std::ranges::any_of(
+          texts, [&](const std::string &text) { return text.starts_with(name + " is set, and means nothing"); });
+      };
+      EXPECT_TRUE(tells(texts_of(entries))) << entry;
+      entries.insert(entries.end(), sheath.begin(), sheath.end());
+      EXPECT_EQ(tells(texts_of(entries)), entry[0] == 'M') << entry << ", which the sheath reads, but for the metal";
+      EXPECT_FALSE(tells(texts_of({"Blade/" + entry}))) << entry;
+    }
+  auto entries = laminate;
+  entries.insert(entries.end(), {"Blade/Section 1/Material ids=7", "Blade/Section 1/Points through thickness=5"});
+  const auto texts = texts_of(entries);
+  EXPECT_TRUE(std::ranges::any_of(texts, [](const std::string &text) {
+    return text.starts_with("Blade/Section 1/Points through thickness is set, and means nothing");
+  }));
 }
 
 TEST(CaseWarnings, NamesACorrectionIntervalThatNoPairsRead)

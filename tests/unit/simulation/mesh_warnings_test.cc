@@ -84,6 +84,7 @@ TEST(MeshWarnings, AThicknessThatNobodyGaveIsSaid)
       const Warnings warnings = find_scene_warnings(parameters, Scene(parameters));
       EXPECT_EQ(warnings.size(), thickness.empty() ? 1U : 0U) << thickness;
       EXPECT_TRUE(warnings.empty() || warnings[0].code == "blade/thickness_not_given") << warnings[0].text;
+      EXPECT_TRUE(warnings.empty() || warnings[0].text.find("224 of 224 elements") != std::string::npos);
     }
   std::filesystem::remove_all(folder);
 }
@@ -141,6 +142,90 @@ TEST(MeshWarnings, ABladeOfAnEngineTurnsAboutAnAxisThatIsGiven)
   };
   EXPECT_EQ(of_inputs({}), Codes{"blade/axis_not_given"});
   EXPECT_EQ(of_inputs({"Blade/Spin/Axis=0, 0, 1"}), Codes{});
+  const std::vector<std::string> at_ends{"Blade/Supports/Clamped=root", "Blade/Supports/Tip=tip", "Blade/Spin/Speed=10",
+                                         "Blade/Spin/Prestress=false"};
+  const auto                     with = [&](const std::string &more) {
+    auto all = at_ends;
+    all.push_back(more);
+    return of_file(shells, all);
+  };
+  EXPECT_EQ(of_file(shells, at_ends), Codes{"blade/axis_not_given"}) << "of a file it may lie anywhere";
+  EXPECT_EQ(with("Blade/Spin/Axis=0, 1, 0"), Codes{});
+  EXPECT_EQ(with("Blade/Spin/Axis=1, 0.1, 0"), Codes{"blade/axis_along_span"});
+}
+
+// A file of a blade along z, whose normal, (0.99, 0, n_z), hardly looks up.
+TEST(MeshWarnings, ABladeAlongZHasItsSidesAndPliesTold)
+{
+  using namespace mesh_warnings;
+  std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-along-XXXXXX").string();
+  const std::filesystem::path folder  = mkdtemp(pattern.data());
+  const auto                  of_lean = [&](const double lean, std::vector<std::string> overrides) {
+    std::ofstream file(folder / "blade.inp");
+    file << "*NODE\n";
+    for (int i = 0; i <= 10; ++i)
+      for (int j = 0; j <= 4; ++j)
+        file << 5 * i + j + 1 << ", " << lean * 0.03 * i << ", " << 0.02 * j - 0.04 << ", " << 0.03 * i << "\n";
+    file << "*ELEMENT, TYPE=S4R, ELSET=blade\n";
+    for (int i = 0; i < 10; ++i)
+      for (int j = 0; j < 4; ++j)
+        file << 4 * i + j + 1 << ", " << 5 * i + j + 1 << ", " << 5 * i + j + 6 << ", " << 5 * i + j + 7 << ", "
+             << 5 * i + j + 2 << "\n";
+    file << "*NSET, NSET=root\n1, 2, 3, 4, 5\n*NSET, NSET=tip\n51, 52, 53, 54, 55\n";
+    file.close();
+    overrides.insert(overrides.end(), {"Blade/Supports/Clamped=root", "Blade/Supports/Tip=tip",
+                                       "Bird/Velocity=100, 0, 0", "Bird/Aim point=0, 0, 0.2"});
+    return of_file((folder / "blade.inp").string(), overrides);
+  };
+  const auto tells = [&](const double lean, const std::vector<std::string> &overrides, const char *code) {
+    const Codes codes = of_lean(lean, overrides);
+    return std::ranges::count(codes, code) == 1;
+  };
+  const std::string pressure = "Blade/Loads/Pressure=1e4", top = "blade/top_by_little";
+  EXPECT_FALSE(tells(-0.02, {}, top.c_str())) << "nothing goes by the top face";
+  EXPECT_TRUE(tells(-0.02, {pressure}, top.c_str()));
+  EXPECT_TRUE(tells(0.02, {pressure}, top.c_str()));
+  EXPECT_FALSE(tells(0.02, {pressure, "Blade/Mesh/Top=1 0 0"}, top.c_str()));
+  EXPECT_FALSE(tells(-0.5, {pressure}, top.c_str()));
+  EXPECT_NE(of_lean(0.02, {pressure, "Blade/Mesh/Top=0 1 0"}).back().find("lies along the surface"), std::string::npos);
+  const std::vector<std::string> plies{
+    "Blade/Laminate/Plies=[0/90]s",           "Blade/Laminate/Density=1600",
+    "Blade/Laminate/Young's modulus 1=138e9", "Blade/Laminate/Young's modulus 2=9e9",
+    "Blade/Laminate/Poisson's ratio 12=0.3",  "Blade/Laminate/Shear modulus 12=6.9e9",
+    "Blade/Laminate/Shear modulus 13=6.9e9",  "Blade/Laminate/Shear modulus 23=3.4e9"};
+  auto given = plies;
+  given.emplace_back("Blade/Laminate/Reference direction=0 0 1");
+  EXPECT_TRUE(tells(0.2, plies, "laminate/direction_not_given"));
+  EXPECT_FALSE(tells(0.2, given, "laminate/direction_not_given"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(MeshWarnings, UnitsOfLiquidsPliesAndIntervals)
+{
+  using namespace mesh_warnings;
+  for (const auto &[entries, code] :
+       {std::pair(Codes{"Bird/Equation of state/Murnaghan modulus=128e3"}, "unit/bulk_modulus"),
+        {Codes{"Bird/Equation of state/Type=us-up", "Bird/Equation of state/Sound speed=1.48"}, "unit/sound_speed"},
+        {Codes{"Bird/Equation of state/Type=linear", "Bird/Equation of state/Bulk modulus=2.2"}, "unit/bulk_modulus"},
+        {Codes{"Blade/Material/Hardening modulus=1250"}, "unit/hardening_modulus"},
+        {Codes{"Contact/Friction=30"}, "unit/friction"},
+        {Codes{"Output/History interval=5"}, "unit/history_interval"},
+        {Codes{"Output/Histories/Patches=spot: 0.2 0 0 20"}, "unit/radius"},
+        {Codes{"Blade/Material/Adiabatic heating=true", "Blade/Material/Heat capacity=560",
+               "Blade/Material/Melting temperature=1900", "Blade/Material/Initial temperature=150"},
+         "unit/temperature"},
+        {Codes{"Blade/Material/Failure=Johnson-Cook", "Blade/Material/Damage D1=0", "Blade/Material/Damage D2=0.3",
+               "Blade/Material/Damage D3=0.5", "Blade/Material/Damage D4=0", "Blade/Material/Damage D5=0"},
+         "material/damage_d3"}})
+    {
+      std::vector<std::string> overrides = entries;
+      overrides.insert(overrides.begin(), "Bird/Particle spacing=0.004");
+      CaseParameters parameters;
+      parameters.read(frontal, overrides);
+      const Warnings warnings = find_input_warnings(parameters);
+      ASSERT_EQ(warnings.size(), 1U) << code;
+      EXPECT_EQ(warnings[0].code, code);
+    }
 }
 
 // Two squares of 0.1 m side by side; along their common side the second has nodes of its own, all or one of them.

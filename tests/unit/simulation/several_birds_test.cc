@@ -114,6 +114,18 @@ TEST(SeveralBirds, ArriveWhenTheyAreDue)
   EXPECT_LT(strike.summary.number("angular_momentum/max_relative_error"), 1e-4);
 }
 
+// The tip's peak under the first bird is none of the run's while another is still to come: alone it is passed at 9 ms.
+TEST(SeveralBirds, AreAwaitedWhereTheTipPeakEndsTheRun)
+{
+  const Strike strike = run_shipped(
+    "quickstart.prm", {"Bird/Particle spacing=0.008", "Blade/Mesh/Elements along span=20",
+                       "Blade/Mesh/Elements along chord=6", "Time/End time=30 ms", "Time/Stop at tip peak=true",
+                       "Bird/Velocity=0, 0, 100", "Bird 2/Enabled=true", "Bird 2/Arrival time=16 ms"});
+  EXPECT_EQ(strike.summary.text("end/reason"), "tip peak passed");
+  EXPECT_GT(strike.summary.number("end/time"), 16e-3);
+  EXPECT_GT(impulse(strike, 1, 2), 0.5 * impulse(strike, 0, 2));
+}
+
 // A blade in equilibrium on a hub that turns about the bird's velocity meets it alike whenever it comes: rolled by the
 // angle that the hub has turned, the whole strike is the same one, turned. (Which particle touches first, and in which
 // steps, hangs on the path before, which this one has flown: impulses differ by 1e-3.)

@@ -1,6 +1,7 @@
 #include "../mesh/temporary_mesh.h"
 #include "blade_case.h"
 #include "frequencies.h"
+#include "oriented_file.h"
 
 #include "structure/deformable_blade.h"
 #include "structure/rigid_plate.h"
@@ -98,6 +99,71 @@ namespace birdstrike::symmetry_plane_test
     EXPECT_NEAR(s.mid_chord / t.mid_chord, 1., 1e-9);
     EXPECT_NEAR(s.leading / t.leading, 1., 1e-9);
     EXPECT_NEAR(s.trailing / t.trailing, 1., 1e-9);
+  }
+
+  // Cambered and swept like an arrow, from files: the axes of the whole's root, tip and sections lie in the plane,
+  // those of the half's cells alone do not.
+  TEST(SymmetryPlane, HalfABladeFromAFileHasTheAxesOfTheWhole)
+  {
+    constexpr double chord = 0.0889;
+    for (const unsigned int n_layers : {0u, 2u})
+      {
+        SCOPED_TRACE(n_layers);
+        std::vector<std::map<std::string, double>> found;
+        for (const bool is_halved : {false, true})
+          {
+            test::Listing listing;
+            listing.corners = [&] {
+              return n_layers > 0 ? std::vector<unsigned int>{0, 1, 2, 3, 4, 5, 6, 7}
+                                  : std::vector<unsigned int>{0, 1, 2, 3};
+            };
+            listing.shape = [&](const Point3 &x) {
+              const double y = is_halved ? 0.5 * (x[1] + 0.5 * chord) : x[1];
+              return Point3(x[0] + 0.5 * std::abs(y), y, x[2] + 0.015 * (1. - 4. * y * y / (chord * chord)));
+            };
+            const test::PlateFile file({{14, is_halved ? 3u : 6u, n_layers}}, listing);
+            BladeParameters       p  = file.parameters();
+            p.is_halved              = is_halved;
+            p.loads.initial_velocity = "0; 0; -20*(x/0.3)^2";
+            ThreadPool      pool;
+            const auto      blade = make_blade(p, pool);
+            HistoryRequests requests;
+            requests.axes        = "blade";
+            requests.nodes       = "mid: 0.1556 0 0.015";
+            requests.stations    = "0, 0.5";
+            const auto histories = blade->make_histories(requests);
+            advance(*blade, 2e-7, 600);
+            auto      &values = found.emplace_back();
+            const auto root   = blade->root_section();
+            const auto tip    = blade->tip_deflection();
+            values            = {{"moment", root.bending_moment},
+                                 {"normal", root.normal_force},
+                                 {"transverse", root.transverse_force},
+                                 {"tip", tip.mid_chord},
+                                 {"leading", tip.leading}};
+            for (const auto &table : histories.tables)
+              {
+                table->follow();
+                std::vector<double> row(table->columns.size());
+                table->fill(row);
+                for (std::size_t k = 0; k < row.size(); ++k)
+                  values[table->columns[k].name] = row[k];
+              }
+          }
+        ASSERT_EQ(found[0].size(), found[1].size());
+        EXPECT_GT(std::abs(found[0].at("moment")), 1.);
+        // of components the largest is the scale: u, v and a of the node, forces and moments of the stations
+        const auto group_of = [](const std::string &name) {
+          return name.find(".M_") != std::string::npos        ? std::string("M")
+                 : name.find("span") < name.find_last_of('.') ? std::string("F")
+                                                              : name.substr(0, name.rfind('_'));
+        };
+        std::map<std::string, double> scale;
+        for (const auto &[name, value] : found[0])
+          scale[group_of(name)] = std::max(scale[group_of(name)], std::abs(value));
+        for (const auto &[name, value] : found[0])
+          EXPECT_NEAR(found[1].at(name), value, 1e-7 * scale[group_of(name)]) << name;
+      }
   }
 
   TEST(SymmetryPlane, KeepsBendingModesAndDropsTorsion)
