@@ -187,7 +187,7 @@ namespace birdstrike
     result.name      = name;
     Hardening   &h   = result.hardening;
     const double big = 1e30;
-    replace(result.density, density, where + "Density", 1e-12, big);
+    replace(result.density, density, where + "Density", 1e-6, big);
     replace(result.elasticity.young, young, where + "Young's modulus", 1e-6, big);
     replace(result.elasticity.poisson, poisson, where + "Poisson's ratio", -0.999, 0.4999);
     replace(h.yield, yield, where + "Yield stress", 1e-6, big);
