@@ -80,10 +80,11 @@ namespace birdstrike
       if (each.value != &Ply::poisson_12 && !(ply.*each.value > 0.))
         throw InputError(where + each.entry + " is not given: there is no table of plies.\nGive a number above 0.");
     if (!(ply.poisson_12 * ply.poisson_12 * ply.young_2 < ply.young_1))
-      throw InputError(
-        fmt::format("{}Poisson's ratio 12: {:g} was read; with these moduli a ply would store negative energy.\n"
-                    "Allowed: below the root of E1/E2, {:.4g} here. Is it nu21, or E1 and E2 exchanged?",
-                    where, ply.poisson_12, std::sqrt(ply.young_1 / ply.young_2)));
+      throw InputError(fmt::format(
+        "{}Poisson's ratio 12: {:g} was read, and {:g} and {:g} Pa as Young's moduli 1 and 2: such a ply "
+        "would store negative energy.\n"
+        "Allowed: below the root of E1/E2, {:.4g} here. Is it nu21, are E1 and E2 exchanged, or of two units?",
+        where, ply.poisson_12, ply.young_1, ply.young_2, std::sqrt(ply.young_1 / ply.young_2)));
     const Strength *missing = nullptr;
     bool            has_any = false;
     for (const Strength &each : strengths)

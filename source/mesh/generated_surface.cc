@@ -1,4 +1,5 @@
 #include "mesh/generated_surface.h"
+#include "mesh/material_patches.h"
 
 #include <birdstrike/core/errors.h>
 #include <birdstrike/mesh/blade_shape.h>
@@ -25,35 +26,70 @@ namespace birdstrike
       return position;
     }
 
-    /// Positions along the chord, from the leading edge or, if halved, from the plane of symmetry.
-    std::vector<double> chord_positions(const MeshParameters &p, const bool is_halved)
+    /// Lines of nodes, in shares of the whole span and chord.
+    struct Lines
     {
-      std::vector<double> y = graded_positions(p.n_chord, p.chord, p.chord_grading);
-      for (double &y_j : y)
-        y_j -= 0.5 * p.chord;
-      if (!is_halved)
-        return y;
+      std::vector<double> span, chord;
+    };
+
+    Lines make_lines(const MeshParameters &p, const MaterialPatches &patches)
+    {
+      return {patches.lines_along_span(graded_positions(p.n_span, 1., p.span_grading)),
+              patches.lines_along_chord(graded_positions(p.n_chord, 1., p.chord_grading))};
+    }
+
+    void set_material_ids(const MaterialPatches &patches, const Lines &lines, GeneratedSurface &surface)
+    {
+      const auto first = static_cast<unsigned int>(lines.chord.size()) - 1 - surface.n_chord; // of a half
+      for (unsigned int i = 0; i < surface.n_span; ++i)
+        for (unsigned int j = first; j < first + surface.n_chord; ++j)
+          surface.material_ids.push_back(
+            patches.id_at(0.5 * (lines.span[i] + lines.span[i + 1]), 0.5 * (lines.chord[j] + lines.chord[j + 1])));
+    }
+
+    void require_half(const MeshParameters &p, const MaterialPatches &patches)
+    {
       if (p.n_chord % 2 != 0 || p.chord_grading != 1.)
         throw InputError("Blade/Mesh: " + std::to_string(p.n_chord) + " elements along the chord with grading " +
                          std::to_string(p.chord_grading) +
                          " have no half.\nAllowed with a symmetry plane: an even number of equal elements.");
-      y.erase(y.begin(), y.begin() + p.n_chord / 2);
-      y[0] = 0.;
-      return y;
+      if (!patches.are_symmetric())
+        throw InputError("Blade/Mesh/Material patches are not symmetric about the plane y = 0.\nGive each patch its "
+                         "mirror image (s0 s1 1-c1 1-c0), or set Case/Symmetry plane to none.");
     }
 
     GeneratedSurface flat_plate(const MeshParameters &p, const bool is_halved)
     {
+      const MaterialPatches patches(p.material_patches);
+      if (is_halved)
+        require_half(p, patches);
+      const Lines lines = make_lines(p, patches);
+      // Without patches by one division: neighbouring plates then agree to the last digit.
+      std::vector<double> x = graded_positions(p.n_span, p.length, p.span_grading),
+                          y = graded_positions(p.n_chord, p.chord, p.chord_grading);
+      if (!patches.empty())
+        {
+          for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] = p.length * lines.span[i];
+          for (std::size_t j = 0; j < y.size(); ++j)
+            y[j] = p.chord * lines.chord[j];
+        }
+      for (double &y_j : y)
+        y_j -= 0.5 * p.chord;
+      if (is_halved)
+        {
+          y.erase(y.begin(), y.begin() + p.n_chord / 2);
+          y[0] = 0.;
+        }
       GeneratedSurface surface;
-      const auto       x = graded_positions(p.n_span, p.length, p.span_grading);
-      const auto       y = chord_positions(p, is_halved);
-      surface.n_span     = p.n_span;
-      surface.n_chord    = y.size() - 1;
-      surface.is_halved  = is_halved;
+      surface.n_span    = p.n_span;
+      surface.n_chord   = y.size() - 1;
+      surface.is_halved = is_halved;
       for (const double x_i : x)
         for (const double y_j : y)
           surface.nodes.emplace_back(x_i, y_j, 0.);
       surface.normals.assign(surface.nodes.size(), Point3::UnitZ());
+      set_material_ids(patches, lines, surface);
       return surface;
     }
 
@@ -62,16 +98,19 @@ namespace birdstrike
       if (is_halved)
         throw InputError("Blade/Mesh/Generator: the built-in blade has no plane of symmetry.\nAllowed with one: flat "
                          "plate, file. Action: set Case/Symmetry plane to none.");
-      const BladeShape shape(p);
-      GeneratedSurface surface;
+      const BladeShape      shape(p);
+      const MaterialPatches patches(p.material_patches);
+      const Lines           lines = make_lines(p, patches);
+      GeneratedSurface      surface;
       surface.n_span  = p.n_span;
       surface.n_chord = p.n_chord;
-      for (const double s : graded_positions(p.n_span, 1., p.span_grading))
-        for (const double c : graded_positions(p.n_chord, 1., p.chord_grading))
+      for (const double s : lines.span)
+        for (const double c : lines.chord)
           {
             surface.nodes.push_back(shape.position(s, c));
             surface.normals.push_back(shape.normal(s, c));
           }
+      set_material_ids(patches, lines, surface);
       return surface;
     }
 
@@ -158,7 +197,8 @@ namespace birdstrike
       for (unsigned int j = 0; j < s.n_chord; ++j)
         {
           dealii::CellData<2> cell;
-          cell.vertices = {s.node(i, j), s.node(i + 1, j), s.node(i, j + 1), s.node(i + 1, j + 1)};
+          cell.vertices    = {s.node(i, j), s.node(i + 1, j), s.node(i, j + 1), s.node(i + 1, j + 1)};
+          cell.material_id = s.material_ids[i * s.n_chord + j];
           cells.push_back(cell);
         }
     for_rim(s, [&rim](const unsigned int a, const unsigned int b, const unsigned int id) {
@@ -213,6 +253,7 @@ namespace birdstrike
               dealii::CellData<3> cell;
               for (unsigned int v = 0; v < 8; ++v)
                 cell.vertices[v] = column[v % 4] + k + v / 4;
+              cell.material_id = s.material_ids[i * s.n_chord + j];
               cells.push_back(cell);
             }
           const unsigned int *c = column, top = n_layers;

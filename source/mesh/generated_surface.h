@@ -14,10 +14,11 @@ namespace birdstrike
   /// leading edge, or on the plane of symmetry). Shell and solid are made of the same nodes.
   struct GeneratedSurface
   {
-    unsigned int        n_span = 0, n_chord = 0;
-    bool                is_halved = false; ///< j = 0 lies on the plane y = 0 and carries id 4 instead of 2
-    std::vector<Point3> nodes;             ///< m, node (i, j) at i (n_chord + 1) + j
-    std::vector<Point3> normals;           ///< of length one, of the exact surface, not of the facets
+    unsigned int              n_span = 0, n_chord = 0;
+    bool                      is_halved = false; ///< j = 0 lies on the plane y = 0 and carries id 4 instead of 2
+    std::vector<Point3>       nodes;             ///< m, node (i, j) at i (n_chord + 1) + j
+    std::vector<Point3>       normals;           ///< of length one, of the exact surface, not of the facets
+    std::vector<unsigned int> material_ids;      ///< of the cell between lines i, i + 1 and j, j + 1: at i n_chord + j
 
     unsigned int node(const unsigned int i, const unsigned int j) const
     {

@@ -130,6 +130,11 @@ namespace birdstrike
                       "Material ids of the cells whose centre lies in a box: 'xmin ymin zmin xmax ymax zmax: 1; ...'; "
                       "other cells keep theirs, 0 in built-in parts. See Section 1. [m]",
                       Anything());
+    prm.add_parameter("Material patches", p.material_patches,
+                      "Material ids of patches of a built-in part, in shares of its span (0 root, 1 tip) and chord (0 "
+                      "leading edge, 1 trailing edge): 's0 s1 c0 c1: 1; ...', a sheath '0 1 0 0.1: 1'. Lines of nodes "
+                      "lie on their borders, so that each keeps its size on any mesh; boxes come after them. [-]",
+                      Anything());
     declare_profile(prm, p.profile);
     declare_row(prm, p.row);
     prm.leave_subsection();
@@ -231,6 +236,9 @@ namespace birdstrike
 
   void GeometryParameters::check_geometry() const
   {
+    require(mesh.material_patches.empty() || mesh.generator != MeshGenerator::file,
+            "Mesh/Material patches: a mesh from a file has no lines of its own along span and chord.\nGive its groups "
+            "material ids in the file, or Mesh/Material boxes.");
     require(thickness.table.empty() || thickness.maximum.empty(),
             "Thickness: Table and Maximum are both given.\nKeep one of them.");
     if (thickness.maximum.empty())

@@ -5,8 +5,8 @@
     bash tests/studies/error_bars.sh fan-row sheath:solid    # these alone
 
 Of each case `birdstrike converge` climbs three ladders, one thread a run: particles (levels 1.2 apart,
-PARTICLES: far coarser ones are not in the asymptotic range where an edge cuts the bird), mesh (three, the finest 1.5 times finer along
-span and chord) and time steps (three, the coarsest the case's). A cell is what the finest
+PARTICLES: far coarser ones are not in the asymptotic range where an edge cuts the bird), mesh (five 1.2 apart along span and chord,
+two of them finer; three 1.5 apart cannot tell an order from scatter) and time steps (three, the coarsest the case's). A cell is what the finest
 level adds to the value as shipped, and half the error bar of the finest level, both in percent of the shipped value; "in x" instead of
 a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
 The last column is what h -> 0 adds by a fit of order 1 or 2 to the ladder of the particles, with its 95 % confidence interval
@@ -33,7 +33,7 @@ CASES = {"frontal": "shell solid", "oblique": "shell solid", "perforation": "she
 PARTICLES = {"oblique": (8, 2), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (6, 1), "fan-blade-composite": (7, 2),
              "certification/large-bird": (7, 2), "certification/medium-bird": (7, 2), "certification/flock": (7, 2)}
 OTHER_PARTICLES = (5, 2)
-LADDERS = {"particles": (), "mesh": ("--levels", "3", "--finer", "1"), "step": ("--levels", "3")}
+LADDERS = {"particles": (), "mesh": ("--levels", "5", "--finer", "2", "--ratio", "1.2"), "step": ("--levels", "3")}
 FEWEST_OF_AN_ORDER = 6
 ORDERS, SIGNIFICANCE = (1, 2), 0.05
 
@@ -87,7 +87,7 @@ def ladder_of(case, name):
 
 def level_of_case(case, name):
     """From the coarsest on."""
-    return {"particles": PARTICLES.get(case, OTHER_PARTICLES)[1], "mesh": 1, "step": 0}[name]
+    return {"particles": PARTICLES.get(case, OTHER_PARTICLES)[1], "mesh": 2, "step": 0}[name]
 
 
 def folder_of(folder, case, kind, name):
@@ -183,7 +183,7 @@ def lines_of(case, kind, ladders, limits):
 SUMMARY = ("Tip: peak (mid-chord)", "Root: peak bending moment", "Plasticity: plastic work", "Contact: impulse (norm)")
 HEADS = {"error_bars.md": ["case", "as shipped", *LADDERS, "particles, h → 0"],
          "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s", "finest particles (spacing, mm)",
-                        "mesh 1.5 times finer", "steps 0.44 times as long", "tip, h → 0 of the particles"]}
+                        "mesh 1.44 times finer", "steps 0.44 times as long", "tip, h → 0 of the particles"]}
 
 
 def summary_of(case, kind, ladders, limits):

@@ -20,6 +20,10 @@ ask "a ladder grows" 0 "4 levels, 3 of them" "by least squares over 4 levels" --
 ask "the order is known" 0 "4 levels, 4 of them" "order 1, h -> 0" "95 % confidence interval" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --levels 4 --order 1 --output both
 require "its limit stands in the table" 'head -n 1 both/converge.csv | grep -q ",known order .-.,extrapolated by known order,half of its 95 % interval,p-value of known order .-.,still rising,ladder$" && grep -qE "^Plasticity: plastic work,.*,1,[0-9.e-]+,[0-9.e-]+,[0-9.e-]+,no,[a-z ]+$" both/converge.csv'
 ask "points through the thickness" 0 "3 levels" -- "${strike[@]}" --set "Bird/Particle spacing=0.008" --vary points --output points
+sheathed=("${strike[@]}" --set "Bird/Particle spacing=0.008" --set "Blade/Section 1/Material ids=1" --set "Blade/Section 1/Material/Name=Al 2024 Johnson-Cook" --vary mesh)
+ask "cells that a box takes or leaves are another blade" 0 "not of one blade, .*section 0 .* to .*, section 1 .* to " -- "${sheathed[@]}" --set "Blade/Mesh/Material boxes=0 -1 -1 1 -0.03 1: 1" --output boxes
+ask "a patch is the same on each mesh" 0 "3 levels" -- "${sheathed[@]}" --set "Blade/Mesh/Material patches=0 1 0 0.1667: 1" --output patches
+require "and nothing is said of it" '! grep -q "of one blade" out.txt'
 ask "a lost level" 3 "lost: The energy balance" "Lost: 'Step scale=" -- "${strike[@]}" --set "Bird/Particle spacing=0.008" --set "Time/Energy error limit=1e-12" --vary step --output lost
 
 refuse "no file" "FILE" --

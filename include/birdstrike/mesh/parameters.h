@@ -74,9 +74,10 @@ namespace birdstrike
     Profile       profile;
     Row           row;
     std::string   file;
-    double        file_scale = 1.; ///< m per unit of the file
-    std::string   top;             ///< "x y z", into which a shell's top face looks; empty: upwards
-    std::string   material_boxes;  ///< "xmin ymin zmin xmax ymax zmax: 1; ..."
+    double        file_scale = 1.;  ///< m per unit of the file
+    std::string   top;              ///< "x y z", into which a shell's top face looks; empty: upwards
+    std::string   material_boxes;   ///< "xmin ymin zmin xmax ymax zmax: 1; ..."
+    std::string   material_patches; ///< "s0 s1 c0 c1: 1; ...", shares of span and chord of a built-in part
 
     void declare(dealii::ParameterHandler &prm); ///< in the handler's present section, "Blade"
   };

@@ -1,6 +1,7 @@
 #include "report/comparison/case_run.h"
 #include "report/comparison/losses.h"
 #include "report/study/convergence_table.h"
+#include "report/study/section_masses.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
@@ -60,7 +61,7 @@ namespace birdstrike
         folder.write_text(figure.stem + ".csv", data_of(figure));
         draw_figures(folder);
       }
-    log().info("\n{}{}", convergence.as_text(), table.warnings_as_text());
+    log().info("\n{}{}{}", convergence.as_text(), describe_changing_sections(runs), table.warnings_as_text());
     for (const PointRun &run : runs)
       if (!run.is_done)
         log().info("No value of {}: {}", run.point.name, run.state);
