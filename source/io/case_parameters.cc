@@ -55,6 +55,8 @@ namespace birdstrike
       for (const auto &[number, of_section] : blade.by_section())
         {
           const std::string where = "Blade/" + blade.section_path(number) + "Material/";
+          if (of_section.is_laminate())
+            continue; // nothing reads them, and what nobody has set is not to be told of as unused
           if (number > 0 && blade.sections[number - 1].material.name == BladeParameters::Section::same)
             {
               file.annotate(where + "Name",

@@ -32,13 +32,14 @@ namespace birdstrike
       return place < 0.5 * n ? static_cast<int>(std::floor(place + half)) : static_cast<int>(std::ceil(place - half));
     }
 
-    std::vector<double> put_on(const std::vector<double> &borders, std::vector<double> shares, const std::string &where)
+    std::vector<double> put_on(const std::vector<double> &borders, std::vector<double> shares,
+                               const std::string &elements)
     {
       const int n = static_cast<int>(shares.size()) - 1, m = static_cast<int>(borders.size());
       if (m + 1 > n)
-        throw InputError(entry + " have borders at " + std::to_string(m) + " places along the " + where +
-                         ", where lines of nodes must lie.\nAllowed: more of Mesh/Elements along " + where +
-                         " than that, here " + std::to_string(n) + ".");
+        throw InputError(entry + ": " + std::to_string(m) +
+                         " borders cross the blade, on each of which lies a line of nodes.\nAllowed: more of " +
+                         elements + " than that, here " + std::to_string(n) + ".");
       const std::vector<double> even          = shares;
       double                    border_before = 0.;
       int                       line_before   = 0;
@@ -87,12 +88,12 @@ namespace birdstrike
 
   std::vector<double> MaterialPatches::lines_along_span(std::vector<double> shares) const
   {
-    return put_on(span_borders, std::move(shares), "span");
+    return put_on(span_borders, std::move(shares), "Blade/Mesh/Elements along span");
   }
 
   std::vector<double> MaterialPatches::lines_along_chord(std::vector<double> shares) const
   {
-    return put_on(chord_borders, std::move(shares), "chord");
+    return put_on(chord_borders, std::move(shares), "Blade/Mesh/Elements along chord");
   }
 
   unsigned int MaterialPatches::id_at(const double s, const double c) const

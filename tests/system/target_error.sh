@@ -19,6 +19,8 @@ require "nor of what no run has measured" '! grep -q "both together add to it: "
 ask "no claim of a peak that is none yet" 3 "Tip: peak \(mid-chord\) still rises at the end" "a later Time/End time" -- "${strike[@]}" --target-error "tip peak = 10 %" --output rising
 require "but what was run" '[ "$(wc -l <none/target.csv)" -ge 6 ]'
 
+ask "no claim by levels of several blades" 3 "cannot be claimed: The levels are not of one blade, .*section 0 .* to " -- "$top/prm/blade-impulse.prm" --set "Output/Field interval=0" --set "Blade/Section 1/Material ids=1" --set "Blade/Section 1/Material/Name=Ti-6Al-4V" --set "Blade/Mesh/Material boxes=0 -1 -1 1 -1e-5 1: 1" --target-error "tip deflection at the end = 40 %" --output several
+
 ask "an unknown quantity, before anything is run" 2 "no quantity of any run" "There are: Tip peak" -- "${strike[@]}" --target-error "tip of the iceberg = 2 %" --output unread
 ask "no percentage" 2 "no error in percent" -- "${strike[@]}" --target-error "tip peak = 2" --output unread
 ask "an impossible target" 2 "above 0" -- "${strike[@]}" --target-error "tip peak = 0 %" --output unread

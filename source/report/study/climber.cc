@@ -1,5 +1,6 @@
 #include "report/study/climber.h"
 #include "report/comparison/case_run.h"
+#include "report/study/section_masses.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/core/numerical_failure.h>
@@ -119,6 +120,11 @@ namespace birdstrike
                                          made[k].folder,
                                          {"'" + made[k].point.name + "'", record.summary().warnings()}});
       }
+    std::vector<std::filesystem::path> folders;
+    for (const auto &[place, known] : runs)
+      folders.push_back(known.folder);
+    if (const std::string why = describe_changing_sections(folders); !why.empty())
+      throw NumericalFailure("The target error cannot be claimed: " + why);
   }
 
   void Climber::add_level(const std::size_t axis)

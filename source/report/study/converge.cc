@@ -61,7 +61,11 @@ namespace birdstrike
         folder.write_text(figure.stem + ".csv", data_of(figure));
         draw_figures(folder);
       }
-    log().info("\n{}{}{}", convergence.as_text(), describe_changing_sections(runs), table.warnings_as_text());
+    std::vector<fs::path> done;
+    for (const PointRun &run : runs)
+      if (run.is_done)
+        done.push_back(run.folder);
+    log().info("\n{}{}{}", convergence.as_text(), describe_changing_sections(done), table.warnings_as_text());
     for (const PointRun &run : runs)
       if (!run.is_done)
         log().info("No value of {}: {}", run.point.name, run.state);

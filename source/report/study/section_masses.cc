@@ -20,14 +20,12 @@ namespace birdstrike
       double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
     };
 
-    std::map<unsigned int, Range> read_masses(const std::vector<PointRun> &runs)
+    std::map<unsigned int, Range> read_masses(const std::vector<std::filesystem::path> &folders)
     {
       std::map<unsigned int, Range> masses; // kg
-      for (const PointRun &run : runs)
+      for (const std::filesystem::path &folder : folders)
         {
-          if (!run.is_done)
-            continue;
-          const RunRecord record = read_record(run.folder);
+          const RunRecord record = read_record(folder);
           const Summary  &of_run = record.summary();
           for (unsigned int k = 0; std::isfinite(of_run.number(fmt::format("blade/sections/{}/mass", k))); ++k)
             {
@@ -42,10 +40,10 @@ namespace birdstrike
     }
   } // namespace
 
-  std::string describe_changing_sections(const std::vector<PointRun> &runs)
+  std::string describe_changing_sections(const std::vector<std::filesystem::path> &folders)
   {
     std::string text;
-    for (const auto &[section, mass] : read_masses(runs))
+    for (const auto &[section, mass] : read_masses(folders))
       if (mass.largest > (1. + same_blade) * mass.smallest)
         text +=
           (text.empty() ? "" : ", ") + fmt::format("section {} {} to {}", section, format_value(mass.smallest, "kg"),

@@ -1,14 +1,13 @@
 #pragma once
 
-#include "report/study/study_runs.h"
-
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace birdstrike
 {
-  /// A sentence where a section of the blade has another mass at one level of a ladder than at another, by more than a
-  /// hundredth: its levels are then of several blades, and neither order nor error bar is that of the mesh. Empty where
-  /// none has.
-  std::string describe_changing_sections(const std::vector<PointRun> &runs);
+  /// A sentence where a section of the blade has another mass in one of these complete runs, the levels of a ladder,
+  /// than in another, by more than a hundredth: they are then of several blades, and neither order nor error bar is
+  /// that of the mesh. Empty where none has.
+  std::string describe_changing_sections(const std::vector<std::filesystem::path> &folders);
 } // namespace birdstrike

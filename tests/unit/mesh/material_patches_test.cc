@@ -142,7 +142,7 @@ namespace birdstrike::material_patches_test
         {"0 1 nan 0.1: 1", "cannot read 'nan'"},
         {"0 1 0 0.1: 1 2", "has the ids '1 2'"},
         {"0 1 0.3 0.3: 1", "cannot read '0 1 0.3 0.3'"},
-        {"0 1 0.1 0.2: 1; 0 1 0.3 0.4: 2", "borders at 4 places along the chord"}};
+        {"0 1 0.1 0.2: 1; 0 1 0.3 0.4: 2", "4 borders cross the blade"}};
       const auto expect = [](const BladeParameters &p, const std::string &words) {
         try
           {
