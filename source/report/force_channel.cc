@@ -110,6 +110,22 @@ namespace birdstrike
     return filtered;
   }
 
+  std::array<double, 3> ForceChannel::mean_of_last(const double duration) const
+  {
+    if (means.empty() && last_time == 0.)
+      return {};
+    const auto            wanted = static_cast<std::size_t>(std::lround(duration / interval()));
+    const std::size_t     n      = std::min(means.size(), wanted);
+    std::array<double, 3> sum    = impulse;
+    for (std::size_t k = means.size() - n; k < means.size(); ++k)
+      for (unsigned int d = 0; d < 3; ++d)
+        sum[d] += means[k][d] * interval();
+    const double since = last_time - static_cast<double>(means.size() - n) * interval();
+    for (double &component : sum)
+      component = since > 0. ? component / since : 0.;
+    return sum;
+  }
+
   void ForceChannel::archive(Archive &archive)
   {
     const auto group = archive.group("channel");

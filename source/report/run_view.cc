@@ -8,7 +8,8 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr double small_force = 0.01; ///< of the filtered peak
+    constexpr double small_force  = 0.01;    ///< of the filtered peak
+    constexpr double closing_time = 0.25e-3; ///< s, half a period of the highest frequency that CFC 1000 passes
 
     /// The particles of one snapshot behind those of another one, of the same fields.
     void append(FieldSnapshot &all, const FieldSnapshot &some)
@@ -28,11 +29,16 @@ namespace birdstrike
     return std::ranges::any_of(birds, [](const BirdOfRun &each) { return each.bird != nullptr; });
   }
 
+  double RunView::closing_force() const
+  {
+    const auto force = observed.contact.channel().mean_of_last(closing_time);
+    return std::hypot(force[0], force[1], force[2]);
+  }
+
   bool RunView::is_pushed() const
   {
-    const auto  &force = observed.force;
-    const double peak  = observed.smooth_peak;
-    return contact && peak > 0. && std::hypot(force[0], force[1], force[2]) > small_force * peak;
+    const double peak = observed.smooth_peak;
+    return contact && peak > 0. && closing_force() > small_force * peak;
   }
 
   bool RunView::has_later_peaks() const

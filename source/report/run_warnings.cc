@@ -151,11 +151,11 @@ namespace birdstrike
         check_peaks(run, warnings);
         check_metal(run, warnings);
       }
-    if (const auto &force = run.observed.force; run.is_pushed())
+    if (run.is_pushed())
       warnings.push_back(
-        {unfinished_contact, "The bird still pushes on the blade at the end of the run, with " +
-                               format_quantity(std::hypot(force[0], force[1], force[2]), "N") +
-                               ": impulse, momentum and all that follows are not final (Time/End time)."});
+        {unfinished_contact,
+         "The bird still pushes on the blade at the end of the run, with " + format_quantity(run.closing_force(), "N") +
+           " on the mean of the last 0.25 ms: impulse, momentum and all that follows are not final (Time/End time)."});
     if (const double lost = run.contact ? run.contact->released_energy / run.balance.energy_scale() : 0.;
         lost > much_lost)
       warnings.push_back(

@@ -49,6 +49,10 @@ namespace birdstrike
     /// there is no force: a force that acts when the run ends is taken to end with it.
     FilteredForce filter() const;
 
+    /// Mean (N) over the last `duration` (s) of what was recorded, in whole intervals and what has come since; over all
+    /// where that is less.
+    std::array<double, 3> mean_of_last(double duration) const;
+
     void archive(Archive &archive);
 
   private:

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -180,12 +181,17 @@ namespace birdstrike
     fits.clear();
     add(Expansion::first);
     add(Expansion::second);
-    if (power.order < lowest_order)
+    if (power.order < lowest_order && (is_monotone(values) || power.deviation < data_range(values)))
       add(Expansion::first_and_second);
     ErrorFit best        = best_of(fits);
     best.order           = power.order;
     best.power_deviation = power.power_deviation;
     return best;
+  }
+
+  bool is_monotone(const std::span<const double> values)
+  {
+    return std::ranges::is_sorted(values, std::less<>()) || std::ranges::is_sorted(values, std::greater<>());
   }
 
   double data_range(const std::span<const double> values)

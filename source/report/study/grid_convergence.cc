@@ -30,11 +30,6 @@ namespace birdstrike
                                : std::pow(r21, p) * (std::pow(r32, p) - s) / (std::pow(r21, p) - s);
     }
 
-    bool is_monotone(const std::span<const double> f)
-    {
-      return std::ranges::is_sorted(f, std::less<>()) || std::ranges::is_sorted(f, std::greater<>());
-    }
-
     /// Of four grids: whether both of their threes have one order.
     bool have_one_order(const std::span<const double> h, const std::span<const double> f)
     {

@@ -60,6 +60,19 @@ namespace
 
 // SAE J211-1 figure 1: within +0.5 and -1 dB to F_H = CFC, +0.5 and -4 dB at F_N = CFC/0.6, from there falling by no
 // less than 9 and no more than 24 dB an octave.
+TEST(ForceChannel, MeanOfTheLastIsItsImpulseOverItsTime)
+{
+  ForceChannel channel(1000.); // intervals of 5 us
+  EXPECT_EQ(channel.mean_of_last(1e-3), (std::array<double, 3>{}));
+  for (int k = 0; k <= 1000; ++k) // of 1 us
+    channel.update(1e-6 * k, {1e6 * 1e-6 * k, -2., 0.});
+  EXPECT_NEAR(channel.mean_of_last(0.2e-3)[0], 900., 1e-9 * 900.); // of a ramp to 1000 N
+  EXPECT_NEAR(channel.mean_of_last(0.2e-3)[1], -2., 1e-12);
+  EXPECT_NEAR(channel.mean_of_last(5e-3)[0], 500., 1e-9 * 500.) << "all there is";
+  channel.update(1.003e-3, {1003., -2., 0.}); // within an interval
+  EXPECT_NEAR(channel.mean_of_last(0.2e-3)[0], 0.5 * (800. + 1003.), 1e-6);
+}
+
 TEST(ForceChannel, GainStaysInTheCorridor)
 {
   for (const double channel_class : {1000., 600., 180.})

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 using namespace birdstrike;
 
@@ -156,6 +159,30 @@ TEST(GridConvergence, OfValuesWithScatterHoldsTheTruthInItsBar)
           EXPECT_GT(made.deviation, 0.001) << "of 0.002, with two degrees of freedom";
           EXPECT_GE(made.bar, std::abs(f[0] - 1.)) << p << " " << sign << " " << swing;
         }
+}
+
+// Two terms through scatter would extrapolate it: nine in ten bars of 43 times the scatter then.
+TEST(GridConvergence, ScatterAloneIsNotExtrapolated)
+{
+  const std::vector<double>  h{1., 1.2, 1.44, 1.728, 2.0736};
+  const double               deviation = 0.003;
+  std::mt19937               engine(7);
+  std::normal_distribution<> scatter(0., deviation);
+  std::vector<double>        bars;
+  for (int ladder = 0; ladder < 300; ++ladder)
+    {
+      std::vector<double> f;
+      for (std::size_t k = 0; k < h.size(); ++k)
+        f.push_back(1. + scatter(engine));
+      if (const GridConvergence made = estimate_convergence(h, f); made.trend == Trend::scattered)
+        {
+          EXPECT_GE(made.bar, std::abs(f[0] - 1.));
+          bars.push_back(made.bar);
+        }
+    }
+  ASSERT_GT(bars.size(), 200u);
+  std::ranges::sort(bars);
+  EXPECT_LT(bars[bars.size() * 9 / 10], 20. * deviation);
 }
 
 TEST(GridConvergence, SaysWhereAFitIsNone)

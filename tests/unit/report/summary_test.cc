@@ -175,18 +175,27 @@ TEST(Summary, NoPeakIsReachedWhileTheBirdPushes)
   some.observed.tip_peak.update(0.3e-3, -2e-3);
   some.observed.root_stress.update(0.3e-3, 1e9);
   some.observed.smooth_peak = 1e4;
-  some.observed.force       = {{0., 0., 101.}}; // N
-  RunView             run   = some.view();
-  const ContactReport contact{};
+  ContactReport contact{};
+  const auto    push = [&](const double force, const int n_steps) { // N, in steps of 1 us
+    contact.force = {{0., 0., force}};
+    for (int k = 0; k < n_steps; ++k)
+      some.observed.contact.update(contact, 1e-6);
+  };
+  push(101., 600);
+  RunView run = some.view();
   run.time    = 0.6e-3;
   run.contact = &contact;
   EXPECT_TRUE(Summary(run).is_false("tip/peak_reached"));
   EXPECT_TRUE(Summary(run).is_false("root/peak_normal_stress_reached"));
   run.end_reason = EndReason::tip_peak;
   EXPECT_EQ(Summary(run).json["tip"]["peak_reached"], true) << "it has been seen to turn back";
-  run.end_reason      = EndReason::end_time;
-  some.observed.force = {{0., 0., 99.}};
+  run.end_reason = EndReason::end_time;
+  push(99., 260);
   EXPECT_EQ(Summary(run).json["tip"]["peak_reached"], true);
+  push(0., 300);
+  push(5000., 1); // a drop that has come late
+  EXPECT_EQ(Summary(run).json["tip"]["peak_reached"], true);
+  EXPECT_NEAR(run.closing_force(), 0.5 * 5000. / 250., 0.3);
 }
 
 TEST(Summary, HoldsTheFilteredPeak)
