@@ -38,15 +38,16 @@ namespace
       balance.update(state, 1e-6 * step, step);
     }
 
-    /// A bird pushes with `force` (N) until `end` (s), after a first touch of 1 MN for a microsecond, and has gone
-    /// afterwards, or has not.
+    /// A bird pushes with `force` (N) until `end` (s), after a first touch of 1 MN for a microsecond, and has been gone
+    /// for 0.3 ms afterwards, or has not.
     void push(const double force, const double end, const double channel_class, const bool has_gone)
     {
       constexpr double step = 0.1e-6, first = 1e-6;
       observed.contact = ContactWatch(channel_class);
-      for (long k = 0, n = std::lround(end / step); k <= n; ++k)
+      const long n = std::lround(end / step), n_gone = has_gone ? std::lround(0.3e-3 / step) : 0;
+      for (long k = 0; k <= n + n_gone; ++k)
         {
-          contact.emplace().force = {k * step < first ? 1e6 : has_gone && k == n ? 0. : force, 0., 0.};
+          contact.emplace().force = {k * step < first ? 1e6 : k > n ? 0. : force, 0., 0.};
           observed.contact.update(*contact, step);
         }
       observed.force = contact->force;
