@@ -23,6 +23,7 @@ case $kind in
   thread)
     preset=sanitize-thread tests=('^core\.ThreadPool|^simulation\.')
     export TSAN_OPTIONS="suppressions=$top/tests/stress/tsan.supp history_size=4"
+    export DEAL_II_NUM_THREADS=1 # as the program has it: deal.II and TBB are not instrumented
     ;;
   debug) preset=debug ;;
   valgrind)

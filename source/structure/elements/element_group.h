@@ -70,6 +70,7 @@ namespace birdstrike
       const Record              *records;
       Row_                      *corner_force;
       std::size_t                n_nodes;
+      std::uint32_t              spare_row; ///< of the group alone: what fills up its last batch writes there
     };
 
     ElementGroup(Place place, const ElementBlocks &blocks)
@@ -85,7 +86,7 @@ namespace birdstrike
             batch.owned[k]     = slot == e ? 1. : 0.;
             batch.record[i][k] = this->place.cells[e][i] * (sizeof(Record) / sizeof(double));
             batch.corner[i][k] =
-              slot == e ? blocks.corner_row[n_corners * this->place.number[e] + i] : std::uint32_t(blocks.n_rows);
+              slot == e ? blocks.corner_row[n_corners * this->place.number[e] + i] : this->place.spare_row;
           }
     }
 

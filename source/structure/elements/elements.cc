@@ -75,7 +75,7 @@ namespace birdstrike
     , n_owned_nodes(n_nodes)
     , blocks({checked(cells, n_nodes)[0].data(), Group::n_corners * cells.size()}, order(sections, cells.size()),
              n_nodes)
-    , corner_force(blocks.n_rows + 1)
+    , corner_force(blocks.n_rows + sections.all.size())
     , node_force(n_nodes)
     , node_work(blocks.n_sums, Row{})
     , n_left(has_failure(sections) ? n_nodes : 0, 0)
@@ -86,7 +86,13 @@ namespace birdstrike
     is_rigid.resize(sections.all.size(), false);
     for (std::uint32_t group = 0; group < sections.all.size(); ++group)
       {
-        typename Group::Place of_group{{}, {}, {}, nodes.records.data(), corner_force.data(), n_nodes};
+        typename Group::Place of_group{{},
+                                       {},
+                                       {},
+                                       nodes.records.data(),
+                                       corner_force.data(),
+                                       n_nodes,
+                                       static_cast<std::uint32_t>(blocks.n_rows + group)};
         std::vector<Extra>    of_elements;
         for (std::uint32_t e = 0; e < cells.size(); ++e)
           if (place[e].group == group)

@@ -190,7 +190,7 @@ namespace birdstrike
     std::vector<Place>         place;  ///< [n_elements]
     std::vector<Chunk>         chunks; ///< of all groups, one after the other
     ElementBlocks              blocks;
-    AlignedVector<Row>         corner_force; ///< a node's together; the last one takes what copies of elements write
+    AlignedVector<Row>         corner_force; ///< a node's together; the last, one a group, take what copies write
     AlignedVector<Row>         node_force;   ///< [n_nodes], of the last step
     AlignedVector<Row>         node_work;    ///< [chunks of nodes], J by component, cumulative
     std::vector<std::uint32_t> n_left;       ///< [n_nodes], elements that have not failed; none where none can
