@@ -52,7 +52,7 @@ namespace birdstrike
   ///
   /// They scatter where they go both ways and the deviation of the power is not below data_range(). The paper takes the
   /// sum there too, and through scatter it extrapolates scatter: of ladders of five sizes 1.2 apart that are scatter
-  /// alone nine in ten bars were below 43 times the scatter, now below 16 times; none missed the truth before or since.
+  /// alone nine in ten bars were below 43 times the scatter, now below 17 times; none missed the truth before or since.
   ///
   /// A power in the range comes before one of smaller deviation outside, as meteor-cfd reads the paper; cfd-verify
   /// looks at the range of the one with the smaller deviation alone. meteor-cfd fits no power where the three finest
