@@ -59,6 +59,11 @@ namespace birdstrike
         ->capture_default_str();
       ladder->add_option("--order", request.order,
                          "Of the method, if it is known: the value at h = 0 by it, with its 95 % interval");
+      ladder
+        ->add_option("--places", request.n_places,
+                     "Runs a level, each with the bird's lattice elsewhere across its axis (Lattice shift): values are "
+                     "their means, and the scatter of one run is told")
+        ->capture_default_str();
       declare_jobs(ladder, request.n_jobs, "Levels");
       declare_overrides(ladder, request.overrides);
       ladder->add_option("--output", request.output, "Folder of the ladder, instead of runs/converge/FILE");

@@ -47,23 +47,30 @@ namespace birdstrike
     }
 
     /// Tries the shifts that keep the lattice symmetric about the axis (through a point, or between points) and keeps
-    /// the cut whose count is nearest to the volume.
+    /// the cut whose count is nearest to the volume; that lattice is then moved across the axis as the entry says.
     std::vector<Point3> pack(const BirdParameters &parameters, const Shape &shape)
     {
       const Lattice       lattice = make_lattice(parameters.packing);
       const double        wanted  = shape.volume() / std::pow(parameters.spacing, 3);
       const double        quarter = parameters.packing == BirdLattice::fcc ? 0.25 : 0.5;
       std::vector<Point3> best;
+      Point3              of_best = Point3::Zero();
       for (const double lateral : {0., quarter})
         if (!parameters.is_halved || lateral > 0.) // no particle in the plane of symmetry
           for (const double axial : {0., quarter})
             {
-              std::vector<Point3> points =
-                cut_lattice(lattice, shape, parameters.spacing, Point3(lateral, lateral, axial));
+              const Point3        shift(lateral, lateral, axial);
+              std::vector<Point3> points = cut_lattice(lattice, shape, parameters.spacing, shift);
               if (best.empty() || std::abs(points.size() - wanted) < std::abs(best.size() - wanted))
-                best = std::move(points);
+                {
+                  best    = std::move(points);
+                  of_best = shift;
+                }
             }
-      return best;
+      if (!parameters.is_lattice_shifted())
+        return best;
+      const auto &[x, y] = parameters.lattice_shift;
+      return cut_lattice(lattice, shape, parameters.spacing, of_best + Point3(x, y, 0.));
     }
 
     /// A slab takes whole numbers of cells along each length.

@@ -50,6 +50,8 @@ namespace birdstrike
              "Set 'none', or Gradient correction = true.");
     if (is_halved)
       check_halves();
+    if (shape == BirdShape::slab && is_lattice_shifted())
+      refuse("Lattice shift", "a slab is whole cells of its lattice.", "Set 0, 0, or shift the aim point.");
     check_strength();
     check_slice();
     if (!is_riemann() && reconstruction != Reconstruction::none)
@@ -110,6 +112,8 @@ namespace birdstrike
       refuse_half("Yaw", "a yawed bird", "Set it to 0 (pitch stays in the plane)");
     if (roll != 0.)
       refuse_half("Roll", "a lattice turned about the bird's axis", "Set it to 0");
+    if (is_lattice_shifted())
+      refuse_half("Lattice shift", "a lattice shifted across the bird's axis", "Set 0, 0");
     if (std::hypot(velocity[1], velocity[2]) < 1e-3 * std::abs(velocity[0]))
       refuse_half("Velocity", "the frame of a bird that flies along x", "Let it fly across the span");
     if (!slice_normal.empty() && slice_normal[1] != 0.)

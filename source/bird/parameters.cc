@@ -100,6 +100,12 @@ namespace birdstrike
         "which would catch or miss a whole row at once. [degree]",
         Patterns::Double(-180., 180.));
       prm.add_parameter(
+        "Lattice shift", bird.lattice_shift,
+        "Shift of the lattice of particles across the bird's axis (of a slice along its planes), in two directions, in "
+        "edges of the lattice's cell (a spacing of the cubic packing); mass and shape stay. What an answer changes by "
+        "is its scatter: which rows an edge, or a facet, catches. [-]",
+        Patterns::List(Patterns::Double(-1., 1.), 2, 2));
+      prm.add_parameter(
         "Aim point", bird.aim_point,
         "Point that the bird's centre would fly through if nothing stood in its way; of a slice the centre of the "
         "whole bird. [m]",

@@ -127,6 +127,8 @@ namespace birdstrike
       refuse_unless((flies_along_span ? bird.pitch : bird.yaw) == 0.,
                     bird.section + (flies_along_span ? "/Pitch" : "/Yaw"), "0: the bird's axis lies in the plane");
       refuse_unless(bird.roll == 0., bird.section + "/Roll", "0: the lattice is its own mirror image");
+      refuse_unless(!bird.is_lattice_shifted(), bird.section + "/Lattice shift",
+                    "0, 0: the lattice is its own mirror image");
       refuse_unless(!bird.is_periodic[1], bird.section + "/Periodic directions", "none, x, z");
     }
 

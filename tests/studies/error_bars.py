@@ -5,10 +5,12 @@
     bash tests/studies/error_bars.sh fan-row sheath:solid    # these alone
 
 Of each case `birdstrike converge` climbs three ladders, one thread a run: particles (levels 1.2 apart,
-PARTICLES: far coarser ones are not in the asymptotic range where an edge cuts the bird), mesh (five 1.2 apart along span and chord,
-two of them finer; three 1.5 apart cannot tell an order from scatter) and time steps (three, the coarsest the case's). A cell is what the finest
-level adds to the value as shipped, and half the error bar of the finest level, both in percent of the shipped value; "in x" instead of
+PARTICLES: far coarser ones are not in the asymptotic range where an edge cuts the bird), mesh (five 1.3 apart along span and chord,
+three of them finer; three 1.5 apart cannot tell an order from scatter) and time steps (three, the coarsest the case's). A cell is what the finest
+level adds to the case's own, and half the error bar of the finest level, both in percent of the value as shipped; "in x" instead of
 a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
+Where an edge cuts the bird each level of particles and of the mesh is the mean over four places of the lattice (`--places`): "places" is what
+that mean adds to the run as shipped, and the standard deviation of one run, of the mesh's ladder.
 The last column is what h -> 0 adds by a fit of order 1 or 2 to the ladder of the particles, with its 95 % confidence interval
 (`converge --order`): where the ladder converges and its levels reject one of the two orders (at the 5 % level) and not the other.
 
@@ -33,7 +35,8 @@ CASES = {"frontal": "shell solid", "oblique": "shell solid", "perforation": "she
 PARTICLES = {"oblique": (8, 2), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (6, 1), "fan-blade-composite": (7, 2),
              "certification/large-bird": (7, 2), "certification/medium-bird": (7, 2), "certification/flock": (7, 2)}
 OTHER_PARTICLES = (5, 2)
-LADDERS = {"particles": (), "mesh": ("--levels", "5", "--finer", "2", "--ratio", "1.2"), "step": ("--levels", "3")}
+PLACES = 4  # of the lattice, where an edge cuts the bird
+LADDERS = {"particles": (), "mesh": ("--levels", "5", "--finer", "3", "--ratio", "1.3"), "step": ("--levels", "3")}
 FEWEST_OF_AN_ORDER = 6
 ORDERS, SIGNIFICANCE = (1, 2), 0.05
 
@@ -45,12 +48,15 @@ QUIET = ("Time/Threads=1", "Output/Blade fields=false", "Output/Bird fields=fals
 
 
 class Ladder:
-    """converge.csv of a case: by quantity its values from the coarsest on, and the rest of its row."""
+    """converge.csv of a case: by quantity its values from the coarsest on, and the rest of its row; of levels.csv the run as shipped."""
 
-    def __init__(self, path, level):
+    def __init__(self, folder, level):
         self.level = level  # of the case
-        with open(path, newline="") as file:
+        with open(os.path.join(folder, "converge.csv"), newline="") as file:
             self.rows = {row["quantity"]: row for row in csv.DictReader(file)}
+        self.places = int(next(iter(self.rows.values()))["places"])
+        with open(os.path.join(folder, "levels.csv"), newline="") as file:
+            self.run = list(csv.DictReader(file))[level * self.places]
 
     def values(self, quantity):
         """None where a level has none."""
@@ -62,9 +68,15 @@ class Ladder:
         row = next(iter(self.rows.values()))
         return min(float(key.split()[3]) for key in row if key.startswith("at h = "))
 
-    def shipped(self, quantity):
+    def at_case(self, quantity):
+        """Of the case's level."""
         values = self.values(quantity)
         return values and values[self.level]
+
+    def shipped(self, quantity):
+        """Of the run as shipped; None where it has none."""
+        found = [text for key, text in self.run.items() if key.startswith(quantity + " [") and text]
+        return float(found[0]) if found else None
 
     def rises(self, quantity):
         return self.rows.get(quantity, {}).get("still rising") == "yes"
@@ -74,20 +86,28 @@ class Ladder:
         if not values or not self.shipped(quantity):
             return "–"
         scale = 100. / abs(self.shipped(quantity))
-        added = f"{scale * (values[-1] - self.shipped(quantity)):+.1f}"
+        added = f"{scale * (values[-1] - self.at_case(quantity)):+.1f}"
         bar = self.rows[quantity]["error bar"]
         spread = max(values[-3:]) - min(values[-3:])
         return f"{added} ± {scale * float(bar):.1f}" if bar else f"{added} in {scale * spread:.1f}"
 
+    def places_cell(self, quantity):
+        if self.places == 1 or not self.values(quantity) or not self.shipped(quantity):
+            return "–"
+        scale = 100. / abs(self.shipped(quantity))
+        scatter = float(self.rows[quantity]["standard deviation of a run"])
+        return f"{scale * (self.at_case(quantity) - self.shipped(quantity)):+.1f} ± {scale * scatter:.1f}"
+
 
 def ladder_of(case, name):
     levels, coarser = PARTICLES.get(case, OTHER_PARTICLES)
-    return LADDERS[name] or ("--levels", str(levels), "--finer", str(levels - 1 - coarser), "--ratio", "1.2")
+    levels = LADDERS[name] or ("--levels", str(levels), "--finer", str(levels - 1 - coarser), "--ratio", "1.2")
+    return levels + (("--places", str(PLACES)) if case in PARTICLES and name != "step" else ())
 
 
 def level_of_case(case, name):
     """From the coarsest on."""
-    return {"particles": PARTICLES.get(case, OTHER_PARTICLES)[1], "mesh": 2, "step": 0}[name]
+    return {"particles": PARTICLES.get(case, OTHER_PARTICLES)[1], "mesh": 1, "step": 0}[name]
 
 
 def folder_of(folder, case, kind, name):
@@ -96,8 +116,8 @@ def folder_of(folder, case, kind, name):
 
 def read(folder, case, kind, name):
     """None where there is none."""
-    table = os.path.join(folder_of(folder, case, kind, name), "converge.csv")
-    return Ladder(table, level_of_case(case, name)) if os.path.exists(table) else None
+    of_ladder = folder_of(folder, case, kind, name)
+    return Ladder(of_ladder, level_of_case(case, name)) if os.path.exists(os.path.join(of_ladder, "converge.csv")) else None
 
 
 def converge(program, folder, case, kind, name, extra):
@@ -148,11 +168,16 @@ def limits_of(folder, case, kind):
         return {row["quantity"]: row for row in csv.DictReader(file)}
 
 
-def limit_cell(row, shipped):
+def limit_cell(row, at_case, shipped):
     if not row or not shipped:
         return "–"
     scale = 100. / abs(shipped)
-    return f"{scale * (float(row['limit']) - shipped):+.1f} ± {scale * float(row['half interval']):.1f} (order {row['order']})"
+    return f"{scale * (float(row['limit']) - at_case):+.1f} ± {scale * float(row['half interval']):.1f} (order {row['order']})"
+
+
+def last_cell(quantity, ladders, limits):
+    particles = ladders["particles"]
+    return limit_cell(limits.get(quantity), particles.at_case(quantity), particles.shipped(quantity)) if particles else "–"
 
 
 def show(value, factor):
@@ -174,16 +199,17 @@ def lines_of(case, kind, ladders, limits):
         value = value_of(quantity, ladders)
         if value is None:
             continue
-        cells = [ladder.cell(quantity) if ladder else "lost" for ladder in ladders.values()]
-        particles = ladders["particles"]
-        cells.append(limit_cell(limits.get(quantity), particles.shipped(quantity)) if particles else "–")
+        cells = [ladders["mesh"].places_cell(quantity) if ladders["mesh"] else "–"]
+        cells += [ladder.cell(quantity) if ladder else "lost" for ladder in ladders.values()]
+        cells.append(last_cell(quantity, ladders, limits))
         yield f"| {case}, {kind} | {name} {value} {unit} | {' | '.join(cells)} |"
 
 
 SUMMARY = ("Tip: peak (mid-chord)", "Root: peak bending moment", "Plasticity: plastic work", "Contact: impulse (norm)")
-HEADS = {"error_bars.md": ["case", "as shipped", *LADDERS, "particles, h → 0"],
-         "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s", "finest particles (spacing, mm)",
-                        "mesh 1.44 times finer", "steps 0.44 times as long", "tip, h → 0 of the particles"]}
+HEADS = {"error_bars.md": ["case", "as shipped", "places", *LADDERS, "particles, h → 0"],
+         "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s",
+                        "mean over places ± scatter of a run", "finest particles (spacing, mm)",
+                        "mesh 2.2 times finer", "steps 0.44 times as long", "tip, h → 0 of the particles"]}
 
 
 def summary_of(case, kind, ladders, limits):
@@ -193,7 +219,9 @@ def summary_of(case, kind, ladders, limits):
     particles = ladders["particles"]
     if particles:
         cells[0] += f" ({1e3 * particles.finest_size():.3g})"
-    cells.append(limit_cell(limits.get(SUMMARY[0]), particles.shipped(SUMMARY[0])) if particles else "–")
+    mesh = ladders["mesh"]
+    cells.insert(0, ", ".join(mesh.places_cell(quantity) for quantity in SUMMARY) if mesh and mesh.places > 1 else "–")
+    cells.append(last_cell(SUMMARY[0], ladders, limits))
     yield f"| {case}, {kind} | {'; '.join(value or '–' for value in values)} | {' | '.join(cells)} |"
 
 

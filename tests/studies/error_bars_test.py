@@ -14,10 +14,11 @@ COARSE = [text for setting in ("Bird/Particle spacing=0.008", "Blade/Mesh/Elemen
 
 
 def impulses(folder):
-    """N s, of a ladder's runs by their folder's name."""
+    """N s, of a ladder's runs: by level's folder name those of its places, that of the case first."""
     found = {}
-    for path in pathlib.Path(folder).glob("*/summary.json"):
-        found[path.parent.name] = math.hypot(*json.loads(path.read_text())["contact"]["impulse"])
+    for path in sorted(pathlib.Path(folder).glob("*/summary.json")):
+        level = path.parent.name.split("-Lattice-shift")[0]
+        found.setdefault(level, []).append(math.hypot(*json.loads(path.read_text())["contact"]["impulse"]))
     return found
 
 
@@ -44,7 +45,7 @@ def check_choice(expect):
     expect("none is left", of(("0.01", "0.02")) == [])
     expect("no test", of(("", "")) == [])
     expect("no order", of(("0.4", "0.01"), "scatters") == [])
-    cell = error_bars.limit_cell({"order": "2", "limit": "1.2", "half interval": "0.02"}, 1.25)
+    cell = error_bars.limit_cell({"order": "2", "limit": "1.2", "half interval": "0.02"}, 1.25, 1.25)
     expect(f"its cell: {cell}", cell == "-4.0 ± 1.6 (order 2)")
 
 
@@ -54,16 +55,22 @@ def main():
     def expect(what, holds):
         if not holds:
             faults.append(what)
+    error_bars.PLACES = 2
     with tempfile.TemporaryDirectory() as folder:
         ladders = {name: error_bars.climb(sys.argv[1], folder, "sheath", "shell", name, COARSE) for name in error_bars.LADDERS}
         for name, shipped, finest in (("particles", "Particle-spacing=0.008", "Particle-spacing=0.00321502"),
-                                      ("mesh", "Elements-along-span=20-Elements-along-chord=6", "Elements-along-span=29-Elements-along-chord=9")):
+                                      ("mesh", "Elements-along-span=20-Elements-along-chord=6", "Elements-along-span=44-Elements-along-chord=13")):
             runs = impulses(pathlib.Path(folder) / "sheath-shell" / name)
-            expect(f"{name}: {len(runs)} runs", len(runs) == int(error_bars.ladder_of("sheath", name)[1]))
-            one = next((runs[run] for run in runs if run == shipped), math.nan)
-            two = next((runs[run] for run in runs if run.startswith(finest)), math.nan)
+            expect(f"{name}: {runs}", len(runs) == int(error_bars.ladder_of("sheath", name)[1]) and {len(each) for each in runs.values()} == {2})
+            at_case = next((runs[run] for run in runs if run == shipped), [math.nan])
+            at_finest = next((runs[run] for run in runs if run.startswith(finest)), [math.nan])
+            added = 100 * (statistics.mean(at_finest) - statistics.mean(at_case)) / at_case[0]
             cell = ladders[name].cell("Contact: impulse (norm)")
-            expect(f"{name}: {cell}, runs {runs}", cell.startswith(f"{100 * (two / one - 1):+.1f} "))
+            expect(f"{name}: {cell}, runs {runs}", cell.startswith(f"{added:+.1f} "))
+            scatter = math.sqrt(statistics.mean(statistics.variance(each) for each in runs.values()))
+            places = f"{100 * (statistics.mean(at_case) / at_case[0] - 1):+.1f} ± {100 * scatter / at_case[0]:.1f}"
+            cell = ladders[name].places_cell("Contact: impulse (norm)")
+            expect(f"{name}: {cell}, {places}", cell == places)
         step = ladders["step"]
         expect("the step's ladder begins at the case", step.shipped("Contact: impulse (norm)") == step.values("Contact: impulse (norm)")[0])
         check_choice(expect)

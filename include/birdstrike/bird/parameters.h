@@ -84,6 +84,7 @@ namespace birdstrike
     double                yaw   = 0.;                   ///< degrees
     double                pitch = 0.;                   ///< degrees
     double                roll  = 0.;                   ///< degrees; of a round bird this turns the lattice alone
+    std::array<double, 2> lattice_shift{{0., 0.}};      ///< across its axis, in cells of the lattice
     std::array<double, 3> aim_point{{0.21784, 0., 0.}}; ///< m; 70 % of a 311.2 mm span
     std::vector<double>   slice_normal;                 ///< three numbers, fixed axes; empty: the bird's axis
     std::vector<double>   slice_between;            ///< two numbers, m along it from the centre; empty: the whole bird
@@ -141,6 +142,10 @@ namespace birdstrike
     bool is_slice() const
     {
       return !slice_between.empty();
+    }
+    bool is_lattice_shifted() const
+    {
+      return lattice_shift != std::array<double, 2>{{0., 0.}};
     }
     bool is_riemann() const;
     bool has_strength() const

@@ -1,6 +1,7 @@
 #include "report/comparison/case_run.h"
 #include "report/comparison/losses.h"
 #include "report/study/convergence_table.h"
+#include "report/study/lattice_places.h"
 #include "report/study/section_masses.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
@@ -43,16 +44,19 @@ namespace birdstrike
     CaseParameters parameters;
     parameters.read(request.prm_file, request.overrides);
     const std::vector<LadderLevel> levels = make_ladder(parameters, request);
-    const StudyPlan                plan   = make_ladder_plan(refinement, levels);
+    const LadderPlaces             places = make_lattice_places(parameters, request.n_places);
+    const StudyPlan                plan   = make_ladder_plan(refinement, levels, places.size());
 
     RunOptions options{request.prm_file, request.overrides, request.n_jobs, "", "ladder"};
-    auto       runs = plan_runs(make_ladder_points(levels), output, options);
-    log().info("{} levels, {} of them are there", runs.size(), std::ranges::count_if(runs, &PointRun::is_done));
+    auto       runs = plan_runs(make_ladder_points(levels, places), output, options);
+    log().info("{} levels{}, {} of them are there", levels.size(),
+               places.size() > 1 ? fmt::format(" at {} places, {} runs", places.size(), runs.size()) : "",
+               std::ranges::count_if(runs, &PointRun::is_done));
     const ReportFolder folder(output, kind);
     run_points(runs, options);
 
     const StudyTable       table(plan, runs);
-    const ConvergenceTable convergence(refinement, levels, table, request.order);
+    const ConvergenceTable convergence(refinement, levels, places.size(), table, request.order);
     folder.write_text("levels.csv", table.as_csv());
     folder.write_text("converge.csv", convergence.as_csv());
     if (const Figure figure = convergence.make_figure(); figure.has_lines())
@@ -73,6 +77,6 @@ namespace birdstrike
     Losses losses;
     for (const PointRun &run : runs)
       losses.add(run.point.name, run.exit_code);
-    losses.raise("levels");
+    losses.raise(places.size() > 1 ? "runs" : "levels");
   }
 } // namespace birdstrike

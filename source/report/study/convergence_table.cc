@@ -1,4 +1,5 @@
 #include "report/study/convergence_table.h"
+#include "report/study/lattice_places.h"
 #include "report/study/study_figures.h"
 #include <birdstrike/report/text.h>
 
@@ -30,11 +31,19 @@ namespace birdstrike
       return fit_known_order(order, h, f);
     }
 
-    ConvergingRow make_row(const ComparisonRow &row, const std::vector<double> &sizes,
+    ConvergingRow make_row(const ComparisonRow &row, const std::vector<double> &sizes, const std::size_t n_places,
                            const std::optional<double> order)
     {
-      const std::vector<double> values(row.values.rbegin(), row.values.rend());
-      ConvergingRow             made{&row, values, estimate_convergence(sizes, values), {}};
+      std::vector<double> values;
+      double              variances = 0.;
+      const auto          means     = mean_over_places(row.values, n_places);
+      for (auto level = means.rbegin(); level != means.rend(); ++level)
+        {
+          values.push_back(level->mean);
+          variances += level->variance;
+        }
+      const double  scatter = std::sqrt(variances / static_cast<double>(means.size()));
+      ConvergingRow made{&row, values, scatter, estimate_convergence(sizes, values), {}};
       if (order)
         made.of_known_order = fit_what_is_there(*order, sizes, values);
       return made;
@@ -65,6 +74,15 @@ namespace birdstrike
         "level,\n1.25 times what h -> 0 is away where the ladder converges, else three times that, and "
         "the scatter about the fit.\n",
         n_levels);
+    }
+
+    std::string describe_places(const std::size_t n_places)
+    {
+      return n_places > 1
+               ? fmt::format("Values: means over {} places of the bird's lattice; one run: standard deviation of a run "
+                             "among its level's, of all\nlevels, in percent of the finest.\n",
+                             n_places)
+               : "";
     }
 
     std::string describe_interval(const std::optional<double> order)
@@ -112,16 +130,17 @@ namespace birdstrike
   } // namespace
 
   ConvergenceTable::ConvergenceTable(const Refinement refinement, const std::vector<LadderLevel> &levels,
-                                     const StudyTable &table, const std::optional<double> order)
-    : refinement(refinement), known_order(order)
+                                     const std::size_t n_places, const StudyTable &table,
+                                     const std::optional<double> order)
+    : refinement(refinement), n_places(n_places), known_order(order)
   {
     for (auto level = levels.rbegin(); level != levels.rend(); ++level)
       sizes.push_back(level->size);
     for (const ComparisonRow &row : table.rows())
       if (is_response(row))
-        all.push_back(make_row(row, sizes, order));
+        all.push_back(make_row(row, sizes, n_places, order));
     for (const ComparisonRow *row : table.headline())
-      headline.push_back(make_row(*row, sizes, order));
+      headline.push_back(make_row(*row, sizes, n_places, order));
   }
 
   bool ConvergingRow::is_rising() const
@@ -139,6 +158,8 @@ namespace birdstrike
     std::vector<std::vector<std::string>> cells{{""}};
     for (auto size = sizes.rbegin(); size != sizes.rend(); ++size)
       cells[0].push_back(format_value(*size, size_unit(refinement)));
+    if (n_places > 1)
+      cells[0].emplace_back("one run");
     for (const char *heading : {"order", "h -> 0", "last change", "error bar"})
       cells[0].emplace_back(heading);
     if (known_order)
@@ -151,6 +172,8 @@ namespace birdstrike
         std::vector<std::string> line{each.row->group + ": " + each.row->quantity};
         for (auto value = each.values.rbegin(); value != each.values.rend(); ++value)
           line.push_back(show(*value, each.row->unit));
+        if (n_places > 1)
+          line.push_back("+- " + show_share(each.scatter / std::abs(each.values[0])));
         line.push_back(std::isnan(made.order) ? nothing : fmt::format("{:.2f}", made.order));
         line.push_back(show(made.extrapolated, each.row->unit));
         line.push_back(show_share(made.change));
@@ -163,7 +186,8 @@ namespace birdstrike
                        (each.is_rising() ? "; still rising at the end, no peak, or still pushed by the bird" : ""));
         cells.push_back(std::move(line));
       }
-    return size_name(refinement) + ":\n" + align(cells) + describe_bars(sizes.size()) + describe_interval(known_order);
+    return size_name(refinement) + ":\n" + align(cells) + describe_places(n_places) + describe_bars(sizes.size()) +
+           describe_interval(known_order);
   }
 
   std::string ConvergenceTable::as_csv() const
@@ -172,7 +196,7 @@ namespace birdstrike
     for (auto size = sizes.rbegin(); size != sizes.rend(); ++size)
       text += fmt::format(",at h = {} {}", *size, size_unit(refinement));
     text += ",observed order [-],extrapolated,change [-],extrapolated error [-],GCI [-],error bar,GCI ratio [-],method,"
-            "standard deviation,known order [-],extrapolated by known order,"
+            "standard deviation,places,standard deviation of a run,known order [-],extrapolated by known order,"
             "half of its 95 % interval,p-value of known order [-],still rising,ladder\n";
     for (const ConvergingRow &each : all)
       {
@@ -183,7 +207,8 @@ namespace birdstrike
         for (const double number :
              {made.order, made.extrapolated, made.change, made.extrapolated_error, made.gci, made.bar, made.ratio})
           text += "," + csv_number(number);
-        text += "," + made.method() + "," + csv_number(made.deviation) + csv_limit(known_order, each.of_known_order);
+        text += "," + made.method() + "," + csv_number(made.deviation) + fmt::format(",{},", n_places) +
+                csv_number(each.scatter) + csv_limit(known_order, each.of_known_order);
         text += std::string(each.is_rising() ? ",yes" : ",no") + "," + describe(made.trend) + "\n";
       }
     return text;

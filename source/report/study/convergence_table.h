@@ -16,7 +16,8 @@ namespace birdstrike
   struct ConvergingRow
   {
     const ComparisonRow *row;
-    std::vector<double>  values; ///< from the finest level on
+    std::vector<double>  values;  ///< from the finest level on, means over places
+    double               scatter; ///< standard deviation of one run among places, of all levels; NaN of one place
     GridConvergence      estimate;
 
     std::optional<KnownOrderFit> of_known_order; ///< none where no order is known, or a level has no value
@@ -29,9 +30,10 @@ namespace birdstrike
   class ConvergenceTable
   {
   public:
-    /// `levels` from the coarsest on, as the points of the table; `order` of the method, if it is known.
-    ConvergenceTable(Refinement refinement, const std::vector<LadderLevel> &levels, const StudyTable &table,
-                     std::optional<double> order);
+    /// `levels` from the coarsest on, as the points of the table, each with `n_places` of the lattice; `order` of the
+    /// method, if it is known.
+    ConvergenceTable(Refinement refinement, const std::vector<LadderLevel> &levels, std::size_t n_places,
+                     const StudyTable &table, std::optional<double> order);
 
     const std::vector<ConvergingRow> &rows() const;
 
@@ -43,6 +45,7 @@ namespace birdstrike
 
   private:
     Refinement                 refinement;
+    std::size_t                n_places;
     std::optional<double>      known_order;
     std::vector<double>        sizes; ///< from the finest on
     std::vector<ConvergingRow> all, headline;

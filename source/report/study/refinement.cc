@@ -154,7 +154,8 @@ namespace birdstrike
     return levels;
   }
 
-  StudyPlan make_ladder_plan(const Refinement refinement, const std::vector<LadderLevel> &levels)
+  StudyPlan make_ladder_plan(const Refinement refinement, const std::vector<LadderLevel> &levels,
+                             const std::size_t n_places)
   {
     VariedEntry size{size_name(refinement), size_unit(refinement), {}, {}};
     for (const LadderLevel &level : levels)
@@ -162,14 +163,30 @@ namespace birdstrike
         size.numbers.push_back(level.size);
         size.values.push_back(fmt::format("{}", level.size));
       }
-    return {{size}, false};
+    if (n_places == 1)
+      return {{size}, false};
+    VariedEntry place{"place of the lattice", "-", {}, {}};
+    for (std::size_t k = 1; k <= n_places; ++k)
+      {
+        place.numbers.push_back(static_cast<double>(k));
+        place.values.push_back(fmt::format("{}", k));
+      }
+    return {{size, place}, false};
   }
 
-  std::vector<StudyPoint> make_ladder_points(const std::vector<LadderLevel> &levels)
+  std::vector<StudyPoint> make_ladder_points(const std::vector<LadderLevel> &levels, const LadderPlaces &places)
   {
     std::vector<StudyPoint> points;
-    for (const LadderLevel &level : levels)
-      points.push_back({level.name(), make_folder_name(level.name()), {points.size()}, level.overrides});
+    for (std::size_t l = 0; l < levels.size(); ++l)
+      for (std::size_t k = 0; k < places.size(); ++k)
+        {
+          LadderLevel of_place = levels[l];
+          of_place.overrides.insert(of_place.overrides.end(), places[k].begin(), places[k].end());
+          std::vector<std::size_t> at{l};
+          if (places.size() > 1)
+            at.push_back(k);
+          points.push_back({of_place.name(), make_folder_name(of_place.name()), at, of_place.overrides});
+        }
     return points;
   }
 } // namespace birdstrike

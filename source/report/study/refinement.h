@@ -38,7 +38,10 @@ namespace birdstrike
   /// most 1.05, two levels of the same size, time steps longer than the case's.
   std::vector<LadderLevel> make_ladder(const CaseParameters &parameters, const ConvergeRequest &request);
 
-  /// The ladder as a study of one entry, the size.
-  StudyPlan               make_ladder_plan(Refinement refinement, const std::vector<LadderLevel> &levels);
-  std::vector<StudyPoint> make_ladder_points(const std::vector<LadderLevel> &levels);
+  /// Overrides by place of the lattice (report/study/lattice_places.h); one that is empty is the case as it stands.
+  using LadderPlaces = std::vector<std::vector<std::string>>;
+
+  /// The ladder as a study of the size, of several places of the place too, which runs faster.
+  StudyPlan make_ladder_plan(Refinement refinement, const std::vector<LadderLevel> &levels, std::size_t n_places);
+  std::vector<StudyPoint> make_ladder_points(const std::vector<LadderLevel> &levels, const LadderPlaces &places);
 } // namespace birdstrike

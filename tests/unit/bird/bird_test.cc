@@ -282,6 +282,7 @@ TEST(Bird, RefusesToHalveWhatIsNotSymmetric)
   expect_refused("Chordwise offset", [](BirdParameters &p) { p.chordwise_offset = 0.01; });
   expect_refused("Yaw", [](BirdParameters &p) { p.yaw = 5.; });
   expect_refused("Roll", [](BirdParameters &p) { p.roll = 5.; });
+  expect_refused("Lattice shift", [](BirdParameters &p) { p.lattice_shift = {{0.5, 0.}}; });
   expect_refused("Packing", [](BirdParameters &p) { p.packing = BirdLattice::fcc; });
   expect_refused("Formulation", [](BirdParameters &p) { p.formulation = ParticleFormulation::standard; });
 }

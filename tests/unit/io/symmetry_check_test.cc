@@ -42,6 +42,7 @@ TEST(SymmetryPlane, RefusesWhatIsNotItsOwnMirrorImage)
                                     {"Bird/Chordwise offset=0.01", "Bird/Chordwise offset"},
                                     {"Bird/Yaw=10", "Bird/Yaw"},
                                     {"Bird/Roll=10", "Bird/Roll"},
+                                    {"Bird/Lattice shift=0.5, 0", "Bird/Lattice shift"},
                                     {"Blade/Thickness/Value=0.004 + 0.01*y", "Thickness/Value"},
                                     {"Blade/Thickness/Value=0.00427+if(y>0.042,0.002,0)", "Thickness/Value"},
                                     {"Blade/Thickness/Value=0.004+if(x>0.3 && y<-0.04,0.002,0)", "Thickness/Value"},

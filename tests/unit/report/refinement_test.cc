@@ -41,7 +41,7 @@ namespace
     std::vector<PointRun> record(const std::vector<LadderLevel> &levels, const double c) const
     {
       std::vector<PointRun> runs;
-      for (const StudyPoint &point : make_ladder_points(levels))
+      for (const StudyPoint &point : make_ladder_points(levels, {{}}))
         {
           RecordedRun run;
           run.peak = 0.2 + c * std::pow(levels[runs.size()].size, 2.);
@@ -112,10 +112,10 @@ TEST_F(Refining, RefusesWhatIsNoLadder)
 TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
 {
   const auto             levels = ladder("particles");
-  const StudyPlan        plan   = make_ladder_plan(Refinement::particles, levels);
+  const StudyPlan        plan   = make_ladder_plan(Refinement::particles, levels, 1);
   const auto             runs   = record(levels, 1000.);
   const StudyTable       table(plan, runs);
-  const ConvergenceTable made(Refinement::particles, levels, table, 2.);
+  const ConvergenceTable made(Refinement::particles, levels, 1, table, 2.);
   const auto             is_peak = [](const ConvergingRow &row) { return row.row->quantity == "peak (mid-chord)"; };
   const auto             peak    = std::ranges::find_if(made.rows(), is_peak);
   ASSERT_NE(peak, made.rows().end());
@@ -143,15 +143,15 @@ TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
 TEST_F(Refining, TheTableSaysWhatAKnownOrderGives)
 {
   const auto       levels = ladder("particles", 6, 1.5);
-  const StudyPlan  plan   = make_ladder_plan(Refinement::particles, levels);
+  const StudyPlan  plan   = make_ladder_plan(Refinement::particles, levels, 1);
   const auto       runs   = record(levels, 100.);
   const StudyTable table(plan, runs);
   const auto       peak_of = [&](const ConvergenceTable &made) {
     return *std::ranges::find_if(made.rows(),
                                        [](const ConvergingRow &row) { return row.row->quantity == "peak (mid-chord)"; });
   };
-  const ConvergenceTable right(Refinement::particles, levels, table, 2.),
-    wrong(Refinement::particles, levels, table, 1.);
+  const ConvergenceTable right(Refinement::particles, levels, 1, table, 2.),
+    wrong(Refinement::particles, levels, 1, table, 1.);
   ASSERT_TRUE(peak_of(right).of_known_order);
   EXPECT_NEAR(peak_of(right).of_known_order->limit, 0.2, 1e-9);
   EXPECT_FALSE(peak_of(right).of_known_order->rejects_order());
