@@ -57,8 +57,9 @@ namespace birdstrike
       ladder->add_option("--ratio", request.ratio, "Of sizes from level to level")->capture_default_str();
       ladder->add_option("--finer", request.n_finer, "So many of the levels are finer than the case")
         ->capture_default_str();
-      ladder->add_option("--order", request.order,
-                         "Of the method, if it is known: the value at h = 0 by it, with its 95 % interval");
+      ladder->add_option(
+        "--order", request.order,
+        "Of the method, if it is known, 1, or its bounds, 1:2: the value at h = 0 by it, with its 95 % interval");
       ladder
         ->add_option("--places", request.n_places,
                      "Runs a level, each with the bird's lattice elsewhere across its axis (Lattice shift): values are "
@@ -138,8 +139,9 @@ namespace birdstrike
       "Instead of the case as it is: the cheapest bird and mesh with this error, \"tip peak = 2 %\" "
       "(folder: runs/target/FILE)");
     app.get_subcommand("run")
-      ->add_option("--bird-order", requests.bird_order,
-                   "Of the ladder of its particles, if it is known: values are taken to h = 0 by it")
+      ->add_option(
+        "--bird-order", requests.bird_order,
+        "Of the ladder of its particles, if it is known, 1, or its bounds, 1:2: values are taken to h = 0 by it")
       ->needs(target);
     case_command("explain", "Say what would be computed, before it is", explain_case);
     case_command("validate", "Read and check a case, compute nothing", validate_case);

@@ -7,7 +7,6 @@
 #include <birdstrike/simulation/commands.h>
 
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace CLI
@@ -20,16 +19,16 @@ namespace birdstrike
   /// What the command line may ask for.
   struct Requests
   {
-    CaseRequest           of_case;
-    CompareRequest        of_comparison;
-    ResumeRequest         of_resumption;
-    StudyRequest          of_study;
-    ConvergeRequest       of_ladder;
-    MeasurementRequest    of_measurement;
-    ModesRequest          of_modes;
-    bool                  as_json = false;
-    std::string           target_error; ///< of run
-    std::optional<double> bird_order;   ///< beside it
+    CaseRequest        of_case;
+    CompareRequest     of_comparison;
+    ResumeRequest      of_resumption;
+    StudyRequest       of_study;
+    ConvergeRequest    of_ladder;
+    MeasurementRequest of_measurement;
+    ModesRequest       of_modes;
+    bool               as_json = false;
+    std::string        target_error; ///< of run
+    std::string        bird_order;   ///< beside it
   };
 
   /// Declares every command with its options, which are read into `requests`; the command that is given binds what it

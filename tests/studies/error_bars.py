@@ -11,8 +11,8 @@ level adds to the case's own, and half the error bar of the finest level, both i
 a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
 Where an edge cuts the bird each level of particles and of the mesh is the mean over four places of the lattice (`--places`): "places" is what
 that mean adds to the run as shipped, and the standard deviation of one run, of the mesh's ladder.
-The last column is what h -> 0 adds by a fit of order 1 or 2 to the ladder of the particles, with its 95 % confidence interval
-(`converge --order`): where the ladder converges and its levels reject one of the two orders (at the 5 % level) and not the other.
+The last columns are what h -> 0 adds by fits of orders from 1 to 2, with what the 95 % confidence intervals of those span that the levels
+do not reject (`converge --order 1:2`).
 
 Writes a folder a ladder, whose runs are reused by the next call, and of all ladders that are there error_bars.md (a line a quantity) and
 summary.md (a line a case: what the finest levels add).
@@ -37,8 +37,8 @@ PARTICLES = {"oblique": (8, 2), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row"
 OTHER_PARTICLES = (5, 2)
 PLACES = 4  # of the lattice, where an edge cuts the bird
 LADDERS = {"particles": (), "mesh": ("--levels", "5", "--finer", "3", "--ratio", "1.3"), "step": ("--levels", "3")}
-FEWEST_OF_AN_ORDER = 6
-ORDERS, SIGNIFICANCE = (1, 2), 0.05
+FITTED = ("particles", "mesh")  # of four levels and more
+ORDERS, SIGNIFICANCE = "1:2", 0.05
 
 QUANTITIES = {"Tip: peak (mid-chord)": ("tip peak", "mm", 1e3), "Tip: permanent deflection": ("permanent deflection", "mm", 1e3),
               "Root: peak bending moment": ("root moment", "N m", 1.), "Plasticity: plastic work": ("plastic work", "J", 1.),
@@ -102,7 +102,8 @@ class Ladder:
 def ladder_of(case, name):
     levels, coarser = PARTICLES.get(case, OTHER_PARTICLES)
     levels = LADDERS[name] or ("--levels", str(levels), "--finer", str(levels - 1 - coarser), "--ratio", "1.2")
-    return levels + (("--places", str(PLACES)) if case in PARTICLES and name != "step" else ())
+    return (levels + (("--places", str(PLACES)) if case in PARTICLES and name != "step" else ())
+            + (("--order", ORDERS) if name in FITTED else ()))
 
 
 def level_of_case(case, name):
@@ -133,51 +134,16 @@ def converge(program, folder, case, kind, name, extra):
     return read(folder, case, kind, name) if done.returncode in (0, 3) else None  # 3: levels were lost, and its table says so
 
 
-def limit_rows(quantity, of_orders):
-    """One row, [quantity, order, limit, half interval], where the ladder converges and rejects all ORDERS but one; else none."""
-    if any(rows.get(quantity, {}).get("ladder") != "converges" for rows in of_orders.values()):
-        return []
-    left = [(order, rows[quantity]) for order, rows in of_orders.items()
-            if float(rows[quantity]["p-value of known order [-]"] or "nan") >= SIGNIFICANCE]
-    return [[quantity, order, row["extrapolated by known order"], row["half of its 95 % interval"]] for order, row in left
-            if len(left) == 1]
-
-
-def climb(program, folder, case, kind, name, extra):
-    """Of six levels of particles and more also limits.csv; converge.csv is that of no given order."""
-    limits = folder_of(folder, case, kind, "limits.csv")
-    if name == "particles" and os.path.exists(limits):
-        os.remove(limits)
-    is_long = name == "particles" and PARTICLES.get(case, OTHER_PARTICLES)[0] >= FEWEST_OF_AN_ORDER
-    by_order = {order: converge(program, folder, case, kind, name, [*extra, "--order", str(order)]) for order in ORDERS if is_long}
-    ladder = converge(program, folder, case, kind, name, extra)
-    if ladder and is_long and all(by_order.values()):
-        of_orders = {order: each.rows for order, each in by_order.items()}
-        with open(limits, "w", newline="") as file:
-            csv.writer(file).writerows([["quantity", "order", "limit", "half interval"],
-                                        *(row for quantity in ladder.rows for row in limit_rows(quantity, of_orders))])
-    return ladder
-
-
-def limits_of(folder, case, kind):
-    """Rows of limits.csv by quantity; none where there is no such file."""
-    path = folder_of(folder, case, kind, "limits.csv")
-    if not os.path.exists(path):
-        return {}
-    with open(path, newline="") as file:
-        return {row["quantity"]: row for row in csv.DictReader(file)}
-
-
-def limit_cell(row, at_case, shipped):
-    if not row or not shipped:
+def limit_cell(ladder, quantity):
+    """What h -> 0 adds to the case's level by the fits with orders between ORDERS; none where changes grow or they are rejected."""
+    row = ladder and ladder.rows.get(quantity)
+    if not row or not row["extrapolated by known order"] or not ladder.shipped(quantity) or row["ladder"] == "diverges":
         return "–"
-    scale = 100. / abs(shipped)
-    return f"{scale * (float(row['limit']) - at_case):+.1f} ± {scale * float(row['half interval']):.1f} (order {row['order']})"
-
-
-def last_cell(quantity, ladders, limits):
-    particles = ladders["particles"]
-    return limit_cell(limits.get(quantity), particles.at_case(quantity), particles.shipped(quantity)) if particles else "–"
+    if float(row["p-value of known order [-]"]) < SIGNIFICANCE:
+        return "no order"
+    scale = 100. / abs(ladder.shipped(quantity))
+    return (f"{scale * (float(row['extrapolated by known order']) - ladder.at_case(quantity)):+.1f} ± "
+            f"{scale * float(row['half of its 95 % interval']):.1f}")
 
 
 def show(value, factor):
@@ -193,26 +159,27 @@ def value_of(quantity, ladders):
     return show(of_it[0].shipped(quantity), factor) + ("+" if any(ladder.rises(quantity) for ladder in of_it) else "")
 
 
-def lines_of(case, kind, ladders, limits):
-    """A line a quantity: value as shipped, a cell a ladder, and the limit of the particles."""
+def lines_of(case, kind, ladders):
+    """A line a quantity: value as shipped, a cell a ladder, and the limits."""
     for quantity, (name, unit, _) in QUANTITIES.items():
         value = value_of(quantity, ladders)
         if value is None:
             continue
         cells = [ladders["mesh"].places_cell(quantity) if ladders["mesh"] else "–"]
         cells += [ladder.cell(quantity) if ladder else "lost" for ladder in ladders.values()]
-        cells.append(last_cell(quantity, ladders, limits))
+        cells += [limit_cell(ladders[name], quantity) for name in FITTED]
         yield f"| {case}, {kind} | {name} {value} {unit} | {' | '.join(cells)} |"
 
 
 SUMMARY = ("Tip: peak (mid-chord)", "Root: peak bending moment", "Plasticity: plastic work", "Contact: impulse (norm)")
-HEADS = {"error_bars.md": ["case", "as shipped", "places", *LADDERS, "particles, h → 0"],
+HEADS = {"error_bars.md": ["case", "as shipped", "places", *LADDERS, "particles, h → 0", "mesh, h → 0"],
          "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s",
                         "mean over places ± scatter of a run", "finest particles (spacing, mm)",
-                        "mesh 2.2 times finer", "steps 0.44 times as long", "tip, h → 0 of the particles"]}
+                        "mesh 2.2 times finer", "steps 0.44 times as long", "tip, h → 0 of the particles",
+                        "tip, h → 0 of the mesh"]}
 
 
-def summary_of(case, kind, ladders, limits):
+def summary_of(case, kind, ladders):
     values = [value_of(quantity, ladders) for quantity in SUMMARY]
     cells = [", ".join("–" if value is None or not ladder or not ladder.values(quantity) else ladder.cell(quantity).split()[0]
                        for quantity, value in zip(SUMMARY, values)) for ladder in ladders.values()]
@@ -221,7 +188,7 @@ def summary_of(case, kind, ladders, limits):
         cells[0] += f" ({1e3 * particles.finest_size():.3g})"
     mesh = ladders["mesh"]
     cells.insert(0, ", ".join(mesh.places_cell(quantity) for quantity in SUMMARY) if mesh and mesh.places > 1 else "–")
-    cells.append(last_cell(SUMMARY[0], ladders, limits))
+    cells += [limit_cell(ladders[name], SUMMARY[0]) for name in FITTED]
     yield f"| {case}, {kind} | {'; '.join(value or '–' for value in values)} | {' | '.join(cells)} |"
 
 
@@ -232,7 +199,7 @@ def write_tables(folder):
             for kind in kinds.split():
                 ladders = {name: read(folder, case, kind, name) for name in LADDERS}
                 if any(ladders.values()):
-                    table += lines(case, kind, ladders, limits_of(folder, case, kind))
+                    table += lines(case, kind, ladders)
         with open(os.path.join(folder, file), "w") as out:
             out.write("\n".join(table).replace(" -", " −") + "\n")
 
@@ -252,8 +219,8 @@ def main():
     os.makedirs(arguments.output, exist_ok=True)
     for case, kind in wanted:
         settings = [text for setting in arguments.set for text in ("--set", setting)]
-        ladders = {name: climb(arguments.program, arguments.output, case, kind, name, settings) for name in LADDERS}
-        print("\n".join(lines_of(case, kind, ladders, limits_of(arguments.output, case, kind))), flush=True)
+        ladders = {name: converge(arguments.program, arguments.output, case, kind, name, settings) for name in LADDERS}
+        print("\n".join(lines_of(case, kind, ladders)), flush=True)
         write_tables(arguments.output)
 
 

@@ -18,6 +18,9 @@ ask "particles and mesh together" 0 "3 levels, 0 of them" -- "${strike[@]}" --se
 require "the case is the finest level" '[ -s "both/Elements-along-span=31-Elements-along-chord=9-Particle-spacing=0.005/summary.json" ]'
 ask "a ladder grows" 0 "4 levels, 3 of them" "by least squares over 4 levels" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --levels 4 --output both
 ask "the order is known" 0 "4 levels, 4 of them" "order 1, h -> 0" "95 % confidence interval" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --levels 4 --order 1 --output both
+ask "bounds of the order are known" 0 "4 levels, 4 of them" "order 1:2, h -> 0" "that are not rejected" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --levels 4 --order 1:2 --output both
+require "they stand in the table" 'grep -qE "^Plasticity: plastic work,.*,1:2,[0-9.e-]+,[0-9.e-]+,[0-9.e-]+,no,[a-z ]+$" both/converge.csv'
+ask "an order again" 0 "4 levels, 4 of them" "order 1, h -> 0" -- "${strike[@]}" --set "Bird/Particle spacing=0.005" --ratio 1.4 --levels 4 --order 1 --output both
 require "its limit stands in the table" 'head -n 1 both/converge.csv | grep -q ",known order .-.,extrapolated by known order,half of its 95 % interval,p-value of known order .-.,still rising,ladder$" && grep -qE "^Plasticity: plastic work,.*,1,[0-9.e-]+,[0-9.e-]+,[0-9.e-]+,no,[a-z ]+$" both/converge.csv'
 ask "means over places of the lattice" 0 "3 levels at 2 places, 6 runs, 0 of them" "one run" "means over 2 places" -- "${strike[@]}" --set "Bird/Particle spacing=0.006" --vary step --places 2 --output places
 require "a run a place, and a value a level" '[ -s "places/Step-scale=0.9-Bird-step-scale=1/summary.json" ] && [ -s "places/Step-scale=0.9-Bird-step-scale=1-Lattice-shift=-0.2451--0.4302/summary.json" ] && [ "$(tail -n +2 places/levels.csv | wc -l)" = 6 ] && [ "$(head -n 1 places/converge.csv | grep -o "at h = " | wc -l)" = 3 ]'
@@ -33,6 +36,7 @@ refuse "what is to be refined" "mesh\|particles\|both\|step\|points" -- "${strik
 refuse "two levels" "3 to 8" -- "${strike[@]}" --levels 2
 refuse "an interval of three levels" "4 to 8" -- "${strike[@]}" --order 1
 refuse "an order of none" "above 0" -- "${strike[@]}" --levels 4 --order 0
+refuse "bounds the wrong way round" "bounds as 1:2" -- "${strike[@]}" --levels 4 --order 2:1
 refuse "no place" "1 to 64" -- "${strike[@]}" --places 0
 refuse "places of half a bird" "half a bird" -- "${strike[@]}" --set "Case/Symmetry plane=y" --set "Blade/Mesh/Elements along chord=8" --places 2
 refuse "a ratio of one" "ratio" -- "${strike[@]}" --ratio 1

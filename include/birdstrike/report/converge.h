@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +24,7 @@ namespace birdstrike
     std::size_t              n_levels   = 3;
     double                   ratio      = 1.5; ///< of sizes from level to level
     std::size_t              n_finer    = 0;   ///< levels finer than the case; the others are coarser
-    std::optional<double>    order;            ///< of the method, where it is known
+    std::string              order;            ///< of the method, where it is known, "1"; or its bounds, "1:2"
     std::size_t              n_places = 1;     ///< of the bird's lattice, over which a level's values are averaged
     std::size_t              n_jobs   = 0;     ///< levels side by side; 0: one a core
     std::vector<std::string> overrides;

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace birdstrike
     std::string              prm_file;
     std::vector<std::string> overrides;
     std::string              output;          ///< folder; empty: runs/target/<the file's name>
-    std::optional<double>    bird_order = {}; ///< of the ladder of the particles, where it is known
+    std::string              bird_order = {}; ///< of the ladder of the particles, where it is known: "1", "1:2"
   };
 
   /// Expected run time of a case on one core (s).

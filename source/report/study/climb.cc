@@ -132,10 +132,10 @@ namespace birdstrike
 
   std::optional<KnownOrderFit> ClimbAxis::limit() const
   {
-    if (!known_order || values.size() < fewest_of_an_interval)
+    if (!known_orders || values.size() < fewest_of_an_interval)
       return std::nullopt;
     const std::vector<double> h(sizes.rbegin(), sizes.rend()), f(values.rbegin(), values.rend());
-    return fit_known_order(*known_order, h, f);
+    return fit_order_range(*known_orders, h, f);
   }
 
   double ClimbAxis::correction(const std::size_t level) const
@@ -181,7 +181,7 @@ namespace birdstrike
 
   bool ClimbAxis::is_trusted(const double allowed) const
   {
-    if (known_order && is_refined())
+    if (known_orders && is_refined())
       {
         const auto  fit   = limit();
         const Trend trend = estimate().trend;

@@ -52,13 +52,12 @@ namespace birdstrike
     require_known(target.quantity);
     CaseParameters parameters;
     parameters.read(request.prm_file, request.overrides);
-    axes[0].name = "bird";
-    axes[1].name = "mesh";
-    if (request.bird_order)
-      axes[0].known_order = require_usable_order(*request.bird_order, "--bird-order");
+    axes[0].name         = "bird";
+    axes[1].name         = "mesh";
+    axes[0].known_orders = read_orders(request.bird_order, "--bird-order");
     for (std::size_t a = 0; a < 2; ++a)
       levels[a] = make_levels(parameters, a);
-    if (request.bird_order && levels[0].size() == 1)
+    if (axes[0].known_orders && levels[0].size() == 1)
       throw InputError("--bird-order: there is no bird whose particles could be refined.\n  Action: leave it out.");
     if (levels[0].size() == 1 && levels[1].size() == 1)
       throw InputError("There is neither a bird nor a built-in mesh that could be refined.\n  Action: run the case "

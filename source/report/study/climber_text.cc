@@ -45,7 +45,7 @@ namespace birdstrike
   {
     const double allowed = allowed_error();
     if (!axes[0].is_trusted(allowed) || !axes[1].is_trusted(allowed))
-      return axes[0].known_order && !axes[0].is_trusted(allowed)
+      return axes[0].known_orders && !axes[0].is_trusted(allowed)
                ? "another --bird-order, or none; birdstrike converge shows what a longer ladder has"
                : "a larger target, or a case whose ladders converge (birdstrike converge)";
     const double errors = axes[0].errors().back() + axes[1].errors().back() + interaction;
@@ -58,9 +58,9 @@ namespace birdstrike
     if (!axes[a].is_refined())
       return axes[a].name + ": not refined, its error is in no bar";
     if (const auto fit = axes[a].limit())
-      return fmt::format("{}: {} levels to {}, order {:g} as given{}: {} more takes the finest to h = 0, +- {}",
+      return fmt::format("{}: {} levels to {}, order {} as given{}: {} more takes the finest to h = 0, +- {}",
                          axes[a].name, axes[a].sizes.size(), format_quantity(axes[a].sizes.back(), "m"),
-                         *axes[a].known_order,
+                         axes[a].known_orders->text(),
                          fit->rejects_order() ? fmt::format(", which they reject (p = {:.2g})", fit->p_value) : "",
                          format_value(axes[a].correction(axes[a].sizes.size() - 1), row.unit),
                          show_share(fit->half_interval, fit->limit));

@@ -20,14 +20,13 @@ namespace birdstrike
 
     const ReportKind kind{"ladder", {"converge", "levels", "refinement"}};
 
-    void require_interval(const ConvergeRequest &request)
+    std::optional<OrderRange> read_orders(const ConvergeRequest &request)
     {
-      if (!request.order)
-        return;
-      require_usable_order(*request.order, "--order");
-      if (request.n_levels < fewest_of_an_interval)
+      const std::optional<OrderRange> orders = birdstrike::read_orders(request.order, "--order");
+      if (orders && request.n_levels < fewest_of_an_interval)
         throw InputError(fmt::format("--order: {} levels leave no interval worth the name.\n  Allowed: {} to 8.",
                                      request.n_levels, fewest_of_an_interval));
+      return orders;
     }
   } // namespace
 
@@ -36,9 +35,9 @@ namespace birdstrike
     if (!refinements().has(request.refinement))
       throw InputError("--vary " + request.refinement +
                        ": what is to be refined?\n  Allowed: " + refinements().selection() + ".");
-    require_interval(request);
-    const Refinement refinement = refinements().at(request.refinement);
-    const fs::path   output =
+    const std::optional<OrderRange> orders     = read_orders(request);
+    const Refinement                refinement = refinements().at(request.refinement);
+    const fs::path                  output =
       request.output.empty() ? fs::path("runs/converge") / fs::path(request.prm_file).stem() : fs::path(request.output);
     ReportFolder::require_usable(output, kind);
     CaseParameters parameters;
@@ -56,7 +55,7 @@ namespace birdstrike
     run_points(runs, options);
 
     const StudyTable       table(plan, runs);
-    const ConvergenceTable convergence(refinement, levels, places.size(), table, request.order);
+    const ConvergenceTable convergence(refinement, levels, places.size(), table, orders);
     folder.write_text("levels.csv", table.as_csv());
     folder.write_text("converge.csv", convergence.as_csv());
     if (const Figure figure = convergence.make_figure(); figure.has_lines())

@@ -16,7 +16,7 @@ namespace birdstrike
     constexpr auto nothing = "-";
 
     /// None without the finest value, or fewer than four in all.
-    std::optional<KnownOrderFit> fit_what_is_there(const double order, const std::vector<double> &sizes,
+    std::optional<KnownOrderFit> fit_what_is_there(const OrderRange &orders, const std::vector<double> &sizes,
                                                    const std::vector<double> &values)
     {
       std::vector<double> h, f;
@@ -28,11 +28,11 @@ namespace birdstrike
           }
       if (!std::isfinite(values[0]) || f.size() < fewest_of_an_interval)
         return std::nullopt;
-      return fit_known_order(order, h, f);
+      return fit_order_range(orders, h, f);
     }
 
     ConvergingRow make_row(const ComparisonRow &row, const std::vector<double> &sizes, const std::size_t n_places,
-                           const std::optional<double> order)
+                           const std::optional<OrderRange> &orders)
     {
       std::vector<double> values;
       double              variances = 0.;
@@ -44,8 +44,8 @@ namespace birdstrike
         }
       const double  scatter = std::sqrt(variances / static_cast<double>(means.size()));
       ConvergingRow made{&row, values, scatter, estimate_convergence(sizes, values), {}};
-      if (order)
-        made.of_known_order = fit_what_is_there(*order, sizes, values);
+      if (orders)
+        made.of_known_order = fit_what_is_there(*orders, sizes, values);
       return made;
     }
 
@@ -85,13 +85,17 @@ namespace birdstrike
                : "";
     }
 
-    std::string describe_interval(const std::optional<double> order)
+    std::string describe_interval(const std::optional<OrderRange> &orders)
     {
-      return order ? fmt::format("Order {:g}, h -> 0: of the fit with this order, with its 95 % confidence interval, "
-                                 "which holds scatter alone;\nrejected: another order fits better than scatter "
-                                 "explains, at the 5 % level (Box, Tidwell 1962).\n",
-                                 *order)
-                   : "";
+      if (!orders)
+        return "";
+      const std::string fitted =
+        orders->low < orders->high
+          ? "of the fits with these orders that are not rejected, with what their 95 % confidence\nintervals span"
+          : "of the fit with this order, with its 95 % confidence interval, which holds scatter alone";
+      return fmt::format("Order {}, h -> 0: {};\nrejected: another order fits better than scatter explains, at the 5 % "
+                         "level (Box, Tidwell 1962).\n",
+                         orders->text(), fitted);
     }
 
     /// Two: the value by the known order, and half of its interval, in percent of it unless that holds zero.
@@ -104,16 +108,17 @@ namespace birdstrike
                                                                  : show(fit->half_interval, unit))};
     }
 
-    std::string csv_limit(const std::optional<double> order, const std::optional<KnownOrderFit> &fit)
+    std::string csv_limit(const std::optional<OrderRange> &orders, const std::optional<KnownOrderFit> &fit)
     {
-      return "," + (order ? csv_number(*order) : "") +
+      return "," + (orders ? orders->text() : "") +
              (fit ? fmt::format(",{},{},", fit->limit, fit->half_interval) + csv_number(fit->p_value) : ",,,");
     }
 
-    std::string describe_test(const std::optional<double> order, const std::optional<KnownOrderFit> &fit)
+    std::string describe_test(const std::optional<OrderRange> &orders, const std::optional<KnownOrderFit> &fit)
     {
-      return fit && fit->rejects_order() ? fmt::format("; order {:g} is rejected, p = {:.2g}", *order, fit->p_value)
-                                         : "";
+      return fit && fit->rejects_order()
+               ? fmt::format("; order {} is rejected, p = {:.2g}", orders->text(), fit->p_value)
+               : "";
     }
 
     /// The finest value with its bar, and the way from there to Richardson's value.
@@ -131,16 +136,16 @@ namespace birdstrike
 
   ConvergenceTable::ConvergenceTable(const Refinement refinement, const std::vector<LadderLevel> &levels,
                                      const std::size_t n_places, const StudyTable &table,
-                                     const std::optional<double> order)
-    : refinement(refinement), n_places(n_places), known_order(order)
+                                     const std::optional<OrderRange> orders)
+    : refinement(refinement), n_places(n_places), known_orders(orders)
   {
     for (auto level = levels.rbegin(); level != levels.rend(); ++level)
       sizes.push_back(level->size);
     for (const ComparisonRow &row : table.rows())
       if (is_response(row))
-        all.push_back(make_row(row, sizes, n_places, order));
+        all.push_back(make_row(row, sizes, n_places, orders));
     for (const ComparisonRow *row : table.headline())
-      headline.push_back(make_row(*row, sizes, n_places, order));
+      headline.push_back(make_row(*row, sizes, n_places, orders));
   }
 
   bool ConvergingRow::is_rising() const
@@ -162,8 +167,8 @@ namespace birdstrike
       cells[0].emplace_back("one run");
     for (const char *heading : {"order", "h -> 0", "last change", "error bar"})
       cells[0].emplace_back(heading);
-    if (known_order)
-      for (const std::string &heading : {fmt::format("order {:g}, h -> 0", *known_order), std::string("95 %")})
+    if (known_orders)
+      for (const std::string &heading : {"order " + known_orders->text() + ", h -> 0", std::string("95 %")})
         cells[0].push_back(heading);
     cells[0].emplace_back("");
     for (const ConvergingRow &each : headline)
@@ -178,16 +183,16 @@ namespace birdstrike
         line.push_back(show(made.extrapolated, each.row->unit));
         line.push_back(show_share(made.change));
         line.push_back(std::isnan(made.gci) ? "none" : "+- " + format_share(made.gci));
-        if (known_order)
+        if (known_orders)
           std::ranges::move(show_limit(each.of_known_order, each.row->unit), std::back_inserter(line));
         line.push_back(describe(made.trend) +
                        (made.n_fitted < sizes.size() && made.n_fitted > 0 ? "; of " + made.method() : "") +
-                       describe_test(known_order, each.of_known_order) +
+                       describe_test(known_orders, each.of_known_order) +
                        (each.is_rising() ? "; still rising at the end, no peak, or still pushed by the bird" : ""));
         cells.push_back(std::move(line));
       }
     return size_name(refinement) + ":\n" + align(cells) + describe_places(n_places) + describe_bars(sizes.size()) +
-           describe_interval(known_order);
+           describe_interval(known_orders);
   }
 
   std::string ConvergenceTable::as_csv() const
@@ -208,7 +213,7 @@ namespace birdstrike
              {made.order, made.extrapolated, made.change, made.extrapolated_error, made.gci, made.bar, made.ratio})
           text += "," + csv_number(number);
         text += "," + made.method() + "," + csv_number(made.deviation) + fmt::format(",{},", n_places) +
-                csv_number(each.scatter) + csv_limit(known_order, each.of_known_order);
+                csv_number(each.scatter) + csv_limit(known_orders, each.of_known_order);
         text += std::string(each.is_rising() ? ",yes" : ",no") + "," + describe(made.trend) + "\n";
       }
     return text;

@@ -30,10 +30,10 @@ namespace birdstrike
   class ConvergenceTable
   {
   public:
-    /// `levels` from the coarsest on, as the points of the table, each with `n_places` of the lattice; `order` of the
-    /// method, if it is known.
+    /// `levels` from the coarsest on, as the points of the table, each with `n_places` of the lattice; `orders` of the
+    /// method, if they are known.
     ConvergenceTable(Refinement refinement, const std::vector<LadderLevel> &levels, std::size_t n_places,
-                     const StudyTable &table, std::optional<double> order);
+                     const StudyTable &table, std::optional<OrderRange> orders);
 
     const std::vector<ConvergingRow> &rows() const;
 
@@ -46,7 +46,7 @@ namespace birdstrike
   private:
     Refinement                 refinement;
     std::size_t                n_places;
-    std::optional<double>      known_order;
+    std::optional<OrderRange>  known_orders;
     std::vector<double>        sizes; ///< from the finest on
     std::vector<ConvergingRow> all, headline;
   };

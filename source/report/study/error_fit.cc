@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include <boost/math/distributions/students_t.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@ namespace birdstrike
     constexpr int    n_orders             = 200; ///< on either side of zero
     constexpr double factor_without_trend = 3.;
     constexpr double significance         = 0.05;
+    constexpr int    n_orders_of_range    = 20;
     constexpr double round_off            = 1e-12; ///< of changes: what is left of values that are a power
 
     using Values = Eigen::Map<const Eigen::VectorXd>;
@@ -219,6 +221,31 @@ namespace birdstrike
     const double          share = 1. / static_cast<double>(n) + mean * mean / (x.array() - mean).square().sum();
     const double          t     = boost::math::quantile(boost::math::students_t(freedom), 0.975);
     return {values[0] + fit.coefficients[0], t * std::sqrt(fit.sum / freedom * share), test_power(x, phi, fit.sum)};
+  }
+
+  std::string OrderRange::text() const
+  {
+    return low == high ? fmt::format("{:g}", low) : fmt::format("{:g}:{:g}", low, high);
+  }
+
+  KnownOrderFit fit_order_range(const OrderRange &orders, const std::span<const double> sizes,
+                                const std::span<const double> values)
+  {
+    if (orders.low == orders.high)
+      return fit_known_order(orders.low, sizes, values);
+    std::vector<KnownOrderFit> fits;
+    for (int k = 0; k <= n_orders_of_range; ++k)
+      fits.push_back(fit_known_order(orders.low + (orders.high - orders.low) * k / n_orders_of_range, sizes, values));
+    const auto   kept = std::ranges::stable_partition(fits, [](const auto &fit) { return !fit.rejects_order(); });
+    const auto   end  = kept.begin() == fits.begin() ? fits.end() : kept.begin();
+    double       low = std::numeric_limits<double>::infinity(), high = -low;
+    const double p_value = std::ranges::max_element(fits, {}, &KnownOrderFit::p_value)->p_value;
+    for (auto fit = fits.begin(); fit != end; ++fit)
+      {
+        low  = std::min(low, fit->limit - fit->half_interval);
+        high = std::max(high, fit->limit + fit->half_interval);
+      }
+    return {0.5 * (low + high), 0.5 * (high - low), p_value};
   }
 
   double uncertainty(const ErrorFit &fit, const double range, const double factor)

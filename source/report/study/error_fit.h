@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 /// The error of the finest of four or more grids by least squares, for values with scatter.
 ///
@@ -75,12 +76,20 @@ namespace birdstrike
   /// F = 1.25 where 0.5 <= p < 2.1 and sigma < Delta, else 3, is the caller's to choose.
   double uncertainty(const ErrorFit &fit, double range, double factor);
 
+  /// An order that is known, or bounds of it.
+  struct OrderRange
+  {
+    double low, high;
+
+    std::string text() const; ///< "1", "1:2"
+  };
+
   /// phi_0 of phi_0 + alpha h^p with a p that is known.
   struct KnownOrderFit
   {
-    double limit;         ///< phi_0, of the values' unit
+    double limit;         ///< phi_0, of the values' unit; of a range the middle of the interval
     double half_interval; ///< of the 95 % confidence interval of phi_0
-    double p_value;       ///< of the test of the order; NaN of three values
+    double p_value;       ///< of the test of the order; NaN of three values; of a range the largest
 
     bool rejects_order() const; ///< p_value below 5 %
   };
@@ -96,4 +105,9 @@ namespace birdstrike
   ///
   /// Throws std::logic_error for fewer than three values, another number of sizes, or an order that is not positive.
   KnownOrderFit fit_known_order(double order, std::span<const double> sizes, std::span<const double> values);
+
+  /// The interval from the lowest to the highest end of those of all orders of a range that are not rejected, where all
+  /// are of all: also what the order may be is in it. Of one order that order's own.
+  KnownOrderFit fit_order_range(const OrderRange &orders, std::span<const double> sizes,
+                                std::span<const double> values);
 } // namespace birdstrike

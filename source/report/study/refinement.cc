@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -67,13 +68,28 @@ namespace birdstrike
     return names;
   }
 
-  double require_usable_order(const double order, const std::string &option)
+  std::optional<OrderRange> read_orders(const std::string &text, const std::string &option)
   {
-    if (!(order > 0.) || order > highest_order)
-      throw InputError(
-        fmt::format("{} {:g}.\n  Allowed: above 0, at most {:g}; the order that a longer ladder has shown.", option,
-                    order, highest_order));
-    return order;
+    if (text.empty())
+      return std::nullopt;
+    const std::size_t        colon = text.find(':');
+    std::vector<std::string> parts{text.substr(0, colon)};
+    std::vector<double>      orders;
+    if (colon != std::string::npos)
+      parts.push_back(text.substr(colon + 1));
+    for (const std::string &part : parts)
+      {
+        double            value = 0.;
+        const char *const last  = part.data() + part.size();
+        const auto [end, error] = std::from_chars(part.data(), last, value);
+        if (error == std::errc() && end == last && value > 0. && value <= highest_order)
+          orders.push_back(value);
+      }
+    if (orders.size() != parts.size() || orders.front() > orders.back())
+      throw InputError(fmt::format("{} '{}'.\n  Allowed: above 0, at most {:g}, or bounds as 1:2; what a longer ladder "
+                                   "has shown.",
+                                   option, text, highest_order));
+    return OrderRange{orders.front(), orders.back()};
   }
 
   std::string LadderLevel::name() const

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "report/study/error_fit.h"
 #include "report/study/study_points.h"
 #include <birdstrike/core/named_choices.h>
 #include <birdstrike/report/converge.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +24,9 @@ namespace birdstrike
     std::string name() const; ///< "Elements along span=31, Elements along chord=9"
   };
 
-  /// An order that a user knows. Throws InputError, naming the option, where it is not above 0 or above 4.
-  double require_usable_order(double order, const std::string &option);
+  /// An order that a user knows, "1", or bounds of it, "1:2"; none of an empty text. Throws InputError, naming the
+  /// option, where it is neither, not above 0 or above 4.
+  std::optional<OrderRange> read_orders(const std::string &text, const std::string &option);
 
   /// What h is, with its unit.
   std::string size_name(Refinement refinement);

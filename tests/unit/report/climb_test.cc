@@ -105,7 +105,7 @@ TEST(Climb, TakesALadderOfAKnownOrderToItsLimit)
 {
   // The strike above, whose order a fit finds to be 1.29: the line over h ends at 8.10 (scipy.stats.linregress:
   // intercept 8.098235, standard error 0.085243; Student's 97.5 % quantile of three degrees 3.182446).
-  ClimbAxis cut{"bird", {5., 3.5, 2.5, 1.75, 1.25}, {11.01, 10.19, 9.44, 9.10, 8.89}, 1.};
+  ClimbAxis cut{"bird", {5., 3.5, 2.5, 1.75, 1.25}, {11.01, 10.19, 9.44, 9.10, 8.89}, OrderRange{1., 1.}};
   ASSERT_TRUE(cut.limit());
   EXPECT_NEAR(cut.limit()->limit, 8.098235, 1e-6);
   EXPECT_NEAR(cut.bar(), 3.182446 * 0.085243, 2e-6);
@@ -126,20 +126,20 @@ TEST(Climb, TakesALadderOfAKnownOrderToItsLimit)
   EXPECT_FALSE(cut.is_trusted(1.)) << "so a fourth is run, whatever their own estimate says";
   EXPECT_EQ(cut.correction(2), 0.);
   EXPECT_EQ(axis_of_power(1., 0.1, 5).correction(4), 0.) << "no order is known";
-  ClimbAxis parts   = axis_of_power(-1., 0.05, 5);
-  parts.known_order = 1.;
+  ClimbAxis parts    = axis_of_power(-1., 0.05, 5);
+  parts.known_orders = OrderRange{1., 1.};
   EXPECT_FALSE(parts.is_trusted(1.)) << "a line can be laid through values that have no limit";
 }
 
 TEST(Climb, TrustsNoOrderThatItsLevelsContradict)
 {
-  ClimbAxis second   = axis_of_power(2., 0.1, 5);
-  second.known_order = 2.;
+  ClimbAxis second    = axis_of_power(2., 0.1, 5);
+  second.known_orders = OrderRange{2., 2.};
   EXPECT_TRUE(second.is_trusted(1e-9));
-  second.known_order = 1.;
+  second.known_orders = OrderRange{1., 1.};
   EXPECT_FALSE(second.is_trusted(1.)) << "exactly of the second order";
   // A line that ends below zero: 0.9, 0.5 less a unit.
-  ClimbAxis beyond{"bird", {5., 4., 3., 2., 1.}, {0.9, 0.7001, 0.5, 0.2999, 0.1}, 1.};
+  ClimbAxis beyond{"bird", {5., 4., 3., 2., 1.}, {0.9, 0.7001, 0.5, 0.2999, 0.1}, OrderRange{1., 1.}};
   EXPECT_LT(beyond.limit()->limit, 0.);
   EXPECT_FALSE(beyond.is_trusted(1.)) << "of another sign than the finest";
 }

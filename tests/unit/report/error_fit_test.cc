@@ -213,6 +213,49 @@ TEST(ErrorFit, OneInTwentyOfLaddersOfTheOrderIsRejected)
   EXPECT_GT(rejected[1], 4 * rejected[0]) << "a change of 0.07 shows the other order above scatter of 0.003";
 }
 
+// By scipy, over a hundred orders. The tips reject orders above 1.6.
+TEST(ErrorFit, ARangeOfOrdersHasAllThatTheirIntervalsSpan)
+{
+  Values h{1.};
+  while (h.size() < 7)
+    h.push_back(1.2 * h.back());
+  const Values        tips{196.7, 198.1, 199.1, 200.1, 202.6, 204.8, 206.6};
+  const KnownOrderFit one = fit_known_order(1., h, tips), two = fit_known_order(2., h, tips);
+  const KnownOrderFit low = fit_order_range({1., 1.}, h, tips), both = fit_order_range({1., 2.}, h, tips);
+  EXPECT_EQ(low.limit, one.limit);
+  EXPECT_EQ(low.half_interval, one.half_interval);
+  EXPECT_FALSE(both.rejects_order());
+  EXPECT_NEAR(both.limit - both.half_interval, one.limit - one.half_interval, 1e-12);
+  EXPECT_LT(both.limit + both.half_interval, two.limit + two.half_interval) << "order 2 is rejected";
+  EXPECT_GT(both.limit + both.half_interval, one.limit + one.half_interval);
+  const KnownOrderFit wrong = fit_order_range({3., 4.}, h, tips);
+  EXPECT_TRUE(wrong.rejects_order());
+  EXPECT_GT(wrong.half_interval, 0.5 * (fit_known_order(4., h, tips).limit - fit_known_order(3., h, tips).limit));
+}
+
+// Orders 1, 1.5 and 2, which nobody knows but for their bounds.
+TEST(ErrorFit, ARangeOfOrdersHoldsTheTruth)
+{
+  std::mt19937               engine(2);
+  std::normal_distribution<> scatter(0., 1.);
+  constexpr int              n = 400;
+  for (const double s : {0.0005, 0.002, 0.01})
+    for (const double p : {1., 1.5, 2.})
+      {
+        const Values h{1., 1.3, 1.69, 2.197, 2.8561};
+        int          held = 0;
+        for (int k = 0; k < n; ++k)
+          {
+            Values values = of_power(h, 1., 0.02, p);
+            for (double &value : values)
+              value += s * scatter(engine);
+            const KnownOrderFit fit = fit_order_range({1., 2.}, h, values);
+            held += std::abs(fit.limit - 1.) <= fit.half_interval ? 1 : 0;
+          }
+        EXPECT_GT(held / double(n), 0.93) << s << " " << p;
+      }
+}
+
 TEST(ErrorFit, AKnownOrderLeavesNoIntervalOnItsPower)
 {
   for (const double p : {1., 2.})

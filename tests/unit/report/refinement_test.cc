@@ -109,13 +109,31 @@ TEST_F(Refining, RefusesWhatIsNoLadder)
   EXPECT_NO_THROW(ladder("mesh", 3, 2., 0, {"Blade/Kind=rigid", "Blade/Rigid/Surface=mesh"}));
 }
 
+TEST(Orders, AreOneOrTwoBounds)
+{
+  EXPECT_FALSE(read_orders("", "--order"));
+  EXPECT_EQ(read_orders("1", "--order")->text(), "1");
+  EXPECT_EQ(read_orders("0.5:2", "--order")->text(), "0.5:2");
+  EXPECT_EQ(read_orders("2:2", "--order")->text(), "2");
+  for (const char *wrong : {"0", "-1", "5", "nan", "one", "1:", ":2", "2:1", "1:2:3", "1,2", "1 "})
+    try
+      {
+        read_orders(wrong, "--bird-order");
+        ADD_FAILURE() << wrong;
+      }
+    catch (const InputError &error)
+      {
+        EXPECT_TRUE(std::string(error.what()).starts_with("--bird-order '" + std::string(wrong) + "'"));
+      }
+}
+
 TEST_F(Refining, TheTableSaysWhatTheLevelsSay)
 {
   const auto             levels = ladder("particles");
   const StudyPlan        plan   = make_ladder_plan(Refinement::particles, levels, 1);
   const auto             runs   = record(levels, 1000.);
   const StudyTable       table(plan, runs);
-  const ConvergenceTable made(Refinement::particles, levels, 1, table, 2.);
+  const ConvergenceTable made(Refinement::particles, levels, 1, table, OrderRange{2., 2.});
   const auto             is_peak = [](const ConvergingRow &row) { return row.row->quantity == "peak (mid-chord)"; };
   const auto             peak    = std::ranges::find_if(made.rows(), is_peak);
   ASSERT_NE(peak, made.rows().end());
@@ -150,8 +168,8 @@ TEST_F(Refining, TheTableSaysWhatAKnownOrderGives)
     return *std::ranges::find_if(made.rows(),
                                        [](const ConvergingRow &row) { return row.row->quantity == "peak (mid-chord)"; });
   };
-  const ConvergenceTable right(Refinement::particles, levels, 1, table, 2.),
-    wrong(Refinement::particles, levels, 1, table, 1.);
+  const ConvergenceTable right(Refinement::particles, levels, 1, table, OrderRange{2., 2.}),
+    wrong(Refinement::particles, levels, 1, table, OrderRange{1., 1.});
   ASSERT_TRUE(peak_of(right).of_known_order);
   EXPECT_NEAR(peak_of(right).of_known_order->limit, 0.2, 1e-9);
   EXPECT_FALSE(peak_of(right).of_known_order->rejects_order());
