@@ -55,11 +55,15 @@ function(birdstrike_unit_tests name)
       target_compile_options(${name}_tests PRIVATE -Wno-subobject-linkage)
     endif()
   endif()
+  set(longest 900) # s
+  if(BIRDSTRIKE_SANITIZE) # some twenty times as long
+    set(longest 7200)
+  endif()
   foreach(part RANGE 1 ${TESTS_PARTS})
     set(test ${name}.part_${part}_of_${TESTS_PARTS})
     math(EXPR index "${part} - 1")
     add_test(NAME ${test} COMMAND ${name}_tests --gtest_brief=1)
-    set_tests_properties(${test} PROPERTIES TIMEOUT 900
+    set_tests_properties(${test} PROPERTIES TIMEOUT ${longest}
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${TESTS_PARTS};GTEST_SHARD_INDEX=${index}")
   endforeach()
 endfunction()

@@ -50,7 +50,7 @@ fail()
 }
 
 for which in "${tests[@]}"; do
-  (cd "$build" && ctest --parallel "${JOBS:-$(nproc)}" --timeout 1800 --output-on-failure -R "$which" -E '^(system|benchmarks|archive)\.') \
+  (cd "$build" && ctest --parallel "${JOBS:-$(nproc)}" --timeout 7200 --output-on-failure -R "$which" -E '^(system|benchmarks|archive)\.') \
     >"$scratch/said" 2>&1 || fail tests
   n_tests=$(sed -n 's/.* out of \([0-9]*\)$/\1/p' "$scratch/said" | tail -n 1)
 done

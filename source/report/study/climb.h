@@ -33,8 +33,8 @@ namespace birdstrike
     std::string         name; ///< "bird"
     std::vector<double> sizes, values;
 
-    std::optional<OrderRange> known_orders =
-      {}; ///< then the finest level is corrected to h = 0 by them (fit_order_range)
+    /// Then the finest level is corrected to h = 0 by them (fit_order_range).
+    std::optional<OrderRange> known_orders = {};
 
     /// False for a direction that cannot be refined: it has one level, and its error is in no bar.
     bool is_refined() const;

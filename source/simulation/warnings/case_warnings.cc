@@ -66,8 +66,9 @@ namespace birdstrike
         warnings.push_back({"bird/cut_by_edge",
                             fmt::format("An edge of the blade cuts the bird: impulse, deflection and plastic work come "
                                         "near their values only with the first order of the particle spacing ({:.0f} "
-                                        "particles across section '{}'), mostly from above. An error bar comes from "
-                                        "'birdstrike converge FILE.prm --vary particles'.",
+                                        "particles across section '{}'), mostly from above, and one run scatters with "
+                                        "the place of its lattice. Both are told by 'birdstrike converge FILE.prm "
+                                        "--vary particles --levels 5 --places 4'.",
                                         count_particles_across(projectile), bird.section)});
       if (share < 0.98)
         warnings.push_back({"bird/misses_in_part",
