@@ -86,7 +86,7 @@ namespace birdstrike
           orders.push_back(value);
       }
     if (orders.size() != parts.size() || orders.front() > orders.back())
-      throw InputError(fmt::format("{} '{}'.\n  Allowed: above 0, at most {:g}, or bounds as 1:2; what a longer ladder "
+      throw InputError(fmt::format("{} {}.\n  Allowed: above 0, at most {:g}, or bounds as 1:2; what a longer ladder "
                                    "has shown.",
                                    option, text, highest_order));
     return OrderRange{orders.front(), orders.back()};

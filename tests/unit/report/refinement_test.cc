@@ -123,7 +123,7 @@ TEST(Orders, AreOneOrTwoBounds)
       }
     catch (const InputError &error)
       {
-        EXPECT_TRUE(std::string(error.what()).starts_with("--bird-order '" + std::string(wrong) + "'"));
+        EXPECT_TRUE(std::string(error.what()).starts_with("--bird-order " + std::string(wrong) + "."));
       }
 }
 
