@@ -91,7 +91,7 @@ namespace birdstrike
         return "";
       const std::string fitted =
         orders->low < orders->high
-          ? "of the fits with these orders that are not rejected, with what their 95 % confidence\nintervals span"
+          ? "of the fits with these orders that are not rejected, with what their 95 % confidence intervals span"
           : "of the fit with this order, with its 95 % confidence interval, which holds scatter alone";
       return fmt::format("Order {}, h -> 0: {};\nrejected: another order fits better than scatter explains, at the 5 % "
                          "level (Box, Tidwell 1962).\n",
@@ -228,7 +228,8 @@ namespace birdstrike
                           make_axis(size_name(refinement), size_unit(refinement)),
                           make_axis(each.row->quantity, each.row->unit),
                           {{"levels", sizes, each.values, 0, true}}};
-        panel.x_end = 1.05 * sizes.back();
+        panel.x_begin = -0.03 * sizes.back(); // what stands at h = 0 would lie on the frame
+        panel.x_end   = 1.05 * sizes.back();
         add_bar(panel, sizes.front(), each.values.front(), each);
         figure.panels.push_back(std::move(panel));
       }
