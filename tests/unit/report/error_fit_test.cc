@@ -213,7 +213,7 @@ TEST(ErrorFit, OneInTwentyOfLaddersOfTheOrderIsRejected)
   EXPECT_GT(rejected[1], 4 * rejected[0]) << "a change of 0.07 shows the other order above scatter of 0.003";
 }
 
-// By scipy, over a hundred orders. The tips reject orders above 1.6.
+// The tips reject order 2, not order 1: the hull ends where orders between are rejected.
 TEST(ErrorFit, ARangeOfOrdersHasAllThatTheirIntervalsSpan)
 {
   Values h{1.};
