@@ -21,7 +21,7 @@ namespace birdstrike
   using RunTimeForecast = std::function<double(const std::string &prm_file, const std::vector<std::string> &overrides)>;
 
   /// Finds the cheapest run whose value of a quantity is within the target error of that on infinitely fine bird and
-  /// mesh, and reports it with its error bar and the time that all took (report/study/climb.h says how errors are
+  /// mesh, and reports it with its error bar and the time that all took (report/target_error/climb.h says how errors are
   /// estimated). Bird and mesh are refined apart: three levels each to begin with, the third the case's own, then the
   /// one whose next level promises the most error for its time. Every run keeps its folder, and is reused. With an
   /// order of the bird's ladder that is known, the value may be that of a run with its finest level, of four at least,

@@ -1,4 +1,4 @@
-#include "report/study/climb.h"
+#include "report/target_error/climb.h"
 #include <birdstrike/core/errors.h>
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "report/comparison/warning_digest.h"
-#include "report/study/climb.h"
 #include "report/study/refinement.h"
 #include "report/study/study_runs.h"
+#include "report/target_error/climb.h"
 #include <birdstrike/report/target_error.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "report/study/climber.h"
+#include "report/target_error/climber.h"
 #include "report/comparison/case_run.h"
 #include "report/study/section_masses.h"
 #include <birdstrike/core/errors.h>

@@ -1,4 +1,4 @@
-#include "report/study/climber.h"
+#include "report/target_error/climber.h"
 #include <birdstrike/core/log.h>
 #include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/io/report_folder.h>

@@ -1,4 +1,4 @@
-#include "report/study/climb.h"
+#include "report/target_error/climb.h"
 #include "report/study/study_table.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/report/text.h>
