@@ -109,9 +109,30 @@ namespace birdstrike
       if (requests.target_error.empty())
         run_case(request);
       else
-        run_to_target_error(
-          {requests.target_error, request.prm_file, request.overrides, request.output, requests.bird_order},
-          forecast_run_time);
+        run_to_target_error({requests.target_error, request.prm_file, request.overrides, request.output,
+                             requests.bird_order, requests.n_places},
+                            forecast_run_time);
+    }
+
+    /// What run has beyond the other commands of a case.
+    void declare_run(CLI::App &command, Requests &requests, std::function<void()> &action)
+    {
+      command.callback([&] { action = [&] { run(requests); }; });
+      command.add_flag("--force", requests.of_case.is_forced, "Replace a finished run in the folder");
+      CLI::Option *target = command.add_option(
+        "--target-error", requests.target_error,
+        "Instead of the case as it is: the cheapest bird and mesh with this error, \"tip peak = 2 %\" "
+        "(folder: runs/target/FILE)");
+      command
+        .add_option(
+          "--bird-order", requests.bird_order,
+          "Of the ladder of its particles, if it is known, 1, or its bounds, 1:2: values are taken to h = 0 by it")
+        ->needs(target);
+      command
+        .add_option("--places", requests.n_places,
+                    "Runs a level of the target's, each with the bird's lattice elsewhere across its axis (Lattice "
+                    "shift): values are their means")
+        ->needs(target);
     }
   } // namespace
 
@@ -132,17 +153,7 @@ namespace birdstrike
       command->callback([&, verb] { action = [&, verb] { verb(requests.of_case); }; });
     };
     case_command("run", "Run a case to its end", run_case);
-    app.get_subcommand("run")->callback([&] { action = [&] { run(requests); }; });
-    app.get_subcommand("run")->add_flag("--force", requests.of_case.is_forced, "Replace a finished run in the folder");
-    CLI::Option *target = app.get_subcommand("run")->add_option(
-      "--target-error", requests.target_error,
-      "Instead of the case as it is: the cheapest bird and mesh with this error, \"tip peak = 2 %\" "
-      "(folder: runs/target/FILE)");
-    app.get_subcommand("run")
-      ->add_option(
-        "--bird-order", requests.bird_order,
-        "Of the ladder of its particles, if it is known, 1, or its bounds, 1:2: values are taken to h = 0 by it")
-      ->needs(target);
+    declare_run(*app.get_subcommand("run"), requests, action);
     case_command("explain", "Say what would be computed, before it is", explain_case);
     case_command("validate", "Read and check a case, compute nothing", validate_case);
 

@@ -6,6 +6,7 @@
 #include <birdstrike/report/study.h>
 #include <birdstrike/simulation/commands.h>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -29,6 +30,7 @@ namespace birdstrike
     bool               as_json = false;
     std::string        target_error; ///< of run
     std::string        bird_order;   ///< beside it
+    std::size_t        n_places = 1; ///< beside it
   };
 
   /// Declares every command with its options, which are read into `requests`; the command that is given binds what it

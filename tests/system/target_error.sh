@@ -13,6 +13,9 @@ ask "the same again" 0 "impulse" -- "${strike[@]}" --target-error "impulse = 14 
 require "computes nothing" '[ "$stamps" = "$(stat -c %Y.%y claim/*/history.csv)" ]'
 ask "an order that the levels contradict" 3 "bird: 5 levels to .*, order 1 as given, which they reject \(p = 0.0[0-9]*\)" "another --bird-order, or none" "contact/unfinished at all 7" -- "${strike[@]}" --target-error "impulse = 20 %" --bird-order 1 --output claim
 ask "with an order that is known" 0 "Contact: impulse \(norm\) [0-9.]+ N s \+- [0-9.]+ %" "a run's [0-9.]+ N s, and -?[0-9.]+ m?N s to h = 0 of the particles" "bird: 5 levels to .*, order 2 as given" "mesh: not refined, its error is in no bar" -- "$top/prm/rigid-plate.prm" --set "Bird/Particle spacing=0.005" --set "Output/Field interval=0" --target-error "impulse = 5 %" --bird-order 2 --output rigid
+ask "means over places of the lattice" 0 "Contact: impulse \(norm\) [0-9.]+ N s \+- [0-9.]+ %" "Values are means over 2 places of the lattice; standard deviation of one run [0-9.]+ m?N s" "runs; of these the one of the case's own place in places/" -- "${strike[@]}" --target-error "impulse = 18 %" --places 2 --output places
+require "the value is the mean of the two" 'folder=$(sed -nE "s/.*own place in (.*)/\1/p" out.txt); value=$(sed -nE "s/^Contact: impulse \(norm\) ([0-9.]+) N s .*/\1/p" out.txt); awk -F, -v folder="$folder" -v value="$value" "\$6 == folder {sum = \$4; spacing = \$1; size = \$2} \$3 == 2 && \$1 == spacing && \$2 == size {sum += \$4; n = 2} END {exit !(n == 2 && sum / 2 - value < 1e-3 * value && value - sum / 2 < 1e-3 * value)}" places/target.csv'
+require "every pair of levels has both places, and values that differ" 'awk -F, "NR > 1 {n[\$1 \" \" \$2]++; if (\$3 == 2 && \$4 == last) same = 1; last = \$4} END {for (pair in n) if (n[pair] != 2) same = 1; exit same || NR < 11}" places/target.csv'
 ask "without a bird the mesh alone" 0 "bird: not refined, its error is in no bar" -- "$top/prm/blade-impulse.prm" --set "Output/Field interval=0" --target-error "tip deflection at the end = 40 %" --output strip
 ask "no claim where there is no order" 3 "is not reached, and none is claimed" "bird: .* levels to" "refined together were not run: the value is the sum of both ladders" -- "${strike[@]}" --set "Time/End time=0.05e-3" --target-error "peak plastic strain = 0.01 %" --output none
 require "nor of what no run has measured" '! grep -q "both together add to it: " out.txt'
@@ -27,6 +30,9 @@ ask "an impossible target" 2 "above 0" -- "${strike[@]}" --target-error "tip pea
 ask "an order of none" 2 "--bird-order 0" "above 0, at most 4" -- "${strike[@]}" --target-error "impulse = 2 %" --bird-order 0 --output unread
 ask "an order of no bird" 2 "no bird whose particles" -- "$top/prm/blade-impulse.prm" --target-error "impulse = 2 %" --bird-order 1 --output unread
 ask "an order without a target" 2 "requires --target-error" -- "${strike[@]}" --bird-order 1 --output unread
+ask "no place" 2 "--places 0" "1 to 64" -- "${strike[@]}" --target-error "impulse = 2 %" --places 0 --output unread
+ask "places of no bird" 2 "--places: there is no bird" -- "$top/prm/blade-impulse.prm" --target-error "tip deflection at the end = 40 %" --places 2 --output unread
+ask "places without a target" 2 "requires --target-error" -- "${strike[@]}" --places 2 --output unread
 ask "nothing to refine" 2 "neither a bird nor" -- "$top/prm/bird-free.prm" --set "Bird/Enabled=false" --target-error "impulse = 2 %" --output unread
 ask "a mesh too coarse" 2 "two coarser ones" -- "${strike[@]}" --set "Blade/Mesh/Elements along chord=1" --set "Blade/Mesh/Elements along span=2" --target-error "impulse = 2 %" --output unread
 require "refusals leave nothing" '[ ! -e runs ] && [ ! -e unread ]'

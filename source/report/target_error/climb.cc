@@ -153,9 +153,9 @@ namespace birdstrike
   double ClimbAxis::bar() const
   {
     if (const auto fit = limit())
-      return fit->half_interval;
+      return std::max(noise, fit->half_interval);
     const double estimated = estimate().bar;
-    return std::isnan(estimated) ? factor_without_order * largest_change(values) : estimated;
+    return std::max(noise, std::isnan(estimated) ? factor_without_order * largest_change(values) : estimated);
   }
 
   std::vector<double> ClimbAxis::errors() const

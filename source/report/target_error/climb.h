@@ -36,6 +36,8 @@ namespace birdstrike
     /// Then the finest level is corrected to h = 0 by them (fit_order_range).
     std::optional<OrderRange> known_orders = {};
 
+    double noise = 0.; ///< half the 95 % interval of a level's value, where several runs tell it: no bar is smaller
+
     /// False for a direction that cannot be refined: it has one level, and its error is in no bar.
     bool is_refined() const;
 

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "report/comparison/warning_digest.h"
-#include "report/study/refinement.h"
-#include "report/study/study_runs.h"
 #include "report/target_error/climb.h"
+#include "report/target_error/level_runs.h"
 #include <birdstrike/report/target_error.h>
 
 #include <array>
@@ -11,7 +9,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace birdstrike
@@ -20,17 +17,17 @@ namespace birdstrike
   ///
   /// Each ladder runs with the other direction at its coarsest. What a run at levels (i, j) of both differs from the
   /// sum of the two ladders' changes is counted as a third part of its error; later choices leave room for the largest
-  /// such part that was seen. Every run is one of plan_runs and run_points.
+  /// such part that was seen. Values are those of LevelRuns.
   class Climber
   {
   public:
-    using Place = std::pair<std::size_t, std::size_t>; ///< levels of bird and mesh
+    using Levels = LevelRuns::Levels;
 
     /// A value that can be claimed, with the parts of its error bar.
     struct Answer
     {
-      Place  place;
-      double value; ///< of the run, corrected
+      Levels levels;
+      double value; ///< of the runs, corrected
       double bird, mesh, interaction;
 
       double bar() const
@@ -43,43 +40,32 @@ namespace birdstrike
 
     Answer climb(); ///< throws NumericalFailure where nothing can be claimed
 
-    std::string describe(const Answer &answer) const;
-    std::string warnings_as_text() const; ///< of all runs, a line a code
-    std::string as_csv() const;           ///< a row a run
+    std::string      describe(const Answer &answer) const;
+    const LevelRuns &runs() const;
 
   private:
-    struct KnownRun
-    {
-      double                value, seconds;
-      std::filesystem::path folder;
-      WarnedRun             warned;
-    };
-
-    const TargetRequest                     request;
-    const RunTimeForecast                  &forecast;
-    const std::filesystem::path             directory;
-    const ErrorTarget                       target;
-    std::array<ClimbAxis, 2>                axes; ///< bird, mesh
-    std::array<std::vector<LadderLevel>, 2> levels;
-    std::map<Place, KnownRun>               runs;
-    std::map<Place, double>                 forecasts; ///< s
-    ComparisonRow                           row;
-    double                                  interaction = 0.; ///< the largest that was seen
+    const TargetRequest                request;
+    const RunTimeForecast             &forecast;
+    const ErrorTarget                  target;
+    LevelRuns                          known;
+    std::array<std::vector<Levels>, 2> of_ladder;
+    std::array<ClimbAxis, 2>           axes;        ///< bird, mesh
+    std::map<Levels, double>           forecasts;   ///< of a run, s
+    std::optional<double>              interaction; ///< the largest that was seen
 
     void                  begin();
-    void                  run(const std::vector<Place> &places);
     void                  add_level(std::size_t axis);
-    std::optional<Place>  choose(double allowed);
-    Answer                look_at(const Place &place);
+    std::optional<Levels> choose(double allowed);
+    Answer                look_at(const Levels &at);
     void                  extend(double allowed);
     [[noreturn]] void     refuse() const;
-    std::optional<double> seen_interaction() const;
     std::string           advise() const;
+    std::string           name_of_quantity() const;
 
     double      allowed_error() const;
-    StudyPoint  point_at(const Place &place) const;
-    double      cost(const Place &place);
+    double      cost(const Levels &at);
     std::string describe_axis(std::size_t a) const;
-    std::string size_of(std::size_t axis, std::size_t level) const;
+    std::string describe_places() const;
+    std::string describe_runs(const Levels &at) const;
   };
 } // namespace birdstrike

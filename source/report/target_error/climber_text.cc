@@ -18,26 +18,23 @@ namespace birdstrike
     }
   } // namespace
 
-  void Climber::refuse() const
+  std::string Climber::name_of_quantity() const
   {
-    const Place  finest{axes[0].sizes.size() - 1, 0};
-    const double value =
-      runs.at(finest).value + axes[0].correction(finest.first) + axes[1].values.back() - axes[1].values.front();
-    throw NumericalFailure(fmt::format(
-      "The target error of {} is not reached, and none is claimed: {} is near {}.\n"
-      "  {}.\n  {}.\n{}  Action: {}.",
-      format_share(target.share), row.group + ": " + row.quantity, format_value(value, row.unit), describe_axis(0),
-      describe_axis(1),
-      axes[0].is_refined() && axes[1].is_refined() ? describe_interaction(seen_interaction(), row.unit) : "",
-      advise()));
+    return known.quantity().group + ": " + known.quantity().quantity;
   }
 
-  /// None where no run has both refined.
-  std::optional<double> Climber::seen_interaction() const
+  void Climber::refuse() const
   {
-    const bool is_seen =
-      std::ranges::any_of(runs, [](const auto &run) { return run.first.first > 0 && run.first.second > 0; });
-    return is_seen ? std::optional(interaction) : std::nullopt;
+    const Levels      finest{axes[0].sizes.size() - 1, 0};
+    const std::string unit = known.quantity().unit;
+    const double      value =
+      known.value(finest) + axes[0].correction(finest.first) + axes[1].values.back() - axes[1].values.front();
+    throw NumericalFailure(fmt::format(
+      "The target error of {} is not reached, and none is claimed: {} is near {}.\n"
+      "  {}.\n  {}.\n{}{}  Action: {}.",
+      format_share(target.share), name_of_quantity(), format_value(value, unit), describe_axis(0), describe_axis(1),
+      axes[0].is_refined() && axes[1].is_refined() ? describe_interaction(interaction, unit) : "", describe_places(),
+      advise()));
   }
 
   /// What the ladders' bars allow, where they can be trusted.
@@ -48,7 +45,7 @@ namespace birdstrike
       return axes[0].known_orders && !axes[0].is_trusted(allowed)
                ? "another --bird-order, or none; birdstrike converge shows what a longer ladder has"
                : "a larger target, or a case whose ladders converge (birdstrike converge)";
-    const double errors = axes[0].errors().back() + axes[1].errors().back() + interaction;
+    const double errors = axes[0].errors().back() + axes[1].errors().back() + interaction.value_or(0.);
     return fmt::format("a target well above {}, or {} in the case: the finest levels are half of its own sizes",
                        format_share(target.share * errors / allowed), name_refinements(axes[0], axes[1]));
   }
@@ -62,7 +59,7 @@ namespace birdstrike
                          axes[a].name, axes[a].sizes.size(), format_quantity(axes[a].sizes.back(), "m"),
                          axes[a].known_orders->text(),
                          fit->rejects_order() ? fmt::format(", which they reject (p = {:.2g})", fit->p_value) : "",
-                         format_value(axes[a].correction(axes[a].sizes.size() - 1), row.unit),
+                         format_value(axes[a].correction(axes[a].sizes.size() - 1), known.quantity().unit),
                          show_share(fit->half_interval, fit->limit));
     const GridConvergence made = axes[a].estimate();
     return fmt::format(
@@ -71,43 +68,33 @@ namespace birdstrike
       made.n_fitted > 3 ? " by least squares" : "", ", +- " + show_share(axes[a].bar(), axes[a].values.back()));
   }
 
-  std::string Climber::size_of(const std::size_t axis, const std::size_t level) const
+  /// A line where values are means over places.
+  std::string Climber::describe_places() const
   {
-    return levels[axis].size() > 1 ? fmt::format("{}", levels[axis][level].size) : "";
+    if (known.n_places() == 1)
+      return "";
+    return fmt::format("  Values are means over {} places of the lattice; standard deviation of one run {}.\n",
+                       known.n_places(), format_value(known.deviation(known.all()), known.quantity().unit));
   }
 
-  std::string Climber::as_csv() const
+  std::string Climber::describe_runs(const Levels &at) const
   {
-    std::string text = "particle spacing [m],size of an element [m]," + csv_heading(row) + ",run time [s],folder\n";
-    for (const auto &[place, known] : runs)
-      text += fmt::format("{},{},{},{},{}\n", size_of(0, place.first), size_of(1, place.second), known.value,
-                          known.seconds, csv_field(known.folder.string()));
-    return text;
-  }
-
-  std::string Climber::warnings_as_text() const
-  {
-    std::vector<WarnedRun> all;
-    for (const auto &[place, known] : runs)
-      all.push_back(known.warned);
-    std::string text;
-    for (const std::string &line : digest_warnings(all))
-      text += line + "\n";
-    return text;
+    return fmt::format("  {} runs; {} in {}", known.n_runs(),
+                       known.n_places() == 1 ? "this one" : "of these the one of the case's own place",
+                       known.folder(at).string());
   }
 
   std::string Climber::describe(const Answer &answer) const
   {
-    const double added = axes[0].correction(answer.place.first);
-    return fmt::format(
-      "{}: {} {} +- {}{}\n  of the bird {}, of the mesh {}, of both together {}\n  {}\n  {}\n  {} runs; this "
-      "one in {}",
-      row.group, row.quantity, format_value(answer.value, row.unit), show_share(answer.bar(), answer.value),
-      added != 0. ? "\n  a run's " + format_value(answer.value - added, row.unit) + ", and " +
-                      format_value(added, row.unit) + " to h = 0 of the particles"
-                  : "",
-      show_share(answer.bird, answer.value), show_share(answer.mesh, answer.value),
-      show_share(answer.interaction, answer.value), describe_axis(0), describe_axis(1), runs.size(),
-      runs.at(answer.place).folder.string());
+    const double      added = axes[0].correction(answer.levels.first);
+    const std::string unit  = known.quantity().unit;
+    return fmt::format("{} {} +- {}{}\n  of the bird {}, of the mesh {}, of both together {}\n  {}\n  {}\n{}{}",
+                       name_of_quantity(), format_value(answer.value, unit), show_share(answer.bar(), answer.value),
+                       added != 0. ? "\n  a run's " + format_value(answer.value - added, unit) + ", and " +
+                                       format_value(added, unit) + " to h = 0 of the particles"
+                                   : "",
+                       show_share(answer.bird, answer.value), show_share(answer.mesh, answer.value),
+                       show_share(answer.interaction, answer.value), describe_axis(0), describe_axis(1),
+                       describe_places(), describe_runs(answer.levels));
   }
 } // namespace birdstrike

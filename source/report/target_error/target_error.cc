@@ -33,13 +33,13 @@ namespace birdstrike
       }
     catch (const NumericalFailure &)
       {
-        folder.write_text("target.csv", climber.as_csv());
-        log().info("\n{}", climber.warnings_as_text());
+        folder.write_text("target.csv", climber.runs().as_csv());
+        log().info("\n{}", climber.runs().warnings_as_text());
         throw;
       }
-    folder.write_text("target.csv", climber.as_csv());
+    folder.write_text("target.csv", climber.runs().as_csv());
     const std::chrono::duration<double> taken = Clock::now() - begin;
     log().info("\n{}\n  in {} altogether\n{}", climber.describe(answer), format_duration(taken.count()),
-               climber.warnings_as_text());
+               climber.runs().warnings_as_text());
   }
 } // namespace birdstrike

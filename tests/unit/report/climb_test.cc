@@ -76,6 +76,22 @@ TEST(Climb, ErrorsOfALadderThatConvergesHoldTheTruth)
     }
 }
 
+TEST(Climb, NoBarIsSmallerThanWhatRunsBesideItScatter)
+{
+  ClimbAxis    axis  = axis_of_power(2., 0.1, 3);
+  const double quiet = axis.bar();
+  axis.noise         = 0.5 * quiet;
+  EXPECT_DOUBLE_EQ(axis.bar(), quiet) << "the ladder's own is larger";
+  axis.noise = 4. * quiet;
+  EXPECT_DOUBLE_EQ(axis.bar(), axis.noise);
+  EXPECT_DOUBLE_EQ(axis.errors().back(), axis.noise);
+
+  ClimbAxis by_order    = axis_of_power(1., 0.1, 5);
+  by_order.known_orders = OrderRange{1., 1.};
+  by_order.noise        = 0.01;
+  EXPECT_DOUBLE_EQ(by_order.bar(), 0.01) << "a straight line leaves no interval";
+}
+
 TEST(Climb, TrustsSwingsOnlyWhereTheyAreSmall)
 {
   const ClimbAxis swings{"bird", {3., 2., 1.}, {1.001, 0.999, 1.}};
