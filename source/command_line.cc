@@ -130,7 +130,7 @@ namespace birdstrike
         ->needs(target);
       command
         .add_option("--places", requests.n_places,
-                    "Runs a level of the target's, each with the bird's lattice elsewhere across its axis (Lattice "
+                    "Runs per level, each with the bird's lattice of particles shifted across its axis (Bird/Lattice "
                     "shift): values are their means")
         ->needs(target);
     }

@@ -27,8 +27,10 @@ namespace birdstrike
   /// the one whose next level promises the most error for its time. Every run keeps its folder, and is reused. With an
   /// order of the bird's ladder that is known, the value may be that of a run with its finest level, of four at least,
   /// and what takes it to h = 0 of the particles.
-  /// Of several places of the lattice all values are means, and no part of the error bar is below such a mean's 95 %
-  /// confidence interval.
+  ///
+  /// Of several places of the lattice all values are means. What a ladder's part of the error is at least is then half
+  /// the 95 % confidence interval of its finest mean, and what both together add is at least that of the mean over
+  /// places of what they add at each.
   ///
   /// Throws InputError for what the user must change; NumericalFailure, with the best value and what is wrong with its
   /// estimate, where the target cannot be claimed: no order that can be trusted, or the ladder's end.

@@ -2,6 +2,7 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
 
+#include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
 
 #include <array>
@@ -68,5 +69,14 @@ namespace birdstrike
         means.push_back({sum / n, n_places > 1 ? squares / (n - 1.) : absent});
       }
     return means;
+  }
+
+  double interval_of_mean(const std::vector<double> &values)
+  {
+    if (values.size() < 2)
+      return 0.;
+    const auto   n = static_cast<double>(values.size());
+    const double t = boost::math::quantile(boost::math::students_t(n - 1.), 0.975);
+    return t * std::sqrt(mean_over_places(values, values.size()).at(0).variance / n);
   }
 } // namespace birdstrike

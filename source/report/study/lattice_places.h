@@ -23,6 +23,10 @@ namespace birdstrike
     double variance; ///< of one run, with n - 1 degrees of freedom; NaN of one place
   };
 
+  /// Half the 95 % confidence interval of the mean of these values, one a place (Student's t of n - 1 degrees of
+  /// freedom); 0 of one value, whose scatter nobody knows.
+  double interval_of_mean(const std::vector<double> &values);
+
   /// Of values with places running fastest, level by level.
   std::vector<PlaceMean> mean_over_places(const std::vector<double> &values, std::size_t n_places);
 } // namespace birdstrike

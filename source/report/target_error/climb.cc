@@ -154,8 +154,14 @@ namespace birdstrike
   {
     if (const auto fit = limit())
       return std::max(noise, fit->half_interval);
-    const double estimated = estimate().bar;
-    return std::max(noise, std::isnan(estimated) ? factor_without_order * largest_change(values) : estimated);
+    const GridConvergence made      = estimate();
+    const double          estimated = std::isnan(made.bar) ? factor_without_order * largest_change(values) : made.bar;
+    return made.n_fitted > 3 ? std::max(noise, estimated) : noise + estimated;
+  }
+
+  bool ClimbAxis::is_bar_noise() const
+  {
+    return noise > 0. && bar() == noise;
   }
 
   std::vector<double> ClimbAxis::errors() const

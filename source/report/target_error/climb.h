@@ -36,7 +36,8 @@ namespace birdstrike
     /// Then the finest level is corrected to h = 0 by them (fit_order_range).
     std::optional<OrderRange> known_orders = {};
 
-    double noise = 0.; ///< half the 95 % interval of a level's value, where several runs tell it: no bar is smaller
+    /// Half the 95 % interval of the finest level's value, where several runs tell it; else 0.
+    double noise = 0.;
 
     /// False for a direction that cannot be refined: it has one level, and its error is in no bar.
     bool is_refined() const;
@@ -55,8 +56,11 @@ namespace birdstrike
     double share_beyond(std::size_t level) const;
 
     /// Half the error bar of the finest level: that of the estimate; where changes grow, and it has none, three times
-    /// the largest change of the three finest levels. With a limit half of its interval.
+    /// the largest change of the three finest levels. With a limit half of its interval. Fits to four levels and more
+    /// know scatter, and are at least the noise; to a bar of three, which does not, it is added.
     double bar() const;
+
+    bool is_bar_noise() const; ///< and nothing else
 
     /// The same for each level: what it and every finer one is away from the finest, at most, and the finest's own bar.
     /// With a limit, what it is away from that, the finest corrected, and half of the interval.

@@ -1,4 +1,5 @@
 #include "report/target_error/climber.h"
+#include "report/study/lattice_places.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 
@@ -40,17 +41,21 @@ namespace birdstrike
   Climber::Answer Climber::climb()
   {
     begin();
+    std::vector<Levels> looked_at; // with these ladders: never twice, whatever round-off says
     while (true)
       {
         const double allowed = allowed_error();
         if (axes[0].is_trusted(allowed) && axes[1].is_trusted(allowed))
-          if (const auto choice = choose(allowed - interaction.value_or(0.)))
+          if (const auto choice = choose(allowed - interaction.value_or(0.));
+              choice && std::ranges::find(looked_at, *choice) == looked_at.end())
             {
+              looked_at.push_back(*choice);
               const Answer answer = look_at(*choice);
               if (answer.bar() <= target.share * std::abs(answer.value))
                 return answer;
               continue; // with the interaction that has been seen, choices are fewer
             }
+        looked_at.clear();
         extend(allowed);
       }
   }
@@ -60,10 +65,9 @@ namespace birdstrike
     const std::size_t level = axes[axis].sizes.size();
     const Levels      at    = axis == 0 ? Levels(level, 0) : Levels(0, level);
     known.run({at});
-    of_ladder[axis].push_back(at);
     axes[axis].sizes.push_back(known.size(axis, level));
     axes[axis].values.push_back(known.value(at));
-    axes[axis].noise = known.mean_interval(of_ladder[axis]);
+    axes[axis].noise = interval_of_mean(known.values(at));
   }
 
   /// The coarsest run alone, which tells whether the quantity is one; then the first levels of both ladders.
@@ -91,15 +95,28 @@ namespace birdstrike
     return best;
   }
 
+  /// Place by place, since the scatter of one has the other; no less than its mean is known by.
+  double Climber::look_at_interaction(const Levels &at) const
+  {
+    std::vector<double> aside = known.values(at);
+    for (std::size_t place = 0; place < aside.size(); ++place)
+      aside[place] -=
+        known.values({at.first, 0})[place] + known.values({0, at.second})[place] - known.values({0, 0})[place];
+    const double mean = mean_over_places(aside, aside.size()).at(0).mean;
+    return axes[0].share_beyond(at.first) * std::max(std::abs(mean), interval_of_mean(aside));
+  }
+
   Climber::Answer Climber::look_at(const Levels &at)
   {
     known.run({at});
-    const double value = known.value(at);
-    const double sum   = known.value({at.first, 0}) + known.value({0, at.second}) - known.value({0, 0});
-    const double aside = axes[0].share_beyond(at.first) * std::abs(value - sum);
+    double aside = 0.;
     if (at.first > 0 && at.second > 0)
-      interaction = std::max(interaction.value_or(0.), aside);
-    return {at, value + axes[0].correction(at.first), axes[0].errors()[at.first], axes[1].errors()[at.second], aside};
+      {
+        aside       = look_at_interaction(at);
+        interaction = std::max(interaction.value_or(0.), aside);
+      }
+    return {at, known.value(at) + axes[0].correction(at.first), axes[0].errors()[at.first], axes[1].errors()[at.second],
+            aside};
   }
 
   /// One more level: first of a ladder that cannot be trusted, else of the one that gains most for its time.

@@ -44,19 +44,19 @@ namespace birdstrike
     const LevelRuns &runs() const;
 
   private:
-    const TargetRequest                request;
-    const RunTimeForecast             &forecast;
-    const ErrorTarget                  target;
-    LevelRuns                          known;
-    std::array<std::vector<Levels>, 2> of_ladder;
-    std::array<ClimbAxis, 2>           axes;        ///< bird, mesh
-    std::map<Levels, double>           forecasts;   ///< of a run, s
-    std::optional<double>              interaction; ///< the largest that was seen
+    const TargetRequest      request;
+    const RunTimeForecast   &forecast;
+    const ErrorTarget        target;
+    LevelRuns                known;
+    std::array<ClimbAxis, 2> axes;        ///< bird, mesh
+    std::map<Levels, double> forecasts;   ///< of a run, s
+    std::optional<double>    interaction; ///< the largest that was seen
 
     void                  begin();
     void                  add_level(std::size_t axis);
     std::optional<Levels> choose(double allowed);
     Answer                look_at(const Levels &at);
+    double                look_at_interaction(const Levels &at) const;
     void                  extend(double allowed);
     [[noreturn]] void     refuse() const;
     std::string           advise() const;

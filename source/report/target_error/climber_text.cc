@@ -1,3 +1,4 @@
+#include "report/study/lattice_places.h"
 #include "report/target_error/climber.h"
 #include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/report/text.h>
@@ -12,9 +13,16 @@ namespace birdstrike
 {
   namespace
   {
+    constexpr double large_noise = 0.3; ///< of all errors: then more runs of a level help, too
+
     std::string show_share(const double error, const double value)
     {
       return format_share(std::abs(error / value));
+    }
+
+    std::string name_noise(const ClimbAxis &axis)
+    {
+      return axis.is_bar_noise() ? ", by the scatter of its finest level's runs" : "";
     }
   } // namespace
 
@@ -45,9 +53,12 @@ namespace birdstrike
       return axes[0].known_orders && !axes[0].is_trusted(allowed)
                ? "another --bird-order, or none; birdstrike converge shows what a longer ladder has"
                : "a larger target, or a case whose ladders converge (birdstrike converge)";
-    const double errors = axes[0].errors().back() + axes[1].errors().back() + interaction.value_or(0.);
-    return fmt::format("a target well above {}, or {} in the case: the finest levels are half of its own sizes",
-                       format_share(target.share * errors / allowed), name_refinements(axes[0], axes[1]));
+    const double errors    = axes[0].errors().back() + axes[1].errors().back() + interaction.value_or(0.);
+    const double scattered = axes[0].noise + axes[1].noise;
+    return fmt::format("a target well above {}, {}{} in the case: the finest levels are half of its own sizes",
+                       format_share(target.share * errors / allowed),
+                       scattered > large_noise * errors ? "more --places, or " : "or ",
+                       name_refinements(axes[0], axes[1]));
   }
 
   std::string Climber::describe_axis(const std::size_t a) const
@@ -60,12 +71,13 @@ namespace birdstrike
                          axes[a].known_orders->text(),
                          fit->rejects_order() ? fmt::format(", which they reject (p = {:.2g})", fit->p_value) : "",
                          format_value(axes[a].correction(axes[a].sizes.size() - 1), known.quantity().unit),
-                         show_share(fit->half_interval, fit->limit));
+                         show_share(axes[a].bar(), fit->limit) + name_noise(axes[a]));
     const GridConvergence made = axes[a].estimate();
-    return fmt::format(
-      "{}: {} levels to {}, {}{}{}{}", axes[a].name, axes[a].sizes.size(), format_quantity(axes[a].sizes.back(), "m"),
-      birdstrike::describe(made.trend), std::isnan(made.order) ? "" : fmt::format(", order {:.2f}", made.order),
-      made.n_fitted > 3 ? " by least squares" : "", ", +- " + show_share(axes[a].bar(), axes[a].values.back()));
+    return fmt::format("{}: {} levels to {}, {}{}{}{}", axes[a].name, axes[a].sizes.size(),
+                       format_quantity(axes[a].sizes.back(), "m"), birdstrike::describe(made.trend),
+                       std::isnan(made.order) ? "" : fmt::format(", order {:.2f}", made.order),
+                       made.n_fitted > 3 ? " by least squares" : "",
+                       ", +- " + show_share(axes[a].bar(), axes[a].values.back()) + name_noise(axes[a]));
   }
 
   /// A line where values are means over places.
@@ -73,14 +85,19 @@ namespace birdstrike
   {
     if (known.n_places() == 1)
       return "";
-    return fmt::format("  Values are means over {} places of the lattice; standard deviation of one run {}.\n",
-                       known.n_places(), format_value(known.deviation(known.all()), known.quantity().unit));
+    const auto show = [&](const Levels &at) {
+      const double variance = mean_over_places(known.values(at), known.n_places()).at(0).variance;
+      return show_share(std::sqrt(variance), known.value(at));
+    };
+    return fmt::format("  Values are means over {} places of the bird's lattice (Lattice shift): standard deviation of "
+                       "one run {} at the coarsest levels, {} with the finest of the bird.\n",
+                       known.n_places(), show({0, 0}), show({axes[0].sizes.size() - 1, 0}));
   }
 
   std::string Climber::describe_runs(const Levels &at) const
   {
     return fmt::format("  {} runs; {} in {}", known.n_runs(),
-                       known.n_places() == 1 ? "this one" : "of these the one of the case's own place",
+                       known.n_places() == 1 ? "this one" : "of this value the one with the case's own lattice",
                        known.folder(at).string());
   }
 
@@ -90,8 +107,9 @@ namespace birdstrike
     const std::string unit  = known.quantity().unit;
     return fmt::format("{} {} +- {}{}\n  of the bird {}, of the mesh {}, of both together {}\n  {}\n  {}\n{}{}",
                        name_of_quantity(), format_value(answer.value, unit), show_share(answer.bar(), answer.value),
-                       added != 0. ? "\n  a run's " + format_value(answer.value - added, unit) + ", and " +
-                                       format_value(added, unit) + " to h = 0 of the particles"
+                       added != 0. ? (known.n_places() == 1 ? "\n  a run's " : "\n  the runs' ") +
+                                       format_value(answer.value - added, unit) + ", and " + format_value(added, unit) +
+                                       " to h = 0 of the particles"
                                    : "",
                        show_share(answer.bird, answer.value), show_share(answer.mesh, answer.value),
                        show_share(answer.interaction, answer.value), describe_axis(0), describe_axis(1),

@@ -1,5 +1,6 @@
 #include "report/target_error/level_runs.h"
 #include "report/comparison/case_run.h"
+#include "report/study/lattice_places.h"
 #include "report/study/section_masses.h"
 #include "report/study/study_runs.h"
 #include "report/target_error/climb.h"
@@ -8,7 +9,6 @@
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/text.h>
 
-#include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,6 @@ namespace birdstrike
     constexpr std::size_t n_coarser   = 2; ///< than the case
     constexpr std::size_t most_levels = 5; ///< half the case's sizes; a sixth of the bird takes thrice all before it
     constexpr double      ratio       = std::numbers::sqrt2; ///< of sizes; Celik et al. advise at least 1.3
-    constexpr double      confidence  = 0.95;
 
     /// One level where there is nothing to refine.
     std::vector<LadderLevel> make_levels(const CaseParameters &parameters, const std::size_t axis)
@@ -87,7 +86,7 @@ namespace birdstrike
     LadderLevel both = levels[0][at.first];
     for (const std::vector<std::string> &more : {levels[1][at.second].overrides, places[place]})
       both.overrides.insert(both.overrides.end(), more.begin(), more.end());
-    return {both.name(), make_folder_name(both.name()), {0}, both.overrides};
+    return {both.name(), make_folder_name(both.name()), {place}, both.overrides};
   }
 
   LevelRuns::KnownRun LevelRuns::read(const StudyPoint &point, const std::filesystem::path &folder)
@@ -96,12 +95,13 @@ namespace birdstrike
     const auto      rows   = ComparisonTable({{point.name, record}}).rows();
     row                    = find_row(rows, asked);
     const std::string name = row.group + ": " + row.quantity;
-    if (!(std::abs(row.values[0]) > 0.))
+    if (!(std::abs(row.values[0]) > 0.) || !std::isfinite(row.values[0]))
       refuse(name + " is zero, or none, with " + point.name + ".");
     if (row.is_rising(0))
       refuse(name + " still rises at the end of " + point.name +
              ", or the bird still pushes there: it may be no peak yet.\n  Action: a later Time/End time.");
-    return {row.values[0],
+    return {point.at[0],
+            row.values[0],
             record.summary().number("cost/wall"),
             folder,
             {"'" + point.name + "'", record.summary().warnings()}};
@@ -133,19 +133,24 @@ namespace birdstrike
     RunOptions options{request.prm_file, request.overrides, 0, "", "climb"};
     auto       made = plan_runs(points, directory, options);
     run_points(made, options);
+    std::string why;
     for (std::size_t k = 0; k < made.size(); ++k)
-      {
-        if (!made[k].is_done)
-          refuse(made[k].point.name + " " + made[k].state);
-        runs[of_points[k]].push_back(read(made[k].point, made[k].folder));
-      }
-    for (const Levels &at : of_points)
-      {
-        std::vector<double> values;
-        for (const KnownRun &run : runs.at(at))
-          values.push_back(run.value);
-        mean_of.insert_or_assign(at, mean_over_places(values, places.size()).at(0));
-      }
+      try
+        {
+          if (!made[k].is_done)
+            refuse(made[k].point.name + " " + made[k].state);
+          runs[of_points[k]].push_back(read(made[k].point, made[k].folder));
+        }
+      catch (const NumericalFailure &failure) // the others are there
+        {
+          why = why.empty() ? failure.what() : why;
+        }
+    if (!why.empty())
+      throw NumericalFailure(why);
+    for (const auto &[at, known] : runs)
+      if (!values_of.contains(at))
+        for (const KnownRun &run : known)
+          values_of[at].push_back(run.value);
     require_one_blade();
   }
 
@@ -161,13 +166,18 @@ namespace birdstrike
 
   double LevelRuns::value(const Levels &at) const
   {
-    return mean_of.at(at).mean;
+    return mean_over_places(values(at), places.size()).at(0).mean;
+  }
+
+  const std::vector<double> &LevelRuns::values(const Levels &at) const
+  {
+    return values_of.at(at);
   }
 
   std::vector<LevelRuns::Levels> LevelRuns::all() const
   {
     std::vector<Levels> known;
-    for (const auto &[at, of_places] : mean_of)
+    for (const auto &[at, of_places] : values_of)
       known.push_back(at);
     return known;
   }
@@ -182,37 +192,17 @@ namespace birdstrike
     return row;
   }
 
-  double LevelRuns::deviation(const std::vector<Levels> &of) const
-  {
-    if (places.size() == 1 || of.empty())
-      return 0.;
-    double variances = 0.;
-    for (const Levels &at : of)
-      variances += mean_of.at(at).variance;
-    return std::sqrt(variances / static_cast<double>(of.size()));
-  }
-
-  double LevelRuns::mean_interval(const std::vector<Levels> &of) const
-  {
-    if (places.size() == 1 || of.empty())
-      return 0.;
-    const auto   n       = static_cast<double>(places.size());
-    const double freedom = static_cast<double>(of.size()) * (n - 1.);
-    return boost::math::quantile(boost::math::students_t(freedom), 0.5 * (1. + confidence)) * deviation(of) /
-           std::sqrt(n);
-  }
-
   std::string LevelRuns::as_csv() const
   {
     const auto size_of = [&](const std::size_t axis, const std::size_t level) {
       return levels[axis].size() > 1 ? fmt::format("{}", levels[axis][level].size) : "";
     };
-    std::string text = "particle spacing [m],size of an element [m],place of the lattice [-]," + csv_heading(row) +
-                       ",run time [s],folder\n";
+    std::string text = "particle spacing [m],size of an element [m]," + csv_heading(row) +
+                       ",run time [s],folder,place of the lattice [-]\n";
     for (const auto &[at, known] : runs)
       for (std::size_t place = 0; place < known.size(); ++place)
-        text += fmt::format("{},{},{},{},{},{}\n", size_of(0, at.first), size_of(1, at.second), place + 1,
-                            known[place].value, known[place].seconds, csv_field(known[place].folder.string()));
+        text += fmt::format("{},{},{},{},{},{}\n", size_of(0, at.first), size_of(1, at.second), known[place].value,
+                            known[place].seconds, csv_field(known[place].folder.string()), known[place].place + 1);
     return text;
   }
 

@@ -76,19 +76,27 @@ TEST(Climb, ErrorsOfALadderThatConvergesHoldTheTruth)
     }
 }
 
-TEST(Climb, NoBarIsSmallerThanWhatRunsBesideItScatter)
+TEST(Climb, BarsHoldTheScatterOfTheFinestLevel)
 {
-  ClimbAxis    axis  = axis_of_power(2., 0.1, 3);
-  const double quiet = axis.bar();
-  axis.noise         = 0.5 * quiet;
-  EXPECT_DOUBLE_EQ(axis.bar(), quiet) << "the ladder's own is larger";
-  axis.noise = 4. * quiet;
-  EXPECT_DOUBLE_EQ(axis.bar(), axis.noise);
-  EXPECT_DOUBLE_EQ(axis.errors().back(), axis.noise);
+  ClimbAxis    three = axis_of_power(2., 0.1, 3);
+  const double quiet = three.bar();
+  three.noise        = 0.5 * quiet;
+  EXPECT_DOUBLE_EQ(three.bar(), 1.5 * quiet) << "three levels do not know it";
+  EXPECT_DOUBLE_EQ(three.errors().back(), 1.5 * quiet);
+  EXPECT_FALSE(three.is_bar_noise());
+
+  ClimbAxis    five      = axis_of_power(2., 0.1, 5);
+  const double of_levels = five.bar();
+  five.noise             = 0.5 * of_levels;
+  EXPECT_DOUBLE_EQ(five.bar(), of_levels) << "a fit does";
+  five.noise = 4. * of_levels;
+  EXPECT_DOUBLE_EQ(five.bar(), five.noise);
+  EXPECT_TRUE(five.is_bar_noise());
 
   ClimbAxis by_order    = axis_of_power(1., 0.1, 5);
   by_order.known_orders = OrderRange{1., 1.};
-  by_order.noise        = 0.01;
+  EXPECT_FALSE(by_order.is_bar_noise());
+  by_order.noise = 0.01;
   EXPECT_DOUBLE_EQ(by_order.bar(), 0.01) << "a straight line leaves no interval";
 }
 

@@ -40,6 +40,15 @@ namespace
   }
 } // namespace
 
+// By hand: of 1, 2, 3, 4 the standard deviation is sqrt(5/3), Student's t of three degrees of freedom 3.182446.
+TEST(LatticePlaces, AMeanIsKnownByStudentsT)
+{
+  EXPECT_NEAR(interval_of_mean({1., 2., 3., 4.}), 3.182446 * std::sqrt(5. / 3.) / 2., 1e-6);
+  EXPECT_NEAR(interval_of_mean({1., 2.}), 12.706205 * 0.5, 1e-6);
+  EXPECT_EQ(interval_of_mean({7.}), 0.);
+  EXPECT_EQ(interval_of_mean({7., 7., 7.}), 0.);
+}
+
 TEST(LatticePlaces, BeginWithTheCaseAndGoOnWhenThereAreMore)
 {
   const auto four = places(4), eight = places(8);
