@@ -2,10 +2,13 @@
 
 #include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text_lists.h>
 #include <birdstrike/material/failure_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -31,6 +34,28 @@ namespace birdstrike
     {
       return "Damage D" + std::to_string(k + 1);
     }
+
+    SizeFactors read_size_factors(const std::string &text, const std::string &entry)
+    {
+      SizeFactors factors;
+      const auto  pairs = parse_pairs(text, entry);
+      if (pairs.size() > SizeFactors::most_points)
+        throw InputError(fmt::format("{}: {} points were read.\nAllowed: up to {} points 'size: factor'.", entry,
+                                     pairs.size(), SizeFactors::most_points));
+      for (const auto &[size_text, factor_text] : pairs)
+        {
+          const SizeFactors::Point point{parse_numbers(size_text, 1, entry)[0],
+                                         parse_numbers(factor_text, 1, entry)[0]};
+          const bool               grows = factors.n == 0 || point.size > factors.points[factors.n - 1].size;
+          if (!(point.size > 0.) || !(point.factor > 0.) || !(point.factor <= 1000.) || !grows)
+            throw InputError(
+              fmt::format("{}: {:g} m: {:g} was read.\nAllowed: sizes of elements above 0 that grow from point to "
+                          "point, factors above 0, at most 1000: '1e-3: 1.5; 3e-3: 1'.",
+                          entry, point.size, point.factor));
+          factors.points[factors.n++] = point;
+        }
+      return factors;
+    }
   } // namespace
 
   void FailureParameters::declare(dealii::ParameterHandler &prm)
@@ -49,6 +74,12 @@ namespace birdstrike
                         std::string("Johnson and Cook's damage: ") + what[k] +
                           (k == 2 ? ", negative for metals, or 'table'. [-]" : ", or 'table'. [-]"),
                         Patterns::Anything());
+    prm.add_parameter("Failure size factors", size_factors,
+                      "What the failure strain is multiplied by, by the size of an element at the start, the root of a "
+                      "shell's area, the cube root of a brick's volume (m): straight lines between points 'size: "
+                      "factor; ...' of growing size, up to 16, e.g. '1e-3: 1.5; 3e-3: 1', constant beyond both ends. "
+                      "Empty: 1. (LS-DYNA: LCREGD.) [-]",
+                      Patterns::Anything());
     prm.add_parameter("Failed share", failed_share,
                       "Share of an element's points that must have failed before all of it is taken away; 1, the usual "
                       "choice, waits for the last one. A point on the neutral axis of bending hardly strains: 0.8 does "
@@ -72,6 +103,7 @@ namespace birdstrike
       throw InputError(where + "Smallest step: " + std::to_string(smallest_step) +
                        " was read, but Failure is none, and no element of such a metal is taken away.\nSet Smallest "
                        "step = 0, or name a law of failure.");
+    result.size_factors = read_size_factors(size_factors, where + "Failure size factors");
     for (std::size_t k = 0; k < d.size(); ++k)
       replace(result.d[k], d[k], where + entry_of(k), k == 0 || k == 2 ? -100. : 0., 100.);
     const bool has_no_constants = std::all_of(result.d.begin(), result.d.end(), [](const double x) { return x == 0.; });

@@ -113,15 +113,16 @@ namespace birdstrike
       text += h.rate_factor > 0. ? fmt::format(", rate {:.4g}", h.rate_factor) : ", no rate dependence";
     if (h.heat_capacity > 0.)
       text += ", softened by its heat";
+    const std::string by_size = metal.failure.size_factors.n > 0 ? ", by the size of an element" : "";
     switch (metal.failure.law)
       {
       case FailureLaw::none:
         return text + ", does not fail";
       case FailureLaw::plastic_strain:
-        return text + fmt::format(", fails at a plastic strain of {:.4g}", metal.failure.plastic_strain);
+        return text + fmt::format(", fails at a plastic strain of {:.4g}", metal.failure.plastic_strain) + by_size;
       case FailureLaw::johnson_cook:
         break;
       }
-    return text + ", fails by Johnson-Cook's damage";
+    return text + ", fails by Johnson-Cook's damage" + by_size;
   }
 } // namespace birdstrike

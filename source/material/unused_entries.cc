@@ -77,6 +77,7 @@ namespace birdstrike
       for (std::size_t k = 0; k < f.d.size(); ++k)
         unused.add(f.law == FailureLaw::johnson_cook, "Damage D" + std::to_string(k + 1), f.d[k] != standard.d[k],
                    reason);
+      unused.add(f.law != FailureLaw::none, "Failure size factors", f.size_factors != standard.size_factors, reason);
       unused.add(f.law != FailureLaw::none, "Failed share", differ(f.failed_share, standard.failed_share), reason);
     }
   } // namespace

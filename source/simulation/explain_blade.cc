@@ -134,6 +134,9 @@ namespace birdstrike
                     (of.size() == 1 ? "" : " of section " + std::to_string(number)),
                   is_laminate ? describe(of_section.laminate) : describe(of_section.material.metal()));
       }
+    if (census.largest_size > 0.)
+      table.add("sizes for Failure size factors",
+                format_quantity(census.smallest_size, "m") + " to " + format_quantity(census.largest_size, "m"));
     add_mass_scaling(table, census.mass_scaling, census.n_elements);
     table.add("memory", format_bytes(census.bytes));
   }

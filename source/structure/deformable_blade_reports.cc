@@ -40,8 +40,14 @@ namespace birdstrike
     std::vector<std::uint32_t> driven;
     for (const auto &support : supports.driven)
       driven.insert(driven.end(), support.dofs.begin(), support.dofs.end());
-    census.supports               = compute_support_census(mesh.nodes, Kind::n_unknowns, supports.held_dofs, driven);
-    census.held_faces             = supports.held_faces;
+    census.supports   = compute_support_census(mesh.nodes, Kind::n_unknowns, supports.held_dofs, driven);
+    census.held_faces = supports.held_faces;
+    if (const Erosion::Sizes sizes = elements.sizes_of_failing(); sizes.largest > 0.)
+      {
+        census.smallest_size  = sizes.smallest;
+        census.largest_size   = sizes.largest;
+        census.n_beyond_sizes = plane.whole(sizes.n_beyond);
+      }
     census.n_elements_with_points = plane.whole(elements.n_promoted());
     census.mass_scaling           = scaling;
     census.mass_scaling.n_scaled  = plane.whole(scaling.n_scaled);

@@ -4,6 +4,7 @@
 #include <birdstrike/material/hardening.h>
 
 #include <array>
+#include <cstddef>
 
 namespace birdstrike
 {
@@ -13,6 +14,45 @@ namespace birdstrike
     none,
     plastic_strain, ///< the equivalent plastic strain reaches a limit
     johnson_cook    ///< accumulated damage (Johnson & Cook 1985)
+  };
+
+  /// Factors on the failure strain by the size of an element: straight lines between points, constant beyond both ends,
+  /// 1 without any (LS-DYNA: *MAT_ADD_DAMAGE_GISSMO, LCREGD; Radioss: /FAIL/TAB1, fct_IDel).
+  ///
+  /// A metal that fails at a strain tears by rows of elements: the finer they are, the less work a crack takes. With
+  /// e_f(h) h the same on all meshes the work of a crack of its own width is (the crack band of Z. P. Bazant, B. H. Oh,
+  /// Materiaux et Constructions 16 (1983) 155); real metals neck first over about a thickness, and a factor is what
+  /// tests of one specimen ask for on several meshes.
+  struct SizeFactors
+  {
+    static constexpr std::size_t most_points = 16;
+
+    struct Point
+    {
+      double size;   ///< m, growing from point to point
+      double factor; ///< -, above 0
+    };
+    std::array<Point, most_points> points{};
+    std::size_t                    n = 0;
+
+    bool is_within(const double size) const
+    {
+      constexpr double round_off = 1e-9;
+      return n == 0 || (size >= points[0].size * (1. - round_off) && size <= points[n - 1].size * (1. + round_off));
+    }
+
+    double at(const double size) const
+    {
+      if (n == 0)
+        return 1.;
+      std::size_t k = 0;
+      while (k < n && points[k].size < size)
+        ++k;
+      if (k == 0 || k == n)
+        return points[k == 0 ? 0 : n - 1].factor;
+      const Point &a = points[k - 1], &b = points[k];
+      return a.factor + (b.factor - a.factor) * (size - a.size) / (b.size - a.size);
+    }
   };
 
   /// Constants of a failure law. A point has the damage
@@ -36,6 +76,9 @@ namespace birdstrike
     /// Share of an element's stable step at first, below which it is taken away, as it is when turned inside out; 0:
     /// never, and such an element ends the run. -
     double smallest_step = 0.;
+    /// Of e_f, by the size that an element has at first: of a shell the root of its area, of a brick the cube root of
+    /// its volume.
+    SizeFactors size_factors = {};
 
     static constexpr double smallest_strain = 1e-6, largest_triaxiality = 1.5;
 

@@ -19,6 +19,7 @@ namespace birdstrike
     FailureLaw                 law            = FailureLaw::none;
     double                     plastic_strain = Failure().plastic_strain; ///< -
     std::array<std::string, 5> d              = {{"table", "table", "table", "table", "table"}};
+    std::string                size_factors   = "";                      ///< "1e-3: 1.5; 3e-3: 1", m and -
     double                     failed_share   = Failure().failed_share;  ///< -
     double                     smallest_step  = Failure().smallest_step; ///< -
 

@@ -54,6 +54,8 @@ namespace birdstrike
     std::size_t           n_elements_with_points = 0;   ///< that hold points through the thickness at present
     double                bytes                  = 0.;  ///< estimated memory of state, elements and surface
     MassScalingReport     mass_scaling;
+    double      smallest_size = 0., largest_size = 0.; ///< m, of elements whose metal has Failure size factors, or 0
+    std::size_t n_beyond_sizes = 0;                    ///< of these, outside of its points
 
     std::array<double, 3>      centre_of_mass{}; ///< m, of a rigid surface none
     std::vector<SupportCensus> supports;

@@ -42,6 +42,15 @@ namespace birdstrike
         }
     }
 
+    void check_sizes(const BladeCensus &census, Warnings &warnings)
+    {
+      if (census.n_beyond_sizes > 0)
+        warnings.push_back({"blade/beyond_size_factors",
+                            fmt::format("{} elements are smaller or larger than Failure size factors tell (those they "
+                                        "are for: {:.4g} to {:.4g} mm): they take the factor of the nearest end.",
+                                        census.n_beyond_sizes, 1e3 * census.smallest_size, 1e3 * census.largest_size)});
+    }
+
     /// Of a shell from a file: the default's, or an entry that the file leaves nothing to say.
     void check_source_of_thickness(const CaseParameters &parameters, const BladeCensus &census, Warnings &warnings)
     {
@@ -237,5 +246,6 @@ namespace birdstrike
     if (is_file)
       check_joints(blade.facets(), census, warnings);
     check_layers(parameters.blade, census.n_layers, warnings);
+    check_sizes(census, warnings);
   }
 } // namespace birdstrike

@@ -142,67 +142,6 @@ namespace birdstrike
   }
 
   template <class Group>
-  bool Elements<Group>::can_fail() const
-  {
-    return !n_left.empty();
-  }
-
-  template <class Group>
-  std::size_t Elements<Group>::n_failed() const
-  {
-    std::size_t n = 0;
-    for (const Group &group : groups)
-      n += group.erosion ? group.erosion->n_failed : 0;
-    return n;
-  }
-
-  template <class Group>
-  std::size_t Elements<Group>::n_collapsed() const
-  {
-    std::size_t n = 0;
-    for (const Group &group : groups)
-      n += group.erosion ? group.erosion->n_collapsed : 0;
-    return n;
-  }
-
-  template <class Group>
-  double Elements<Group>::failed_mass() const
-  {
-    double mass = 0.;
-    for (const Group &group : groups)
-      mass += group.erosion ? group.erosion->mass : 0.;
-    return mass;
-  }
-
-  template <class Group>
-  bool Elements<Group>::is_failed(const std::size_t element) const
-  {
-    const auto [group, k] = find(element);
-    return group.is_failed(k);
-  }
-
-  template <class Group>
-  bool Elements<Group>::is_free(const std::size_t node) const
-  {
-    return can_fail() && n_left[node] == 0;
-  }
-
-  template <class Group>
-  std::size_t Elements<Group>::n_failed_points(const std::size_t element) const
-  {
-    const auto [group, k] = find(element);
-    return group.erosion ? group.erosion->count_failed_points(k, group.erosion->damage.size() / group.batches.size())
-                         : 0;
-  }
-
-  template <class Group>
-  double Elements<Group>::damage(const std::size_t element) const
-  {
-    const auto [group, k] = find(element);
-    return group.erosion ? group.erosion->largest_damage(k, group.erosion->damage.size() / group.batches.size()) : 0.;
-  }
-
-  template <class Group>
   std::size_t Elements<Group>::n_elements() const
   {
     return place.size();

@@ -112,14 +112,15 @@ namespace birdstrike
     void   add_energies_of(std::size_t section, EnergyReport &report) const; ///< but for the work, of one section
 
     /// Failed elements carry nothing and have no vote on the step; their nodes keep their masses. Once failed, always.
-    bool        can_fail() const;
-    std::size_t n_failed() const;
-    std::size_t n_collapsed() const; ///< of these, those taken away by Failure::smallest_step
-    bool        is_failed(std::size_t element) const;
-    double      failed_mass() const;               ///< kg
-    bool        is_free(std::size_t node) const;   ///< all its elements have failed
-    double      damage(std::size_t element) const; ///< largest D of its points; 1 and more: such a point failed
-    std::size_t n_failed_points(std::size_t element) const;
+    bool           can_fail() const;
+    std::size_t    n_failed() const;
+    std::size_t    n_collapsed() const; ///< of these, those taken away by Failure::smallest_step
+    bool           is_failed(std::size_t element) const;
+    double         failed_mass() const;               ///< kg
+    Erosion::Sizes sizes_of_failing() const;          ///< of the elements whose metal has SizeFactors
+    bool           is_free(std::size_t node) const;   ///< all its elements have failed
+    double         damage(std::size_t element) const; ///< largest D of its points; 1 and more: such a point failed
+    std::size_t    n_failed_points(std::size_t element) const;
 
     std::size_t   n_elements() const;
     ElementPrices prices() const;

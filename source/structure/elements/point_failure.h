@@ -21,8 +21,9 @@ namespace birdstrike
 
     const Failure   &failure;
     const Hardening &hardening;
-    double           dt;     ///< s
-    Number          *damage; ///< [points], D
+    double           dt;                     ///< s
+    Number          *damage;                 ///< [points], D
+    Number           ductility = Number(1.); ///< factor on the failure strain, by the element's size
 
     bool   has_new = false;      ///< a point has failed in this step
     Number carries = Number(1.); ///< of the point updated last: 0 where it had failed before the step
@@ -37,10 +38,12 @@ namespace birdstrike
         s = select(failed, Number(0.), s);
       if (!any(step.strain > Number(0.)))
         return;
-      damage[k] += compute_damage_increment(
-        failure, hardening,
-        PlasticStep<Number>{step.strain, Number((point.stress[0] + point.stress[1]) / 3.),
-                            von_mises_plane(point.stress), adiabatic_temperature(hardening, point.plastic_work), dt});
+      damage[k] +=
+        compute_damage_increment(failure, hardening,
+                                 PlasticStep<Number>{step.strain, Number((point.stress[0] + point.stress[1]) / 3.),
+                                                     von_mises_plane(point.stress),
+                                                     adiabatic_temperature(hardening, point.plastic_work), dt}) /
+        ductility;
       has_new = has_new || any(!failed && damage[k] >= Number(1.));
     }
   };

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 using namespace birdstrike;
@@ -115,6 +116,50 @@ TEST(Failure, PlasticStrainLimitIsTheSumOverTheLimit)
   for (int k = 0; k < 250; ++k)
     damage += compute_damage_increment(f, Hardening(), at_triaxiality(k % 3 - 1.));
   EXPECT_NEAR(damage, 1., 1e-12);
+}
+
+TEST(Failure, SizeFactorsAreStraightLinesBetweenPoints)
+{
+  SizeFactors factors;
+  EXPECT_EQ(factors.at(1e-3), 1.) << "none";
+  EXPECT_TRUE(factors.is_within(1.));
+  factors.points[0] = {1e-3, 3.};
+  factors.n         = 1;
+  for (const double size : {1e-6, 1e-3, 1.})
+    EXPECT_EQ(factors.at(size), 3.);
+  factors.points[1] = {2e-3, 1.5};
+  factors.points[2] = {6e-3, 0.5};
+  factors.n         = 3;
+  EXPECT_EQ(factors.at(0.5e-3), 3.);
+  EXPECT_EQ(factors.at(1e-3), 3.);
+  EXPECT_DOUBLE_EQ(factors.at(1.5e-3), 2.25);
+  EXPECT_EQ(factors.at(2e-3), 1.5);
+  EXPECT_DOUBLE_EQ(factors.at(3e-3), 1.25);
+  EXPECT_EQ(factors.at(6e-3), 0.5);
+  EXPECT_EQ(factors.at(1.), 0.5);
+  EXPECT_TRUE(factors.is_within(1e-3) && factors.is_within(6e-3));
+  EXPECT_TRUE(factors.is_within(std::nextafter(1e-3, 0.))) << "round-off of an area";
+  EXPECT_FALSE(factors.is_within(0.999e-3) || factors.is_within(6.001e-3));
+}
+
+TEST(Failure, SizeFactorsAreReadAndBadOnesRefused)
+{
+  MetalParameters p;
+  p.failure.law          = FailureLaw::plastic_strain;
+  p.failure.size_factors = "1e-3: 2; 4e-3: 1";
+  EXPECT_DOUBLE_EQ(p.metal().failure.size_factors.at(2e-3), 1. + 2. / 3.);
+  p.failure.size_factors = "";
+  EXPECT_EQ(p.metal().failure.size_factors.n, 0u);
+  for (const char *bad : {"1e-3", "1e-3: 0", "0: 1", "-1e-3: 1", "2e-3: 1; 1e-3: 2", "1e-3: 1; 1e-3: 2", "1e-3: nan",
+                          "1e-3: 2000", "small: 1", "1e-3: 1 2"})
+    {
+      p.failure.size_factors = bad;
+      EXPECT_THROW(p.metal(), InputError) << bad;
+    }
+  p.failure.size_factors = "1: 1";
+  for (int k = 2; k < 18; ++k)
+    p.failure.size_factors += "; " + std::to_string(k) + ": 1";
+  EXPECT_THROW(p.metal(), InputError) << "seventeen points";
 }
 
 TEST(Failure, LanesDoWhatOneNumberDoes)

@@ -68,6 +68,15 @@ TEST(MeshWarnings, WhereAFileNamesItsSidesTheRootMustBeNamed)
   EXPECT_EQ(of_file(shells, {"Blade/Supports/Hub=root", "Blade/Supports/Tip=tip"}), Codes{});
 }
 
+TEST(MeshWarnings, ElementsOutsideOfTheSizeFactorsAreSaid)
+{
+  using namespace mesh_warnings; // 62 x 18 elements of 5.02 x 4.94 mm
+  const std::string failure = "Blade/Material/Failure=plastic strain", factors = "Blade/Material/Failure size factors=";
+  EXPECT_EQ(codes_of({failure, factors + "4e-3: 1.2; 6e-3: 1"}), Codes{});
+  EXPECT_EQ(codes_of({failure, factors + "1e-3: 1.2; 4e-3: 1"}), Codes{"blade/beyond_size_factors"});
+  EXPECT_EQ(codes_of({factors + "1e-3: 1.2; 4e-3: 1"}), Codes{"entry/unused"}) << "of a metal that does not fail";
+}
+
 TEST(MeshWarnings, AThicknessThatNobodyGaveIsSaid)
 {
   std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-thick-XXXXXX").string();

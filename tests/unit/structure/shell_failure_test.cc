@@ -144,6 +144,44 @@ namespace shell_failure_test
       }
   }
 
+  // A strip of elements of two sizes, 1 x 0.25 and 1 x 1 m (roots of the area 0.5 and 1), all stretched alike: those
+  // of 0.5 m fail at twice the plastic strain.
+  TEST(ShellFailure, TheFailureStrainFollowsTheSize)
+  {
+    for (const auto formulation : all_formulations)
+      {
+        auto section                          = failing_titanium(0.02, 1., formulation);
+        section.material.failure.size_factors = {{{{0.5, 2.}, {1., 1.}}}, 2};
+        const Mesh mesh                       = make_grid(2, 9, [](const double x, const double y) {
+          return Point3(2. * x, 9. * y <= 5. ? 0.25 * 9. * y : 1.25 + 9. * y - 5., 0.);
+        });
+        Model      model(mesh, 0.05, section);
+        const auto u        = stretch(model, 1e-4);
+        const auto is_large = [&](const std::size_t e) {
+          return std::abs(model.mesh.nodes[model.mesh.cells[e][2]][1] - model.mesh.nodes[model.mesh.cells[e][0]][1]) >
+                 0.5;
+        };
+        const auto strain   = [&] { return model.elements.max_plastic_strains().front().value; };
+        bool       is_first = true;
+        for (int step = 1; model.elements.n_failed() < 18; ++step)
+          {
+            ASSERT_LT(step, 2000);
+            model.move(u, 1e-6);
+            if (is_first && model.elements.n_failed() > 0)
+              {
+                is_first = false;
+                EXPECT_NEAR(strain(), 0.02, 1.2e-4) << "2/sqrt(3) of the stretch of a step";
+                EXPECT_EQ(model.elements.n_failed(), 8u);
+                for (std::size_t e = 0; e < 18; ++e)
+                  EXPECT_EQ(model.elements.is_failed(e), is_large(e)) << e;
+              }
+          }
+        EXPECT_NEAR(strain(), 0.04, 1.2e-4);
+        EXPECT_NEAR(model.elements.sizes_of_failing().smallest, 0.5, 1e-12);
+        EXPECT_NEAR(model.elements.sizes_of_failing().largest, 1., 1e-12);
+      }
+  }
+
   // The element that has gone leaves no trace: same forces, same normals, same step as if it had never been.
   TEST(ShellFailure, AMeshGoesOnAsIfTheFailedElementHadNeverBeen)
   {

@@ -89,6 +89,29 @@ namespace solid_failure_test
       }
   }
 
+  // Bricks of 0.125 and 1 m^3 (cube roots 0.5 and 1 m) stretched alike: the smaller ones fail at twice the plastic
+  // strain.
+  TEST(SolidFailure, TheFailureStrainFollowsTheSize)
+  {
+    for (const auto formulation : both)
+      for (const double side : {0.5, 1.})
+        {
+          auto section                          = failing_titanium(formulation, 0.02);
+          section.material.failure.size_factors = {{{{0.5, 2.}, {1., 1.}}}, 2};
+          Model      model(make_box({5, 2, 1}, side * Point3(5., 2., 1.)), section);
+          const auto u = stretch(model, 1e-4);
+          for (int step = 0; model.elements.n_failed() == 0; ++step)
+            {
+              ASSERT_LT(step, 2000);
+              model.move(u, 1e-5);
+            }
+          EXPECT_EQ(model.elements.n_failed(), 10u);
+          EXPECT_NEAR(model.elements.max_plastic_strains().front().value, side < 1. ? 0.04 : 0.02, 1.1e-4);
+          EXPECT_NEAR(model.elements.sizes_of_failing().smallest, side, 1e-12);
+          EXPECT_EQ(model.elements.sizes_of_failing().n_beyond, 0u);
+        }
+  }
+
   // Bent, twisted and pulled elements, of which some fail: what is left is the energy of the others, as an equal mesh
   // of which nothing can fail would have it. The stress of a shared element tells it apart from the ledger.
   TEST(SolidFailure, WhatIsLeftIsTheEnergyOfTheOthers)

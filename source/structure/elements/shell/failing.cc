@@ -2,6 +2,8 @@
 #include "structure/elements/shell/group.h"
 #include <birdstrike/core/simd/flatten.h>
 
+#include <cmath>
+
 namespace birdstrike
 {
   void ShellGroup::build_erosion()
@@ -11,6 +13,9 @@ namespace birdstrike
     erosion->batches.resize(batches.size());
     erosion->damage.resize(points.size());
     has_new_failed.resize(batches.size(), 0);
+    for (std::size_t slot = 0; slot < batches.size() * n_lanes; ++slot)
+      erosion->set_size(slot, slot < n_elements() && is_owned(slot), section.material.failure.size_factors,
+                        std::sqrt(geometry(element_of(slot)).area));
   }
 
   // Apart from metals that cannot fail, whose loop stays as small as it is.
@@ -20,7 +25,8 @@ namespace birdstrike
   {
     AlignedVector<Lanes> &damage = erosion->damage[b];
     damage.resize(law.rule.n, Lanes(0.));
-    FailingPoints<Lanes> failing{section.material.failure, section.material.hardening, dt, damage.data()};
+    FailingPoints<Lanes> failing{section.material.failure, section.material.hardening, dt, damage.data(),
+                                 erosion->batches[b].ductility};
     ShellWork<Lanes>     work = law.update_plastic(strain, dt, stress[b], points[b].data(), failing);
     if (!failing.has_new)
       return work;
@@ -36,7 +42,8 @@ namespace birdstrike
   {
     AlignedVector<Lanes> &damage = erosion->damage[k];
     damage.resize(law.rule.n, Lanes(0.));
-    FailingPoints<Lanes> failing{section.material.failure, section.material.hardening, dt, damage.data()};
+    FailingPoints<Lanes> failing{section.material.failure, section.material.hardening, dt, damage.data(),
+                                 erosion->batches[k / n_in_plane].ductility};
     const Lanes          work = law.update_plastic(strain, dt, sections[k], points[k].data(), failing);
     has_new_failed[k / n_in_plane] |= failing.has_new;
     return work;

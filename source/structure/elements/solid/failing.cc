@@ -3,6 +3,8 @@
 #include "structure/elements/solid/step_bound.h"
 #include <birdstrike/core/simd/flatten.h>
 
+#include <cmath>
+
 namespace birdstrike
 {
   namespace
@@ -46,6 +48,12 @@ namespace birdstrike
     SolidErosion::OfElements at_rest{};
     clear(LanesMask(true), at_rest.force);
     erosion->elements.assign(batches.size(), at_rest);
+    for (std::size_t slot = 0; slot < batches.size() * n_lanes; ++slot)
+      {
+        const SolidModes<double> x = modes(element_of(slot));
+        erosion->set_size(slot, slot < n_elements() && is_owned(slot), section.material.failure.size_factors,
+                          std::cbrt(SolidGeometry<double>(x).volume()));
+      }
   }
 
   // What is turned inside out goes on as a cube at rest, so that nothing in this step is NaN, to fail at its end.
@@ -94,7 +102,7 @@ namespace birdstrike
       return;
     const one_point_solid::FlowSquares<Lanes> rest(stabilisation[b]);
     const Lanes q2 = von_mises_squared(point.stress) + rest.trace + rest.shear + rest.last;
-    erosion->damage[b][0] += compute_damage(point, strain, Lanes(sqrt(q2)), dt);
+    erosion->damage[b][0] += compute_damage(point, strain, Lanes(sqrt(q2)), dt) / erosion->batches[b].ductility;
   }
 
   // A step of a point unless it has failed; of one that fails the energy is taken. Returns the plastic work per volume.
@@ -114,7 +122,7 @@ namespace birdstrike
     const Lanes strain = point.plastic_strain - plastic_strain;
     if (!any(strain > Lanes(0.)))
       return work;
-    damage += compute_damage(point, strain, von_mises(point.stress), dt);
+    damage += compute_damage(point, strain, von_mises(point.stress), dt) / erosion->batches[b].ductility;
     const LanesMask fails = !failed && damage >= Lanes(1.);
     if (!any(fails))
       return work;
