@@ -78,7 +78,7 @@ namespace birdstrike
                       "What the failure strain is multiplied by, by the size of an element at the start, the root of a "
                       "shell's area, the cube root of a brick's volume (m): straight lines between points 'size: "
                       "factor; ...' of growing size, up to 16, e.g. '1e-3: 1.5; 3e-3: 1', constant beyond both ends. "
-                      "Empty: 1. (LS-DYNA: LCREGD.) [-]",
+                      "Empty: 1; as LCREGD of LS-DYNA. [-]",
                       Patterns::Anything());
     prm.add_parameter("Failed share", failed_share,
                       "Share of an element's points that must have failed before all of it is taken away; 1, the usual "
