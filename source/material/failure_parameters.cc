@@ -39,13 +39,15 @@ namespace birdstrike
     {
       SizeFactors factors;
       const auto  pairs = parse_pairs(text, entry);
+      const auto  read  = [where = entry + " (sizes in m, no unit behind them)"](const std::string &number) {
+        return parse_numbers(number, 1, where)[0];
+      };
       if (pairs.size() > SizeFactors::most_points)
         throw InputError(fmt::format("{}: {} points were read.\nAllowed: up to {} points 'size: factor'.", entry,
                                      pairs.size(), SizeFactors::most_points));
       for (const auto &[size_text, factor_text] : pairs)
         {
-          const SizeFactors::Point point{parse_numbers(size_text, 1, entry)[0],
-                                         parse_numbers(factor_text, 1, entry)[0]};
+          const SizeFactors::Point point{read(size_text), read(factor_text)};
           const bool               grows = factors.n == 0 || point.size > factors.points[factors.n - 1].size;
           if (!(point.size > 0.) || !(point.factor > 0.) || !(point.factor <= 1000.) || !grows)
             throw InputError(
@@ -74,12 +76,13 @@ namespace birdstrike
                         std::string("Johnson and Cook's damage: ") + what[k] +
                           (k == 2 ? ", negative for metals, or 'table'. [-]" : ", or 'table'. [-]"),
                         Patterns::Anything());
-    prm.add_parameter("Failure size factors", size_factors,
-                      "What the failure strain is multiplied by, by the size of an element at the start, the root of a "
-                      "shell's area, the cube root of a brick's volume (m): straight lines between points 'size: "
-                      "factor; ...' of growing size, up to 16, e.g. '1e-3: 1.5; 3e-3: 1', constant beyond both ends. "
-                      "Empty: 1; as LCREGD of LS-DYNA. [-]",
-                      Patterns::Anything());
+    prm.add_parameter(
+      "Failure size factors", size_factors,
+      "What the failure strain is multiplied by, by the size of an element at the start, the root of a "
+      "shell's area, the cube root of a brick's volume (m, written without it): straight lines between points 'size: "
+      "factor; ...' of growing size, up to 16, e.g. '1e-3: 1.5; 3e-3: 1', constant beyond both ends. "
+      "Empty: 1; as LCREGD of LS-DYNA. [-]",
+      Patterns::Anything());
     prm.add_parameter("Failed share", failed_share,
                       "Share of an element's points that must have failed before all of it is taken away; 1, the usual "
                       "choice, waits for the last one. A point on the neutral axis of bending hardly strains: 0.8 does "

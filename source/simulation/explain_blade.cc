@@ -134,9 +134,10 @@ namespace birdstrike
                     (of.size() == 1 ? "" : " of section " + std::to_string(number)),
                   is_laminate ? describe(of_section.laminate) : describe(of_section.material.metal()));
       }
-    if (census.largest_size > 0.)
-      table.add("sizes for Failure size factors",
-                format_quantity(census.smallest_size, "m") + " to " + format_quantity(census.largest_size, "m"));
+    for (const SizeCensus &sizes : census.sizes)
+      table.add("failure strain by size" + (of.size() == 1 ? "" : " of section " + std::to_string(sizes.number)),
+                fmt::format("times {:.4g} to {:.4g}, elements of {} to {}", sizes.lowest, sizes.highest,
+                            format_quantity(sizes.smallest, "m"), format_quantity(sizes.largest, "m")));
     add_mass_scaling(table, census.mass_scaling, census.n_elements);
     table.add("memory", format_bytes(census.bytes));
   }

@@ -40,17 +40,20 @@ namespace birdstrike
     std::vector<std::uint32_t> driven;
     for (const auto &support : supports.driven)
       driven.insert(driven.end(), support.dofs.begin(), support.dofs.end());
-    census.supports   = compute_support_census(mesh.nodes, Kind::n_unknowns, supports.held_dofs, driven);
-    census.held_faces = supports.held_faces;
-    if (const Erosion::Sizes sizes = elements.sizes_of_failing(); sizes.largest > 0.)
-      {
-        census.smallest_size  = sizes.smallest;
-        census.largest_size   = sizes.largest;
-        census.n_beyond_sizes = plane.whole(sizes.n_beyond);
-      }
+    census.supports               = compute_support_census(mesh.nodes, Kind::n_unknowns, supports.held_dofs, driven);
+    census.held_faces             = supports.held_faces;
     census.n_elements_with_points = plane.whole(elements.n_promoted());
     census.mass_scaling           = scaling;
     census.mass_scaling.n_scaled  = plane.whole(scaling.n_scaled);
+    for (std::size_t k = 0; k < sections.n_of_blade; ++k)
+      {
+        SizeCensus sizes{sections.number[k]};
+        for (std::size_t of_blade = k; of_blade < elements.n_sections(); of_blade += sections.n_of_blade)
+          elements.add_sizes(of_blade, sizes);
+        sizes.n_beyond = plane.whole(sizes.n_beyond);
+        if (sizes.largest > 0.)
+          census.sizes.push_back(sizes);
+      }
     for (std::size_t k = 0; k < sections.n_of_blade && sections.n_of_blade > 1; ++k)
       {
         SectionCensus sum{sections.number[k], 0, 0., 0.};

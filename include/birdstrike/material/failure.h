@@ -20,9 +20,9 @@ namespace birdstrike
   /// 1 without any (LS-DYNA: *MAT_ADD_DAMAGE_GISSMO, LCREGD; Radioss: /FAIL/TAB1, fct_IDel).
   ///
   /// A metal that fails at a strain tears by rows of elements: the finer they are, the less work a crack takes. With
-  /// e_f(h) h the same on all meshes the work of a crack of its own width is (the crack band of Z. P. Bazant, B. H. Oh,
-  /// Materiaux et Constructions 16 (1983) 155); real metals neck first over about a thickness, and a factor is what
-  /// tests of one specimen ask for on several meshes.
+  /// e_f(h) h the same on all meshes, a crack that is one row wide takes the same work on all of them (the crack band
+  /// of Z. P. Bazant, B. H. Oh, Materiaux et Constructions 16 (1983) 155); real metals neck first over about a
+  /// thickness, and a factor is what tests of one specimen ask for on several meshes.
   struct SizeFactors
   {
     static constexpr std::size_t most_points = 16;
@@ -58,8 +58,9 @@ namespace birdstrike
   /// Constants of a failure law. A point has the damage
   ///   D = sum dp / e_f,
   /// with the increments dp of its equivalent plastic strain and the failure strain e_f of the state in which each of
-  /// them happened; at D = 1 it fails and carries no stress from then on. Until then damage does not soften. Of a shell
-  /// that is the stress in its plane: transverse shear belongs to the section, which has it until it fails as a whole.
+  /// them happened, times the factor of its element's size; at D = 1 it fails and carries no stress from then on. Until
+  /// then damage does not soften. Of a shell that is the stress in its plane: transverse shear belongs to the section,
+  /// which has it until it fails as a whole.
   ///
   /// Johnson & Cook (Engineering Fracture Mechanics 21, 1985, eq. 5):
   ///   e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) (1 + D5 T*),

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,15 @@ namespace birdstrike
     std::size_t number, n_elements;
     double      mass;         ///< kg
     double      plastic_work; ///< J, so far
+  };
+
+  /// What Failure size factors make of the elements of a section; 0 is the blade's own.
+  struct SizeCensus
+  {
+    std::size_t number;
+    double      smallest = std::numeric_limits<double>::infinity(), largest = 0.; ///< m; none: 0
+    double      lowest = std::numeric_limits<double>::infinity(), highest = 0.;   ///< factors
+    std::size_t n_beyond = 0;                                                     ///< elements outside of the points
   };
 
   /// Nodes with the same components held or driven.
@@ -54,11 +64,10 @@ namespace birdstrike
     std::size_t           n_elements_with_points = 0;   ///< that hold points through the thickness at present
     double                bytes                  = 0.;  ///< estimated memory of state, elements and surface
     MassScalingReport     mass_scaling;
-    double      smallest_size = 0., largest_size = 0.; ///< m, of elements whose metal has Failure size factors, or 0
-    std::size_t n_beyond_sizes = 0;                    ///< of these, outside of its points
 
     std::array<double, 3>      centre_of_mass{}; ///< m, of a rigid surface none
     std::vector<SupportCensus> supports;
+    std::vector<SizeCensus>    sizes;      ///< of sections whose metal has Failure size factors
     std::vector<SectionCensus> sections;   ///< none where all elements have one
     std::vector<std::string>   held_faces; ///< entries that hold the rotation of a solid without saying so
   };

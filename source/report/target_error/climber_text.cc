@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 /// What the climb says: of what it claims, and why it claims nothing.

@@ -42,13 +42,21 @@ namespace birdstrike
         }
     }
 
-    void check_sizes(const BladeCensus &census, Warnings &warnings)
+    void check_sizes(const BladeParameters &blade, const BladeCensus &census, Warnings &warnings)
     {
-      if (census.n_beyond_sizes > 0)
-        warnings.push_back({"blade/beyond_size_factors",
-                            fmt::format("{} elements are smaller or larger than Failure size factors tell (those they "
-                                        "are for: {:.4g} to {:.4g} mm): they take the factor of the nearest end.",
-                                        census.n_beyond_sizes, 1e3 * census.smallest_size, 1e3 * census.largest_size)});
+      const auto of = blade.by_section();
+      for (const SizeCensus &sizes : census.sizes)
+        if (sizes.n_beyond > 0)
+          {
+            const SizeFactors &factors = of.at(sizes.number).material.metal().failure.size_factors;
+            warnings.push_back(
+              {"blade/beyond_size_factors",
+               fmt::format("Blade/{}Material/Failure size factors: {} elements are outside of the "
+                           "points, {:.4g} to {:.4g} mm, and take the factor of the nearer end; its "
+                           "elements are of {:.4g} to {:.4g} mm.",
+                           BladeParameters::section_path(sizes.number), sizes.n_beyond, 1e3 * factors.points[0].size,
+                           1e3 * factors.points[factors.n - 1].size, 1e3 * sizes.smallest, 1e3 * sizes.largest)});
+          }
     }
 
     /// Of a shell from a file: the default's, or an entry that the file leaves nothing to say.
@@ -246,6 +254,6 @@ namespace birdstrike
     if (is_file)
       check_joints(blade.facets(), census, warnings);
     check_layers(parameters.blade, census.n_layers, warnings);
-    check_sizes(census, warnings);
+    check_sizes(parameters.blade, census, warnings);
   }
 } // namespace birdstrike

@@ -12,6 +12,7 @@
 namespace birdstrike
 {
   struct EnergyReport;
+  struct SizeCensus;
 
   /// Which section each element has: all sections, and their numbers by element; none: all have the first.
   template <class Section>
@@ -112,15 +113,16 @@ namespace birdstrike
     void   add_energies_of(std::size_t section, EnergyReport &report) const; ///< but for the work, of one section
 
     /// Failed elements carry nothing and have no vote on the step; their nodes keep their masses. Once failed, always.
-    bool           can_fail() const;
-    std::size_t    n_failed() const;
-    std::size_t    n_collapsed() const; ///< of these, those taken away by Failure::smallest_step
-    bool           is_failed(std::size_t element) const;
-    double         failed_mass() const;               ///< kg
-    Erosion::Sizes sizes_of_failing() const;          ///< of the elements whose metal has SizeFactors
-    bool           is_free(std::size_t node) const;   ///< all its elements have failed
-    double         damage(std::size_t element) const; ///< largest D of its points; 1 and more: such a point failed
-    std::size_t    n_failed_points(std::size_t element) const;
+    bool        can_fail() const;
+    std::size_t n_failed() const;
+    std::size_t n_collapsed() const; ///< of these, those taken away by Failure::smallest_step
+    bool        is_failed(std::size_t element) const;
+    double      failed_mass() const;               ///< kg
+    bool        is_free(std::size_t node) const;   ///< all its elements have failed
+    double      damage(std::size_t element) const; ///< largest D of its points; 1 and more: such a point failed
+    std::size_t n_failed_points(std::size_t element) const;
+    /// Of a section whose metal has size factors: its elements but for rigid ones. Otherwise adds nothing.
+    void add_sizes(std::size_t section, SizeCensus &sizes) const;
 
     std::size_t   n_elements() const;
     ElementPrices prices() const;

@@ -5,7 +5,6 @@
 #include <birdstrike/material/failure.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -24,7 +23,8 @@ namespace birdstrike
     struct OfBatch
     {
       Lanes         alive     = 1.;                                      ///< 0 where failed
-      Lanes         ductility = 1.;                                      ///< factor on the failure strain
+      Lanes         size      = 0.;                                      ///< m, at the start
+      Lanes         ductility = 1.;                                      ///< factor on the failure strain, by it
       Lanes         energy    = 0.;                                      ///< J, eroded, cumulative, by element
       Lanes         allowed   = std::numeric_limits<double>::infinity(); ///< bound (frequency, eigenvalue) of collapse
       std::uint32_t dying     = 0; ///< bits of the lanes that have failed in the present step
@@ -37,27 +37,11 @@ namespace birdstrike
     std::size_t                       n_collapsed = 0;  ///< owned ones of these
     double                            mass        = 0.; ///< kg, of the failed that are owned
 
-    /// What SizeFactors make of elements' sizes (m).
-    struct Sizes
+    /// What a lane's element is given by its size (m), copies included.
+    void set_size(const std::size_t slot, const SizeFactors &factors, const double size)
     {
-      double      smallest = std::numeric_limits<double>::infinity(), largest = 0.;
-      std::size_t n_beyond = 0; ///< owned elements outside of the points
-
-      void add(const Sizes &other)
-      {
-        smallest = std::min(smallest, other.smallest);
-        largest  = std::max(largest, other.largest);
-        n_beyond += other.n_beyond;
-      }
-    };
-    Sizes sizes; ///< of owned elements, where there are factors
-
-    /// Once, at the start: the size of every lane, copies included; what is not owned is not counted.
-    void set_size(const std::size_t slot, const bool is_counted, const SizeFactors &factors, const double size)
-    {
+      batches[slot / n_lanes].size[slot % n_lanes]      = size;
       batches[slot / n_lanes].ductility[slot % n_lanes] = factors.at(size);
-      if (is_counted && factors.n > 0)
-        sizes.add({size, size, factors.is_within(size) ? 0u : 1u});
     }
 
     bool is_failed(const std::size_t element) const

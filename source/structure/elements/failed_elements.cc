@@ -1,5 +1,8 @@
 #include "structure/elements/shell/group.h"
 #include "structure/elements/solid/group.h"
+#include <birdstrike/structure/reports.h>
+
+#include <algorithm>
 
 /// What has failed, and what may.
 namespace birdstrike
@@ -41,13 +44,21 @@ namespace birdstrike
   }
 
   template <class Group>
-  Erosion::Sizes Elements<Group>::sizes_of_failing() const
+  void Elements<Group>::add_sizes(const std::size_t section, SizeCensus &sizes) const
   {
-    Erosion::Sizes sizes;
-    for (const Group &group : groups)
-      if (group.erosion)
-        sizes.add(group.erosion->sizes);
-    return sizes;
+    const Group       &group   = groups.at(section);
+    const SizeFactors &factors = group.section.material.failure.size_factors;
+    for (std::size_t e = 0; group.erosion && factors.n > 0 && e < group.n_elements(); ++e)
+      if (group.is_owned(e))
+        {
+          const Erosion::OfBatch &batch = group.erosion->batches[e / n_lanes];
+          const double            size = lane(batch.size, e % n_lanes), factor = lane(batch.ductility, e % n_lanes);
+          sizes.smallest = std::min(sizes.smallest, size);
+          sizes.largest  = std::max(sizes.largest, size);
+          sizes.lowest   = std::min(sizes.lowest, factor);
+          sizes.highest  = std::max(sizes.highest, factor);
+          sizes.n_beyond += factors.is_within(size) ? 0 : 1;
+        }
   }
 
   template <class Group>

@@ -77,6 +77,30 @@ TEST(MeshWarnings, ElementsOutsideOfTheSizeFactorsAreSaid)
   EXPECT_EQ(codes_of({factors + "1e-3: 1.2; 4e-3: 1"}), Codes{"entry/unused"}) << "of a metal that does not fail";
 }
 
+// What is rigid cannot fail, and a section is named with its own table: lengths in mm are those of points and elements.
+TEST(MeshWarnings, SizeFactorsAreThoseOfASectionAndOfElasticBlades)
+{
+  const std::string row = "Blade/Mesh/Row/", failure = "Material/Failure=plastic strain",
+                    factors = "Material/Failure size factors=1e-3: 1.2; 4e-3: 1";
+  const auto text_of        = [](std::vector<std::string> overrides) {
+    overrides.insert(overrides.begin(), "Bird/Particle spacing=0.004");
+    CaseParameters parameters;
+    parameters.read(mesh_warnings::frontal, overrides);
+    std::string text;
+    for (const Warning &warning : find_scene_warnings(parameters, Scene(parameters)))
+      text += warning.code == "blade/beyond_size_factors" ? warning.text : "";
+    return text;
+  };
+  const std::string rest = " elements are outside of the points, 1 to 4 mm, and take the factor of the nearer end; its "
+                           "elements are of 4.979 to 4.979 mm.";
+  EXPECT_EQ(text_of({row + "Blades=3", row + "Place=2", row + "Rigid=1 3", "Blade/" + failure, "Blade/" + factors}),
+            "Blade/Material/Failure size factors: 1116" + rest);
+  EXPECT_EQ(
+    text_of({"Blade/Mesh/Material patches=0 0.5 0 1: 1", "Blade/Section 1/Material ids=1",
+             "Blade/Section 1/Material/Name=Ti-6Al-4V", "Blade/Section 1/" + failure, "Blade/Section 1/" + factors}),
+    "Blade/Section 1/Material/Failure size factors: 558" + rest);
+}
+
 TEST(MeshWarnings, AThicknessThatNobodyGaveIsSaid)
 {
   std::string                 pattern = (std::filesystem::temp_directory_path() / "birdstrike-thick-XXXXXX").string();

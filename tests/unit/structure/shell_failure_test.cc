@@ -177,8 +177,13 @@ namespace shell_failure_test
               }
           }
         EXPECT_NEAR(strain(), 0.04, 1.2e-4);
-        EXPECT_NEAR(model.elements.sizes_of_failing().smallest, 0.5, 1e-12);
-        EXPECT_NEAR(model.elements.sizes_of_failing().largest, 1., 1e-12);
+        SizeCensus sizes{0};
+        model.elements.add_sizes(0, sizes);
+        EXPECT_NEAR(sizes.smallest, 0.5, 1e-12);
+        EXPECT_NEAR(sizes.largest, 1., 1e-12);
+        EXPECT_NEAR(sizes.lowest, 1., 1e-12);
+        EXPECT_NEAR(sizes.highest, 2., 1e-12);
+        EXPECT_EQ(sizes.n_beyond, 0u);
       }
   }
 

@@ -14,8 +14,7 @@ namespace birdstrike
     erosion->damage.resize(points.size());
     has_new_failed.resize(batches.size(), 0);
     for (std::size_t slot = 0; slot < batches.size() * n_lanes; ++slot)
-      erosion->set_size(slot, slot < n_elements() && is_owned(slot), section.material.failure.size_factors,
-                        std::sqrt(geometry(element_of(slot)).area));
+      erosion->set_size(slot, section.material.failure.size_factors, std::sqrt(geometry(element_of(slot)).area));
   }
 
   // Apart from metals that cannot fail, whose loop stays as small as it is.

@@ -51,8 +51,7 @@ namespace birdstrike
     for (std::size_t slot = 0; slot < batches.size() * n_lanes; ++slot)
       {
         const SolidModes<double> x = modes(element_of(slot));
-        erosion->set_size(slot, slot < n_elements() && is_owned(slot), section.material.failure.size_factors,
-                          std::cbrt(SolidGeometry<double>(x).volume()));
+        erosion->set_size(slot, section.material.failure.size_factors, std::cbrt(SolidGeometry<double>(x).volume()));
       }
   }
 
