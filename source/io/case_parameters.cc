@@ -231,7 +231,7 @@ namespace birdstrike
 
   std::string first_difference(const CaseParameters &a, const CaseParameters &b, const EntryNames &ignored)
   {
-    const ParameterTree tree_a = a.file.tree(), tree_b = b.file.tree();
+    const ParameterTree &tree_a = a.file.tree(), &tree_b = b.file.tree();
     for (const KnownEntry &entry : tree_a.entries())
       {
         const std::string name = name_of(entry);

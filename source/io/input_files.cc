@@ -26,7 +26,7 @@ namespace birdstrike
 
   std::vector<InputFile> list_input_files(const CaseParameters &parameters)
   {
-    const ParameterTree    tree = parameters.file.tree();
+    const ParameterTree   &tree = parameters.file.tree();
     std::vector<InputFile> files;
     const auto             add = [&files](const std::string &name, const bool is_included) {
       std::error_code error;

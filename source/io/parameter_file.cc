@@ -85,21 +85,21 @@ namespace birdstrike
   {
     for (const ParameterGroup &group : groups)
       group.declare(*prm);
+    known = std::make_unique<ParameterTree>(*prm);
   }
 
   ParameterFile::~ParameterFile() = default;
 
   void ParameterFile::read(const std::string &path, const std::vector<std::string> &overrides)
   {
-    const ParameterTree known = tree();
-    ScannedParameters   scanned;
-    scan_parameter_file(path, known, scanned);
+    ScannedParameters scanned;
+    scan_parameter_file(path, *known, scanned);
     for (const std::string &override_text : overrides)
-      scan_override(override_text, known, scanned);
+      scan_override(override_text, *known, scanned);
     original_text = scanned.original;
     given         = scanned.given;
     included      = scanned.included;
-    prm->parse_input_from_string(scanned.text);
+    parse(scanned.text);
     for (const Inheritance &rule : inheritances)
       apply(rule);
     for (const ParameterGroup &group : groups)
@@ -113,6 +113,12 @@ namespace birdstrike
         }
   }
 
+  void ParameterFile::parse(const std::string &text)
+  {
+    prm->parse_input_from_string(text);
+    known->update_values(*prm);
+  }
+
   void ParameterFile::inherit(const Inheritance &rule)
   {
     inheritances.push_back(rule);
@@ -120,8 +126,7 @@ namespace birdstrike
 
   void ParameterFile::apply(const Inheritance &rule)
   {
-    const ParameterTree known = tree();
-    if (!is_true(known.find({rule.section}, rule.when)->value))
+    if (!is_true(known->find({rule.section}, rule.when)->value))
       return;
     std::set<std::string> not_inherited(rule.own.begin(), rule.own.end());
     not_inherited.insert(rule.when);
@@ -130,7 +135,7 @@ namespace birdstrike
       if (std::ranges::any_of(each.given, is_given_here))
         not_inherited.insert(each.replaced.begin(), each.replaced.end());
     std::vector<std::string> inherited;
-    for (const KnownEntry &entry : known.entries())
+    for (const KnownEntry &entry : known->entries())
       if (!entry.section.empty() && entry.section.front() == rule.from)
         {
           const std::string there = to_string(entry.section) + "/" + entry.name;
@@ -146,11 +151,10 @@ namespace birdstrike
 
   void ParameterFile::set(const std::vector<std::string> &overrides)
   {
-    const ParameterTree known = tree();
-    ScannedParameters   scanned;
+    ScannedParameters scanned;
     for (const std::string &override_text : overrides)
-      scan_override(override_text, known, scanned);
-    prm->parse_input_from_string(scanned.text);
+      scan_override(override_text, *known, scanned);
+    parse(scanned.text);
   }
 
   bool ParameterFile::is_given(const std::string &entry) const
@@ -161,15 +165,15 @@ namespace birdstrike
 
   std::vector<std::string> ParameterFile::set_before(const std::string &section, const std::string &name) const
   {
-    const ParameterTree known  = tree();
-    const auto          change = given.find(section + "/" + name);
-    const auto          entry  = std::ranges::find_if(
-                known.entries(), [&](const KnownEntry &each) { return to_string(each.section) == section && each.name == name; });
+    const auto               change = given.find(section + "/" + name);
+    const auto               entry  = std::ranges::find_if(known->entries(), [&](const KnownEntry &each) {
+      return to_string(each.section) == section && each.name == name;
+    });
     std::vector<std::string> names;
-    if (change == given.end() || entry == known.entries().end() ||
+    if (change == given.end() || entry == known->entries().end() ||
         change->second.value == change->second.before.value_or(entry->default_value))
       return names;
-    for (const KnownEntry &each : known.entries())
+    for (const KnownEntry &each : known->entries())
       if (to_string(each.section) == section)
         if (const auto found = given.find(section + "/" + each.name);
             found != given.end() && found->second.value != each.default_value &&
@@ -180,8 +184,7 @@ namespace birdstrike
 
   bool ParameterFile::is_changed(const std::string &section) const
   {
-    const ParameterTree known = tree();
-    return std::ranges::any_of(known.entries(), [&](const KnownEntry &entry) {
+    return std::ranges::any_of(known->entries(), [&](const KnownEntry &entry) {
       return !entry.section.empty() && entry.section.front() == section && entry.value != entry.default_value;
     });
   }
@@ -208,7 +211,7 @@ namespace birdstrike
     for (const Inheritance &rule : inheritances)
       if (!with_unused && !is_changed(rule.section))
         left_out.insert(rule.section);
-    add_prm_section(text, tree(), notes, {}, left_out);
+    add_prm_section(text, *known, notes, {}, left_out);
     while (text.size() > 1 && text.compare(text.size() - 2, 2, "\n\n") == 0)
       text.pop_back();
     return text;
@@ -216,9 +219,8 @@ namespace birdstrike
 
   std::string ParameterFile::as_json() const
   {
-    nlohmann::ordered_json json  = nlohmann::ordered_json::object();
-    const ParameterTree    known = tree();
-    for (const KnownEntry &entry : known.entries())
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const KnownEntry &entry : known->entries())
       {
         nlohmann::ordered_json *node = &json;
         for (const std::string &name : entry.section)
@@ -232,8 +234,8 @@ namespace birdstrike
     return json.dump(2) + "\n";
   }
 
-  ParameterTree ParameterFile::tree() const
+  const ParameterTree &ParameterFile::tree() const
   {
-    return ParameterTree(*prm);
+    return *known;
   }
 } // namespace birdstrike

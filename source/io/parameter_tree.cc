@@ -148,6 +148,12 @@ namespace birdstrike
     add_section(Json::parse(out.str()), {}, all, sections);
   }
 
+  void ParameterTree::update_values(const dealii::ParameterHandler &prm)
+  {
+    for (KnownEntry &entry : all)
+      entry.value = prm.get(entry.section, entry.name);
+  }
+
   const std::vector<KnownEntry> &ParameterTree::entries() const &
   {
     return all;

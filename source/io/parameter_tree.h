@@ -22,7 +22,7 @@ namespace birdstrike
   {
     SectionPath section;
     std::string name;
-    std::string value;         ///< at the time the tree was made
+    std::string value;         ///< when the tree was made, or last updated
     std::string default_value; ///< as declared
     std::string text;          ///< the sentence, without its unit
     std::string unit;          ///< "kg", "-"
@@ -37,6 +37,9 @@ namespace birdstrike
   {
   public:
     explicit ParameterTree(const dealii::ParameterHandler &prm);
+
+    /// Of the handler that it was made from: a fiftieth of what making it takes.
+    void update_values(const dealii::ParameterHandler &prm);
 
     const std::vector<KnownEntry> &entries() const &;
     const std::vector<KnownEntry> &entries() const && = delete; // a loop over a temporary tree would outlive it

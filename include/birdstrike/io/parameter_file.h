@@ -117,14 +117,17 @@ namespace birdstrike
     /// The same as JSON: sections nest, an entry is {"text", "unit", "range", "default", "value"}.
     std::string as_json() const;
 
-    ParameterTree tree() const;
+    /// All entries at their present values; holds until the next read() or set().
+    const ParameterTree &tree() const;
 
   private:
     void apply(const Inheritance &rule);
+    void parse(const std::string &text);
 
     std::vector<Inheritance>                  inheritances;
     std::vector<ParameterGroup>               groups;
     std::unique_ptr<dealii::ParameterHandler> prm;
+    std::unique_ptr<ParameterTree>            known; ///< what `prm` declares, and its values
     std::string                               original_text;
     std::map<std::string, std::string>        notes; ///< by entry
     GivenEntries                              given;
