@@ -20,9 +20,10 @@ namespace birdstrike
   {
     for (const Past &touch : past)
       {
-        const std::size_t i       = memory.data()[touch.id].index;
-        double            to_come = 0.; // of a point that has left the computation
-        if (i < points.n && points.id[i] == touch.id)
+        const auto  is_at   = [&](const std::size_t i) { return i < points.n && points.id[i] == touch.id; };
+        std::size_t i       = touch.index;
+        double      to_come = 0.; // of a point that has left the computation
+        if (is_at(i) || is_at(i = memory.data()[touch.id].index))
           {
             Point3 velocity(points.velocity[0][i], points.velocity[1][i], points.velocity[2][i]);
             for (unsigned int k = 0; k < 4; ++k)
@@ -57,9 +58,17 @@ namespace birdstrike
           const auto  &nodes = facets.nodes[touch.facet];
           const double taken = -0.5 * step * touch.dissipative.dot(touch.velocity);
           under_way += taken;
-          reported = std::max(reported, booked + under_way);
-          past.push_back({points.id[touch.point], nodes, touch.weights, touch.dissipative, touch.turn, touch.tilt,
-                          touch.turn_weights, taken});
+          reported         = std::max(reported, booked + under_way);
+          Past &now        = past.emplace_back();
+          now.id           = points.id[touch.point];
+          now.nodes        = nodes;
+          now.index        = touch.point;
+          now.weights      = touch.weights;
+          now.force        = touch.dissipative;
+          now.turn         = touch.turn;
+          now.tilt         = touch.tilt;
+          now.turn_weights = touch.turn_weights;
+          now.taken        = taken;
         }
   }
 } // namespace birdstrike

@@ -134,29 +134,29 @@ namespace birdstrike
     touches.clear();
     for (const TouchingPair &touch : narrow_phase.touches())
       {
-        const std::uint32_t facet = block.pair_facet[pairs.pair[touch.place]];
-        TouchRecord         record;
-        record.normal      = touch.normal;
-        record.velocity    = pairs.velocity_of(touch.place);
-        record.offset      = pairs.offset_of(touch.place);
-        record.weights     = pairs.weights_of(touch.place);
-        record.penetration = touch.penetration;
-        record.share       = touch.share;
-        record.is_oblique  = touch.is_oblique;
-        record.point       = block.points[touch.near];
-        record.facet       = block.facets.keys()[facet];
-        record.nodes       = block.facet_nodes[facet];
+        const std::uint32_t facet  = block.pair_facet[pairs.pair[touch.place]];
+        TouchRecord        &record = touches.emplace_back();
+        record.normal              = touch.normal;
+        record.velocity            = pairs.velocity_of(touch.place);
+        record.offset              = pairs.offset_of(touch.place);
+        record.weights             = pairs.weights_of(touch.place);
+        record.penetration         = touch.penetration;
+        record.share               = touch.share;
+        record.is_oblique          = touch.is_oblique;
+        record.point               = block.points[touch.near];
+        record.facet               = block.facets.keys()[facet];
+        record.nodes               = block.facet_nodes[facet];
         std::array<std::uint32_t, 2> carriers;
         const unsigned int           n_carriers = find_carriers(block, touch.edge, carriers);
-        if (n_carriers == 0)
-          touches.push_back(record);
+        if (n_carriers == 2)
+          touches.push_back(TouchRecord(record)); // a copy: the list may move
         for (unsigned int c = 0; c < n_carriers; ++c)
           {
-            record.nodes = block.facet_nodes[carriers[c]];
-            record.share = touch.share / n_carriers;
-            move_to_edge(points, facets, touch.edge, block.facets.keys()[carriers[c]], record);
-            turn_with_facet(facets, touch.edge, c, record);
-            touches.push_back(record);
+            TouchRecord &part = touches[touches.size() - n_carriers + c];
+            part.nodes        = block.facet_nodes[carriers[c]];
+            part.share        = touch.share / n_carriers;
+            move_to_edge(points, facets, touch.edge, block.facets.keys()[carriers[c]], part);
+            turn_with_facet(facets, touch.edge, c, part);
           }
         complete(facets, has_friction, touches.end() - std::max(1u, n_carriers), touches.end());
       }

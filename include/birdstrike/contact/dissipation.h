@@ -75,6 +75,7 @@ namespace birdstrike
     {
       std::uint32_t                id; // of the point
       std::array<std::uint32_t, 4> nodes;
+      std::uint32_t                index = 0; // of the point then: where it most likely still is
       std::array<double, 4>        weights;
       Point3                       force; // N
       Point3                       turn;  // N/m

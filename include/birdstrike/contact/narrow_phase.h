@@ -13,8 +13,8 @@ namespace birdstrike
   {
     std::uint32_t place;              ///< in PairGeometry
     std::uint32_t near;               ///< place of the point in CandidateBlock::points
-    double        share;              ///< -, in (0, 1]: weight of the less deep of two, see NarrowPhase
-    double        penetration;        ///< m, > 0
+    double        share       = 0.;   ///< -, in (0, 1]: weight of the less deep of two, see NarrowPhase
+    double        penetration = 0.;   ///< m, > 0
     Point3        normal;             ///< from the surface to the point
     bool          is_oblique = false; ///< not along the point's offset from q: the force leaves a couple
     EdgePlace     edge{};             ///< where the force acts, if not at q

@@ -50,6 +50,9 @@ namespace birdstrike
     }
   };
 
+  /// Copied where a side is forgotten: one that is put together on the spot is read before its parts are written.
+  inline constexpr PointRecord::Side unknown_side{};
+
   /// Records for all ids that ever existed.
   class PointMemory
   {

@@ -53,7 +53,8 @@ namespace birdstrike
   {
     touching.clear();
     released_depths.clear();
-    released_depths.reserve(present.points.size()); // never within a step without a search
+    touching.reserve(2 * present.points.size()); // never within a step without a search
+    released_depths.reserve(present.points.size());
     n_active_points = 0;
     block           = &present;
     tied            = tie * scene.range;
@@ -146,15 +147,12 @@ namespace birdstrike
     PointRecord &record = memory[scene.points.id[block->points[group.near]]];
 
     const PointRecord before = record;
-    TouchingPair      first, second;
-    for (TouchingPair *touched : {&first, &second})
-      {
-        touched->near  = group.near;
-        touched->share = touched->penetration = 0.;
-      }
-    record.sides[1]  = {};
-    record.last_call = scene.call;
-    int taken        = -1;
+    TouchingPair     &first  = touching.emplace_back(); // written where it stays
+    TouchingPair      second;
+    first.near = second.near = group.near;
+    record.sides[1]          = unknown_side;
+    record.last_call         = scene.call;
+    int taken                = -1;
     if (touch(scene, closest, before, false, taken, first, record.sides[0]))
       first.share = 1.;
     std::array<int, 2> continued{{taken, -1}};
@@ -178,13 +176,12 @@ namespace birdstrike
       }
     if (first.share == 1. && before.last_call + 1 == scene.call && !scene.is_changed)
       take_over(before, continued, record.sides[0], first);
-    double depth = 0.;
-    for (const TouchingPair &touched : {first, second})
-      if (touched.share > 0.)
-        {
-          touching.push_back(touched);
-          depth = std::max(depth, touched.penetration);
-        }
+    const double depth =
+      std::max(first.share > 0. ? first.penetration : 0., second.share > 0. ? second.penetration : 0.);
+    if (first.share == 0.)
+      touching.pop_back();
+    if (second.share > 0.)
+      touching.push_back(second);
     if (!scene.is_changed)
       note_release(scene, block->points[group.near], before, record, depth);
     block->has_passed[group.near] = has_passed(record, scene.call + 1);

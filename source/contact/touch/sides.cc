@@ -103,7 +103,8 @@ namespace birdstrike
         edge.slope.setZero(); // its place does not depend on the thickness
       result.normal     = is_limited ? edge.limit_normal : Point3(edge.normal - edge.slope);
       result.is_oblique = is_limited || edge.is_oblique || !edge.slope.isZero(0.);
-      result.edge       = is_limited || side.is_on_edge_face || edge.is_oblique ? edge.place : EdgePlace();
+      if (is_limited || side.is_on_edge_face || edge.is_oblique)
+        result.edge = edge.place;
       if (!is_limited)
         result.edge.turns[0] = edge.face_turn;
     }
@@ -127,7 +128,7 @@ namespace birdstrike
     // surface folds, the other side of the first one means nothing to it
     const auto &nodes = scene.facets.nodes[facet];
     taken = before.last_call + 1 == scene.call ? find_remembered(before, nodes, piece, is_other_sheet, taken) : -1;
-    side  = taken < 0 ? PointRecord::Side() : before.sides[taken];
+    side  = taken < 0 ? unknown_side : before.sides[taken];
     const bool is_elsewhere = taken >= 0 && count_common_nodes(side.nodes, nodes) == 0;
     const bool is_next      = side.nodes != nodes || side.was_beyond; // another face than in the last call
 
@@ -145,7 +146,7 @@ namespace birdstrike
       {
         if (!scene.facets.two_sided && seen < 0)
           {
-            side = {};
+            side = unknown_side;
             return false;
           }
         side.sign = seen;
