@@ -12,6 +12,13 @@ if(BIRDSTRIKE_WERROR)
 endif()
 if(BIRDSTRIKE_NATIVE)
   target_compile_options(birdstrike_options INTERFACE -march=native)
+  # Structures of whole registers are copied as such: a register of 64 bytes that is read from two halves waits until both
+  # have left the store buffer. GCC copies by 32 bytes wherever it prefers them for its own vectors.
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag("-mmove-max=512 -mstore-max=512" BIRDSTRIKE_HAS_MOVE_MAX)
+  if(BIRDSTRIKE_HAS_MOVE_MAX)
+    target_compile_options(birdstrike_options INTERFACE -mmove-max=512 -mstore-max=512)
+  endif()
 endif()
 if(BIRDSTRIKE_SANITIZE)
   set(sanitizers_address address,undefined)

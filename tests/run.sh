@@ -8,11 +8,12 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${BIRDSTRIKE_BUILD:-$top/build}
 
 mapfile -t packages <"$top/.ci/packages"
-bash "$top/.ci/install" "${packages[@]}" libgtest-dev clang-format-14 python3 valgrind \
+bash "$top/.ci/install" "${packages[@]}" libgtest-dev libbenchmark-dev clang-format-14 python3 valgrind \
   python3-numpy python3-h5py python3-jsonschema paraview python3-paraview xvfb xauth libgl1-mesa-dri
 
 mkdir -p "$build"
-if ! cmake -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DBIRDSTRIKE_TESTS=ON -DBIRDSTRIKE_WERROR=ON >"$build/build.log" 2>&1 ||
+if ! cmake -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DBIRDSTRIKE_TESTS=ON -DBIRDSTRIKE_BENCHMARKS=ON \
+       -DBIRDSTRIKE_WERROR=ON >"$build/build.log" 2>&1 ||
    ! cmake --build "$build" --parallel "$(nproc)" >>"$build/build.log" 2>&1; then
   grep -E 'error|Error|needed' "$build/build.log" | head -n 30 >&2 || true
   tail -n 10 "$build/build.log" >&2

@@ -80,9 +80,10 @@ namespace birdstrike::benchmarks
             state.counters["element_steps"] =
               static_cast<double>((after.blade - before.blade) * scene.scene->blade->n_elements()) / steps;
             state.counters["simulated_ns_per_step"] = 1e9 * (scene.now - from) / steps;
+            const bool   has_bird                   = !scene.scene->birds.empty();
             const double units =
-              scene.scene->bird ? state.counters["particle_steps"].value : state.counters["element_steps"].value;
-            count_work(state, units, scene.scene->bird ? "particle" : "element");
+              has_bird ? state.counters["particle_steps"].value : state.counters["element_steps"].value;
+            count_work(state, units, has_bird ? "particle" : "element");
           },
           100);
     }
