@@ -1,4 +1,5 @@
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/core/errors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,11 +50,18 @@ namespace birdstrike
       row("nodes", touch.nodes);
       row("weights", touch.weights);
       row("force", touch.force);
-      row("turn", touch.turn);
-      row("tilt", touch.tilt);
-      row("turn weights", touch.turn_weights);
       row("taken", touch.taken);
+      row("has couple", touch.has_couple);
     });
+    archive.records("couples", past_couples, [](Archive::Row &row, PastCouple &couple) {
+      row("turn", couple.turn);
+      row("tilt", couple.tilt);
+      row("turn weights", couple.turn_weights);
+    });
+    const auto n_couples = std::count_if(past.begin(), past.end(), [](const Past &touch) { return touch.has_couple; });
+    if (static_cast<std::size_t>(n_couples) != past_couples.size())
+      throw InputError("The archive has " + std::to_string(past_couples.size()) + " couples of contact, where " +
+                       std::to_string(n_couples) + " belong.");
   }
 
   void SharpEdges::archive(Archive &archive)

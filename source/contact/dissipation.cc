@@ -18,6 +18,7 @@ namespace birdstrike
   void Dissipation::book_past(const PointsView &points, const FacetsView &facets, const PointMemory &memory,
                               const double step)
   {
+    auto couple = past_couples.begin();
     for (const Past &touch : past)
       {
         const auto  is_at   = [&](const std::size_t i) { return i < points.n && points.id[i] == touch.id; };
@@ -28,13 +29,17 @@ namespace birdstrike
             Point3 velocity(points.velocity[0][i], points.velocity[1][i], points.velocity[2][i]);
             for (unsigned int k = 0; k < 4; ++k)
               velocity -= touch.weights[k] * Point3(facets.velocity + touch.nodes[k] * facets.velocity_stride);
-            to_come = 0.5 * step *
-                      compute_taken_power(facets, touch.nodes, velocity, touch.force, touch.turn, touch.tilt,
-                                          touch.turn_weights);
+            double power = -touch.force.dot(velocity);
+            if (touch.has_couple)
+              power = add_spin_power(power, facets, touch.nodes, couple->turn, couple->tilt, couple->turn_weights);
+            to_come = 0.5 * step * power;
           }
+        if (touch.has_couple)
+          ++couple;
         booked += touch.taken + to_come;
       }
     past.clear();
+    past_couples.clear();
     under_way    = 0.;
     most         = std::max(most, booked);
     largest_fall = std::max(largest_fall, most - booked);
@@ -58,17 +63,17 @@ namespace birdstrike
           const auto  &nodes = facets.nodes[touch.facet];
           const double taken = -0.5 * step * touch.dissipative.dot(touch.velocity);
           under_way += taken;
-          reported         = std::max(reported, booked + under_way);
-          Past &now        = past.emplace_back();
-          now.id           = points.id[touch.point];
-          now.nodes        = nodes;
-          now.index        = touch.point;
-          now.weights      = touch.weights;
-          now.force        = touch.dissipative;
-          now.turn         = touch.turn;
-          now.tilt         = touch.tilt;
-          now.turn_weights = touch.turn_weights;
-          now.taken        = taken;
+          reported       = std::max(reported, booked + under_way);
+          Past &now      = past.emplace_back();
+          now.id         = points.id[touch.point];
+          now.nodes      = nodes;
+          now.index      = touch.point;
+          now.weights    = touch.weights;
+          now.force      = touch.dissipative;
+          now.taken      = taken;
+          now.has_couple = touch.turn != Point3::Zero() || touch.tilt != Point3::Zero();
+          if (now.has_couple)
+            past_couples.push_back({touch.turn, touch.tilt, touch.turn_weights});
         }
   }
 } // namespace birdstrike

@@ -10,22 +10,11 @@
 
 namespace birdstrike
 {
-  /// power + that of the spin which the couple of a touch gives the nodes of its facet, and of the turn of that at an
-  /// edge (touch_record.h), W.
+  /// `power` of a force on the relative velocity of a point and its closest point, and that of the spin which its
+  /// couple gives the nodes of a facet, and of the turn of that at an edge (touch_record.h), W. Most touches have no
+  /// couple.
   double add_spin_power(double power, const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
                         const Point3 &turn, const Point3 &tilt, const std::array<double, 4> &turn_weights);
-
-  /// What a force on a point and its couple on the nodes of a facet take, W: of the relative velocity of the point and
-  /// its closest point, and of the spin that the couple gives the facet. Most touches have no couple.
-  inline double compute_taken_power(const FacetsView &facets, const std::array<std::uint32_t, 4> &nodes,
-                                    const Point3 &velocity, const Point3 &force, const Point3 &turn, const Point3 &tilt,
-                                    const std::array<double, 4> &turn_weights)
-  {
-    const double power = -force.dot(velocity);
-    return turn == Point3::Zero() && tilt == Point3::Zero()
-             ? power
-             : add_spin_power(power, facets, nodes, turn, tilt, turn_weights);
-  }
 
   /// The energy that damper and friction take: their own forces on the relative velocity at each touch, in the two half
   /// kicks in which these forces act, each with the velocity of the adjoining drift. Independent of the works that the
@@ -71,21 +60,27 @@ namespace birdstrike
     }
 
   private:
+    /// Of a touch, the forces of its damper and friction: kept small, for there is one of each touch.
     struct Past
     {
       std::uint32_t                id; // of the point
       std::array<std::uint32_t, 4> nodes;
       std::uint32_t                index = 0; // of the point then: where it most likely still is
       std::array<double, 4>        weights;
-      Point3                       force; // N
-      Point3                       turn;  // N/m
-      Point3                       tilt;  // N
-      std::array<double, 4>        turn_weights;
-      double                       taken; // J, first half
+      Point3                       force;      // N
+      double                       taken;      // J, first half
+      bool                         has_couple; // the next of `past_couples`
     };
-    std::vector<Past> past;
-    double            booked = 0., under_way = 0.;  // J, of finished steps, and of the present one
-    double            most = 0., largest_fall = 0.; // J, of `booked`
-    double            reported = 0., lost = 0.;     // J
+    struct PastCouple
+    {
+      Point3                turn; // N/m
+      Point3                tilt; // N
+      std::array<double, 4> turn_weights;
+    };
+    std::vector<Past>       past;
+    std::vector<PastCouple> past_couples;
+    double                  booked = 0., under_way = 0.;  // J, of finished steps, and of the present one
+    double                  most = 0., largest_fall = 0.; // J, of `booked`
+    double                  reported = 0., lost = 0.;     // J
   };
 } // namespace birdstrike

@@ -178,7 +178,7 @@ namespace birdstrike
       take_over(before, continued, record.sides[0], first);
     const double depth =
       std::max(first.share > 0. ? first.penetration : 0., second.share > 0. ? second.penetration : 0.);
-    if (first.share == 0.)
+    if (!(first.share > 0.))
       touching.pop_back();
     if (second.share > 0.)
       touching.push_back(second);
