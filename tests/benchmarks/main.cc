@@ -37,6 +37,5 @@ int main(int argc, char **argv)
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv))
     return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return benchmark::RunSpecifiedBenchmarks() > 0 ? 0 : 1; // a filter that nothing matches
 }

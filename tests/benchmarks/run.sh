@@ -2,14 +2,17 @@
 # Installs what is missing, builds, times every kernel and three reference runs on one and two threads, and writes the
 # table "Speed" of the README to stdout:
 #   bash tests/benchmarks/run.sh [arguments of Google Benchmark, e.g. --benchmark_filter=bird]
-# All that was measured, the table and the roofline picture stay in build/speed. Half an hour on two cores, which should
-# have nothing else to do. BIRDSTRIKE_REPEATS (3) is the number of times each reference run is repeated.
+# All that was measured, the table and the roofline picture stay in build/speed. Ten minutes on two cores, which should
+# have nothing else to do. BIRDSTRIKE_REPEATS (3) is the number of times each reference run is repeated; BIRDSTRIKE_BEFORE is
+# such a folder build/speed of another program on this machine, which the table then sets beside.
 set -euo pipefail
 
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=${BIRDSTRIKE_BUILD:-$top/build}
 repeats=${BIRDSTRIKE_REPEATS:-3}
 results=$build/speed
+before=${BIRDSTRIKE_BEFORE:-}
+[ -z "$before" ] || [ -f "$before/benchmarks.json" ] || { echo "BIRDSTRIKE_BEFORE: there is no $before/benchmarks.json" >&2; exit 1; }
 
 mapfile -t packages <"$top/.ci/packages"
 bash "$top/.ci/install" "${packages[@]}" libbenchmark-dev python3 python3-matplotlib
@@ -50,7 +53,7 @@ run blade blade-impulse.prm
 # the distribution's own python has its matplotlib, another one may come first in the path
 python=python3
 [ -x /usr/bin/python3 ] && python=/usr/bin/python3
-"$python" "$top/tests/benchmarks/speed_table.py" "$results" | tee "$results/speed.md"
+"$python" "$top/tests/benchmarks/speed_table.py" "$results" ${before:+"$before"} | tee "$results/speed.md"
 "$python" "$top/tests/benchmarks/roofline.py" "$results" >&2
 # a part of the benchmarks, chosen by arguments, does not tell whether the table of prices has aged
 [ $# -gt 0 ] || "$python" "$top/tests/benchmarks/prices.py" "$results/benchmarks.json" --program "$build/bin/birdstrike" >&2

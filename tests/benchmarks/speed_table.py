@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The table "Measured" of tests/README.md from what run.sh has measured: python3 tests/benchmarks/speed_table.py build/speed
+"""The tables "Measured" of tests/README.md from what run.sh has measured: python3 tests/benchmarks/speed_table.py build/speed [BEFORE]
 
-Reads benchmarks.json and the run folders NAME-THREADS-REPEAT, of which the fastest counts. What is missing becomes a dash.
+Reads benchmarks.json and the run folders NAME-THREADS-REPEAT, of which the fastest counts. What is missing becomes a dash. BEFORE is such
+a folder of another program, measured on the same machine: a column more, and "before → now" in the cells.
 """
 
 import json
@@ -72,6 +73,12 @@ def text(value, pattern="{:.0f}"):
     return "–" if value is None else pattern.format(value)
 
 
+def beside(rows, before):
+    """Cells as "before → now" where both have one; the first names the row, and may count what differs."""
+    return [[now[0]] + [cell if old in ("–", cell) or cell == "–" else f"{old} → {cell}" for old, cell in zip(past[1:], now[1:])]
+            for past, now in zip(before, rows)]
+
+
 def table(head, rows):
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
@@ -88,7 +95,14 @@ def machine(m):
             f"{c.get('compiler', '?')} (`{c.get('flags', '')}`), commit {c.get('commit', '?')}.{counts}{second}\n")
 
 
-def targets(m):
+def targets(m, before=None):
+    rows = target_rows(m)
+    if before is None:
+        return table(["loop, one core", "target", "measured"], rows)
+    return table(["loop, one core", "target", "before", "now"], [now[:2] + past[2:] + now[2:] for past, now in zip(target_rows(before), rows)])
+
+
+def target_rows(m):
     plastic = combine(lambda forces, step, elastic: forces + step - elastic, m.per_unit("shell/forces/physical/plastic_5", 1000),
                       m.per_unit("shell/step/elastic", 1000), m.per_unit("shell/forces/physical/elastic", 1000))
     run = m.run("frontal")
@@ -96,7 +110,7 @@ def targets(m):
     cost = run["summary"]["cost"] if run else {}
     neighbors = text(m.value("bird/step/riemann", 10000, "true_neighbors"))
     ratio = combine(lambda one, two: one / two, m.wall("frontal_20k", 1), m.wall("frontal_20k", 2))
-    return table(["loop, one core", "target", "measured"], [
+    return [
         [f"particle-step, list, EOS and integration included ({neighbors} true neighbours)", "≤ 150 ns",
          text(m.per_unit("bird/step/riemann", 10000), "{:.0f} ns")],
         ["the same, mean over `frontal.prm`", "≤ 150 ns", text(cost.get("ns_per_particle_step"), "{:.0f} ns")],
@@ -106,10 +120,15 @@ def targets(m):
         ["contact, per near point, lists amortised", "≤ 60 ns", text(m.per_unit("contact/step", 1000), "{:.0f} ns")],
         ["everything else in a step (balance, output, rest)", "≤ 5 %", text(rest, "{:.1%}").replace("%", " %")],
         ["`frontal.prm` to 2 ms", "≤ 3 s", text(m.wall("frontal"), "{:.2f} s")],
-        ["two threads over one, 20k particles and 5k shells", "≥ 1.8", text(ratio, "{:.2f}")]])
+        ["two threads over one, 20k particles and 5k shells", "≥ 1.8", text(ratio, "{:.2f}")]]
 
 
-def sizes(m):
+def sizes(m, before=None):
+    rows = size_rows(m) if before is None else beside(size_rows(m), size_rows(before))
+    return table(["ns on one core / gain by a second", "1e3", "1e4", "1e5", "1e6", "memory by the allocator, at 1e5"], rows)
+
+
+def size_rows(m):
     rows = []
     for label, name, unit in (("particle-step", "bird/step/riemann", "bytes_per_particle"),
                               ("list build", "bird/list", None),
@@ -129,10 +148,15 @@ def sizes(m):
             cells.append("–" if one is None else f"{one:.0f} / {text(m.gain(name, n), '{:.2f}')}")
         cells.append(text(m.value(name, 100000, unit) if unit else None, "{:.0f} B"))
         rows.append(cells)
-    return table(["ns on one core / gain by a second", "1e3", "1e4", "1e5", "1e6", "memory by the allocator, at 1e5"], rows)
+    return rows
 
 
-def phases(m):
+def phases(m, before=None):
+    rows = phase_rows(m) if before is None else beside(phase_rows(m), phase_rows(before))
+    return table(["one step of the strike / gain by a second core", "1.7k particles, 0.3k shells", "6.8k, 1.1k", "20k, 5k"], rows)
+
+
+def phase_rows(m):
     rows = []
     for phase in ("early_impact", "peak_flow", "blade_only"):
         cells = [phase.replace("_", " ")]
@@ -140,7 +164,7 @@ def phases(m):
             one = m.entry(f"scene/{phase}", size)
             cells.append("–" if one is None else f"{one['time'] / 1e6:.2f} ms / {text(m.gain(f'scene/{phase}', size), '{:.2f}')}")
         rows.append(cells)
-    return table(["one step of the strike / gain by a second core", "1.7k particles, 0.3k shells", "6.8k, 1.1k", "20k, 5k"], rows)
+    return rows
 
 
 def shares(m):
@@ -153,15 +177,19 @@ def shares(m):
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) not in (2, 3):
         print(__doc__, file=sys.stderr)
         return 2
-    try:
-        measured = Measured(sys.argv[1])
-    except (BadInput, OSError, KeyError, ValueError) as error:
-        print(f"{sys.argv[1]}: {error}", file=sys.stderr)
-        return 2
-    print("\n".join(part for part in (machine(measured), targets(measured), sizes(measured), phases(measured), shares(measured)) if part))
+    measured = []
+    for folder in sys.argv[1:]:
+        try:
+            measured.append(Measured(folder))
+        except (BadInput, OSError, KeyError, ValueError) as error:
+            print(f"{folder}: {error}", file=sys.stderr)
+            return 2
+    now = measured[0]
+    machines = [prefix + machine(m) for prefix, m in zip(("", "Before: "), measured)]
+    print("\n".join(part for part in (*machines, targets(*measured), sizes(*measured), phases(*measured), shares(now)) if part))
     return 0
 
 

@@ -54,6 +54,18 @@ class SpeedTable(unittest.TestCase):
         text = speed_table.targets(speed_table.Measured(self.folder))
         self.assertIn("(67 true neighbours) | ≤ 150 ns | 202 ns |", text)
 
+    def test_a_folder_of_before_stands_beside(self):
+        with tempfile.TemporaryDirectory() as other:
+            now, self.folder = self.folder, other
+            self.write([entry("bird/step/riemann/n:10000/threads:1", 4000.0, 9916, true_neighbors=67.2),
+                        entry("bird/list/n:1000/threads:1", 5.0, 10)])
+            before, self.folder = speed_table.Measured(other), now
+        self.write([entry("bird/step/riemann/n:10000/threads:1", 2000.0, 9916, true_neighbors=67.2)])
+        measured = speed_table.Measured(self.folder)
+        self.assertIn("(67 true neighbours) | ≤ 150 ns | 403 ns | 202 ns |", speed_table.targets(measured, before))
+        self.assertIn("| particle-step | – | 403 / – → 202 / – | – |", speed_table.sizes(measured, before))
+        self.assertIn("| list build | – | – |", speed_table.sizes(measured, before))
+
     def test_fastest_run_counts_and_threads_are_compared(self):
         self.write([])
         for name, wall in (("frontal-1-1", 3.0), ("frontal-1-2", 2.0), ("frontal_20k-1-1", 9.0), ("frontal_20k-2-1", 5.0)):

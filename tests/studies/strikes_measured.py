@@ -17,7 +17,7 @@ QUIET = ("Time/Threads=1", "Output/Blade fields=false", "Output/Bird fields=fals
 STRIKES = {"frontal": ("prm/frontal.prm", "Time/End time=0.016", "Time/Stop at tip peak=true"),
            "to rest": ("prm/frontal.prm", "Time/End time=0.06"),
            "leading edge": ("prm/oblique.prm", "Time/End time=0.9e-3")}
-COARSE = "31x9/3"  # elements along span and chord, span grading: of the long run to rest where the bird is refined (frontal-fast.prm)
+COARSE = "31x9/3"  # elements along span and chord, span grading: of the long run to rest where the bird is refined (nearly frontal-fast.prm's)
 
 SAMPLES = [k * 0.02e-3 for k in range(1, 51)]  # s, of the history of the impulse
 

@@ -20,6 +20,9 @@ namespace birdstrike
                 << mu << " " << gamma;
             }
       EXPECT_EQ(lane(compute_power_less_one(Lanes(0.), 7.98), 0), 0.);
+      for (const double mu : {1.5, 4., 19.})
+        EXPECT_NEAR(lane(compute_power_less_one(Lanes(mu), 7.98), 0) / std::expm1(7.98 * std::log1p(mu)), 1., 1e-14)
+          << mu;
       for (const double mu : {-1., -2., -1e300, double(INFINITY), 1e40, double(NAN)})
         {
           const double expected = std::expm1(7.98 * std::log1p(mu)),
