@@ -61,10 +61,15 @@ namespace birdstrike
       return columns;
     }
 
-    std::string ticks_of(const char *axis, const FigureAxis &of)
+    /// Every n-th, where along `axis` there is room for so many letters only.
+    std::string ticks_of(const char *axis, const FigureAxis &of, const std::size_t room)
     {
-      std::string text;
-      for (std::size_t k = 0; k < of.ticks.size(); ++k)
+      std::size_t n_letters = 0;
+      for (const std::string &tick : of.ticks)
+        n_letters += tick.size() + 1;
+      const std::size_t stride = std::max<std::size_t>(1, (n_letters + room - 1) / room);
+      std::string       text;
+      for (std::size_t k = 0; k < of.ticks.size(); k += stride)
         text += (k > 0 ? ", " : "") + quote(of.ticks[k]) + " " + std::to_string(k + 1);
       return std::string("set ") + axis + "tics " + (text.empty() ? "autofreq" : "(" + text + ")") + "\n";
     }
@@ -83,7 +88,8 @@ namespace birdstrike
                          quote(label(panel.y)) + "\nset xrange " + range_of(panel) + "\n";
       text += "set yrange [" +
               (panel.y.ticks.empty() ? std::string("*:*") : fmt::format("0.5:{}.5", panel.y.ticks.size())) + "]\n";
-      return text + ticks_of("x", panel.x) + ticks_of("y", panel.y);
+      constexpr std::size_t letters_along_x = 70, letters_along_y = 1000; // up it takes lines
+      return text + ticks_of("x", panel.x, letters_along_x) + ticks_of("y", panel.y, letters_along_y);
     }
 
     /// From dark to light, S. van der Walt's and N. Smith's viridis (matplotlib, 2015), as far as white letters can be

@@ -1,7 +1,10 @@
 #include "report/study/study_figures.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace birdstrike
 {
@@ -12,9 +15,23 @@ namespace birdstrike
       return row.group + ": " + row.quantity;
     }
 
+    /// Values as a picture writes them: numbers with four digits, more where two would look alike.
+    std::vector<std::string> texts_of(const VariedEntry &entry)
+    {
+      for (int n_digits = 4; n_digits < 12 && !entry.numbers.empty(); ++n_digits)
+        {
+          std::vector<std::string> texts;
+          for (const double number : entry.numbers)
+            texts.push_back(fmt::format("{:.{}g}", number, n_digits));
+          if (std::set<std::string>(texts.begin(), texts.end()).size() == texts.size())
+            return texts;
+        }
+      return entry.values;
+    }
+
     std::string text_of(const VariedEntry &entry, const std::size_t value)
     {
-      return entry.values[value] + (entry.unit == "-" ? "" : " " + entry.unit);
+      return texts_of(entry)[value] + (entry.unit == "-" ? "" : " " + entry.unit);
     }
 
     /// Texts stand side by side, as cells of a map do.
@@ -25,7 +42,7 @@ namespace birdstrike
       if (is_of_cells)
         axis = {plan.short_name(e), entry.unit, entry.unit};
       if (is_of_cells || entry.numbers.empty())
-        axis.ticks = entry.values;
+        axis.ticks = texts_of(entry);
       return axis;
     }
 

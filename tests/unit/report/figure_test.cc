@@ -64,6 +64,19 @@ TEST(Figure, LevelsAreDrawnInTheShownUnit)
   EXPECT_NE(script.find("title 'yield stress'"), std::string::npos);
 }
 
+TEST(Figure, LeavesTicksOutWhereTheyWouldOverlap)
+{
+  Figure figure = make_figure();
+  for (int k = 1; k <= 40; ++k)
+    {
+      figure.panels[1].x.ticks.push_back(std::to_string(100 + k)); // 160 letters in room for 70
+      figure.panels[1].y.ticks.push_back(std::to_string(100 + k));
+    }
+  const std::string script = script_of({figure});
+  EXPECT_NE(script.find("set xtics ('101' 1, '104' 4, '107' 7, "), std::string::npos) << script;
+  EXPECT_NE(script.find("set ytics ('101' 1, '102' 2, "), std::string::npos);
+}
+
 TEST(Figure, GnuplotDrawsIt)
 {
   const ScratchFolder scratch;

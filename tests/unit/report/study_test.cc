@@ -132,6 +132,16 @@ TEST_F(Study, DrawsFamiliesAndMaps)
   EXPECT_NE(script.find("set ytics ('cylinder' 1, 'sphere' 2, 'ellipsoid' 3)"), std::string::npos);
 }
 
+TEST_F(Study, WritesNumbersAsShortAsTheyAreToldApart)
+{
+  const auto ticks = [&](const std::string &vary) {
+    const StudyPlan of_mass = read_study_plan({vary, "Bird/Shape=cylinder, sphere, ellipsoid"}, false);
+    return make_study_figures(of_mass, runs, StudyTable(of_mass, runs))[1].panels[0].x.ticks;
+  };
+  EXPECT_EQ(ticks("Bird/Mass=0.11111111111, 122.222222222"), (std::vector<std::string>{"0.1111", "122.2"}));
+  EXPECT_EQ(ticks("Bird/Mass=1.000001, 1.000002"), (std::vector<std::string>{"1.000001", "1.000002"}));
+}
+
 TEST_F(Study, ShowsRowsThatOnlySomePointsHave)
 {
   RecordedRun rigid;
