@@ -38,7 +38,7 @@ namespace birdstrike
   public:
     explicit ParameterTree(const dealii::ParameterHandler &prm);
 
-    /// Of the handler that it was made from: a fiftieth of what making it takes.
+    /// Takes the present values of the handler that it was made from.
     void update_values(const dealii::ParameterHandler &prm);
 
     const std::vector<KnownEntry> &entries() const &;

@@ -48,7 +48,7 @@ namespace birdstrike
 
   /// As above, for whole registers: a quarter of the time of the mathematical library (2.8 against 11.4 ns a number,
   /// Zen 4). With s = mu/(2 + mu), log(1 + mu) = 2 artanh s, whose series is summed for |mu| <= 0.45; beyond, where
-  /// sprayed particles are, the power of two is taken out first (7 against 22 ns, a Xeon of 2024). exp(z) - 1 by
+  /// sprayed particles are, the power of two is taken out first (7 against 22 ns, Intel Xeon). exp(z) - 1 by
   /// reduction to |r| <= log(2)/2 and Taylor's series. Numbers out of all range take the library's way. Relative error
   /// below 1e-14 up to twenty times the density (tested), for gamma of 1 and more.
   inline Lanes compute_power_less_one(const Lanes &mu, const double gamma)
