@@ -47,8 +47,7 @@ namespace birdstrike
       std::array<Lanes, 3> sums;
       for (int d = 0; d < 3; ++d)
         {
-          using Doubles     = stdx::fixed_size_simd<double, Integers::size()>;
-          const auto [a, b] = stdx::split<Lanes>(stdx::static_simd_cast<Doubles>(total[d]));
+          const auto [a, b] = widen<std::int32_t>(total[d]);
           sums[d]           = a + b;
         }
       return sum_lanes<double>(sums);

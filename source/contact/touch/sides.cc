@@ -23,13 +23,14 @@ namespace birdstrike
     {
       const std::array<double, 4> t{scene.topology.half_thickness(nodes[0]), scene.topology.half_thickness(nodes[1]),
                                     scene.topology.half_thickness(nodes[2]), scene.topology.half_thickness(nodes[3])};
-      const auto [least, most] = std::minmax_element(t.begin(), t.end());
-      if (*most == *least)
+      const double least = std::min(std::min(t[0], t[1]), std::min(t[2], t[3]));
+      const double most  = std::max(std::max(t[0], t[1]), std::max(t[2], t[3]));
+      if (most == least)
         return {0., 0., 0.};
       std::array<Point3, 4> x;
       for (unsigned int k = 0; k < 4; ++k)
         x[k] = Point3(scene.facets.position + 3 * nodes[k]);
-      if (*most - *least < no_slope * (x[2] - x[0]).norm())
+      if (most - least < no_slope * (x[2] - x[0]).norm())
         return {0., 0., 0.};
       return compute_thickness_slope(x, t, weights);
     }
@@ -41,6 +42,8 @@ namespace birdstrike
     int find_remembered(const PointRecord &before, const std::array<std::uint32_t, 4> &nodes, const std::int32_t piece,
                         const bool is_other_sheet, const int taken)
     {
+      if (taken != 0 && before.sides[0].piece == piece && are_same(before.sides[0].nodes, nodes))
+        return 0; // as nearly always
       int            best = -1;
       std::ptrdiff_t most = 0;
       for (int k = 0; k < 2; ++k)
@@ -129,8 +132,9 @@ namespace birdstrike
     const auto &nodes = scene.facets.nodes[facet];
     taken = before.last_call + 1 == scene.call ? find_remembered(before, nodes, piece, is_other_sheet, taken) : -1;
     side  = taken < 0 ? unknown_side : before.sides[taken];
-    const bool is_elsewhere = taken >= 0 && count_common_nodes(side.nodes, nodes) == 0;
-    const bool is_next      = side.nodes != nodes || side.was_beyond; // another face than in the last call
+    const bool is_other     = !are_same(side.nodes, nodes);
+    const bool is_elsewhere = taken >= 0 && is_other && count_common_nodes(side.nodes, nodes) == 0;
+    const bool is_next      = is_other || side.was_beyond; // another face than in the last call
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
