@@ -23,8 +23,8 @@ namespace birdstrike
     {
       const std::array<double, 4> t{scene.topology.half_thickness(nodes[0]), scene.topology.half_thickness(nodes[1]),
                                     scene.topology.half_thickness(nodes[2]), scene.topology.half_thickness(nodes[3])};
-      const double least = std::min(std::min(t[0], t[1]), std::min(t[2], t[3]));
-      const double most  = std::max(std::max(t[0], t[1]), std::max(t[2], t[3]));
+      const double                least = std::min(std::min(t[0], t[1]), std::min(t[2], t[3]));
+      const double                most  = std::max(std::max(t[0], t[1]), std::max(t[2], t[3]));
       if (most == least)
         return {0., 0., 0.};
       std::array<Point3, 4> x;

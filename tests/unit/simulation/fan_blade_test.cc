@@ -10,11 +10,13 @@ using namespace birdstrike::test;
 /// The twisted, tapered, cambered blade of prm/fan-blade.prm in shells and in bricks, one word changed.
 namespace
 {
-  /// Coarse: less than half of its elements, an eighth of its particles; to the first peak of the tip.
+  /// Coarse: less than half of its elements, all of one length as its particles are larger than those at the shipped
+  /// blade's edge, an eighth of its particles; to the first peak of the tip.
   Strike run_fan(std::vector<std::string> more)
   {
     const std::vector<std::string> coarse{"Blade/Mesh/Elements along span=33", "Blade/Mesh/Elements along chord=14",
-                                          "Bird/Particle spacing=0.008", "Time/Stop at tip peak=true"};
+                                          "Blade/Mesh/Chord grading=1", "Bird/Particle spacing=0.008",
+                                          "Time/Stop at tip peak=true"};
     more.insert(more.begin(), coarse.begin(), coarse.end());
     return run_shipped("fan-blade.prm", more);
   }

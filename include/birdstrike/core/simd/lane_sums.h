@@ -39,8 +39,9 @@ namespace birdstrike
     }
   } // namespace internal
 
-  /// The lower and the upper half of a register of floats, or of as many integers, as doubles. (std::experimental's casts and splits are calls, before which all that a loop
-  /// holds in registers is put away: 4 % of a particle step, measured.)
+  /// The lower and the upper half of a register of floats, or of as many integers, as doubles. (std::experimental's
+  /// casts and splits are calls, before which all that a loop holds in registers is put away: 4 % of a particle step,
+  /// measured.)
   template <class T>
   [[gnu::always_inline]] inline std::array<Lanes, 2> widen(const LanesOf<T> &a)
   {
