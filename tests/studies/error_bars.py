@@ -33,7 +33,7 @@ CASES = {"frontal": "shell solid", "oblique": "shell solid", "perforation": "she
 
 # Levels of the particles, and how many of them are coarser than the case: more where an edge cuts the bird.
 PARTICLES = {"oblique": (8, 1), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (6, 1), "fan-blade-composite": (8, 2),
-             "certification/large-bird": (7, 2), "certification/medium-bird": (8, 2), "certification/flock": (8, 1)}
+             "certification/large-bird": (7, 2), "certification/medium-bird": (8, 2), "certification/flock": (8, 2)}
 OTHER_PARTICLES = (5, 2)
 PLACES = 4  # of the lattice, where an edge cuts the bird
 LADDERS = ("particles", "mesh", "step")
