@@ -6,8 +6,8 @@
 
 Of each case `birdstrike converge` climbs three ladders, one thread a run: particles (levels 1.2 apart, PARTICLES: far coarser ones are
 not in the asymptotic range where an edge cuts the bird), mesh (five 1.3 apart along span and chord, three of them finer, four of fan-row; five
-1.2 apart of thick blades: MESHES; three 1.5 apart cannot tell an order from scatter) and time steps (three, the coarsest the case's). A cell is what the
-finest level adds to the case's own, and half the error bar of the finest level, both in percent of the value as shipped; "in x" instead
+1.2 apart of thick blades: MESHES; three 1.5 apart cannot tell an order from scatter) and time steps (three, the coarsest the case's). A cell is what
+the finest level adds to the case's own, and half the error bar of the finest level, both in percent of the value as shipped; "in x" instead
 of a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
 Where an edge cuts the bird each level of particles and of the mesh is the mean over four places of the lattice (`--places`): "places" is what
 that mean adds to the run as shipped, and the standard deviation of one run, of the mesh's ladder.
