@@ -75,9 +75,12 @@ namespace birdstrike
         ShellRecord      &record = records[node];
         std::memcpy(record.position, position + 3 * node, sizeof record.position);
         std::memcpy(record.increment, increment + 6 * node, sizeof record.increment + sizeof record.rotation);
-        Four rotation, old;
-        read(record.rotation, rotation); // the fourth number of either means nothing
+        // The fourth number of either means nothing. The rotation is read where it came from: a load of what two
+        // shorter stores have just written to the record would wait until they have left the store buffer.
+        Four uz_and_rotation, old;
+        read(increment + 6 * node + 2, uz_and_rotation);
         read(record.normal, old);
+        const Four rotation = __builtin_shufflevector(uz_and_rotation, uz_and_rotation, 1, 2, 3, 0);
         const Four once = cross(rotation, old), change = square[k] * (once + 0.5 * cross(rotation, once));
         write(old + 0.5 * change, record.midpoint_normal); // the fourth number is written over
         write(old + change, record.normal);
