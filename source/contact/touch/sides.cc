@@ -62,26 +62,26 @@ namespace birdstrike
     /// Of the overlap, what carries no force.
     /// `is_new`: another sheet of the same surface, or facets that have just come; `is_elsewhere`: another place of the
     /// surface than the one remembered.
-    double inherited_reference(const ContactScene &scene, const EdgeTouch &edge, const PointRecord::Side &side,
+    double inherited_reference(const ContactScene &scene, const EdgeTouch &edge, const PointRecord::Side &known,
                                const bool is_new, const bool is_elsewhere, const double approach)
     {
       if (scene.is_first)
         return edge.overlap;
       if (edge.feature == EdgeTouch::Feature::beyond) // it comes in from the side, or not at all
         return edge.overlap - std::max(edge.limit, 0.);
-      const double kept = std::min(side.reference, edge.overlap);
+      const double kept = std::min(known.reference, edge.overlap);
       // a slide over small facets, on which the overlap is continuous, or another sheet: it gives no depth
       if (is_elsewhere)
-        return std::max(kept, edge.overlap - approach - (side.is_touching ? side.overlap - side.reference : 0.));
+        return std::max(kept, edge.overlap - approach - (known.is_touching ? known.overlap - known.reference : 0.));
       // just come in from there: what it has flown in this step past the plane, not more
-      if (side.was_beyond)
+      if (known.was_beyond)
         return std::max(kept, edge.overlap - 0.5 * edge.limit);
       // through the edge face into the middle surface, or back
-      if (side.is_touching && side.is_on_edge_face != (edge.feature == EdgeTouch::Feature::edge_face))
+      if (known.is_touching && known.is_on_edge_face != (edge.feature == EdgeTouch::Feature::edge_face))
         return edge.overlap;
       // of a point that did not touch it before, all that it has not come nearer in this step is no contact: it was
       // there before, beside the nearest sheet
-      if (is_new && !side.is_touching)
+      if (is_new && !known.is_touching)
         return edge.overlap - approach;
       return kept;
     }
@@ -89,14 +89,14 @@ namespace birdstrike
     /// (m): what leaps from facet to facet and along an edge face, where jagged edges meet, or below an edge's plane,
     /// where a ridge goes flat, carries none. And of a depth below an edge's plane, which its faces share, nothing goes
     /// but by the point's own way when it comes from one of them to the next.
-    void settle_depth(EdgeTouch &edge, const double closing, const double most, const bool has_plane,
-                      PointRecord::Side &side, TouchingPair &result)
+    void settle_depth(EdgeTouch &edge, const double known_depth, const double closing, const double most,
+                      const bool has_plane, PointRecord::Side &side, TouchingPair &result)
     {
       const double present = std::min(edge.overlap - side.reference, edge.limit);
-      if (present > side.depth + most)
-        side.reference = edge.overlap - (side.depth + std::max(0., closing));
-      else if (has_plane && present < side.depth - most)
-        side.reference = std::min(side.reference, std::max(0., edge.overlap - (side.depth + std::min(0., closing))));
+      if (present > known_depth + most)
+        side.reference = edge.overlap - (known_depth + std::max(0., closing));
+      else if (has_plane && present < known_depth - most)
+        side.reference = std::min(side.reference, std::max(0., edge.overlap - (known_depth + std::min(0., closing))));
       const double depth      = edge.overlap - side.reference;
       const bool   is_limited = edge.limit < depth;
       side.overlap            = edge.overlap;
@@ -131,30 +131,34 @@ namespace birdstrike
     // surface folds, the other side of the first one means nothing to it
     const auto &nodes = scene.facets.nodes[facet];
     taken = before.last_call + 1 == scene.call ? find_remembered(before, nodes, piece, is_other_sheet, taken) : -1;
-    side  = taken < 0 ? unknown_side : before.sides[taken];
-    const bool is_other     = !are_same(side.nodes, nodes);
-    const bool is_elsewhere = taken >= 0 && is_other && count_common_nodes(side.nodes, nodes) == 0;
-    const bool is_next      = is_other || side.was_beyond; // another face than in the last call
+    // what was known is read from here: of the copy, wider than any load, a load would wait until it is in the cache
+    const PointRecord::Side &known = taken < 0 ? unknown_side : before.sides[taken];
+    side                           = known;
+    const bool is_other            = !are_same(known.nodes, nodes);
+    const bool is_elsewhere        = taken >= 0 && is_other && count_common_nodes(known.nodes, nodes) == 0;
+    const bool is_next             = is_other || known.was_beyond; // another face than in the last call
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
     const double way        = 2. * way_of(scene, place);
     const double if_past    = 0.5 * before.size + pairs.half_thickness[place] + distance;
-    const bool   is_passage = side.is_touching ? if_past <= side.overlap + way + 1e-3 * before.size
-                                               : distance <= 2. * velocity.norm() * scene.step;
+    const bool   is_passage = known.is_touching ? if_past <= known.overlap + way + 1e-3 * before.size
+                                                : distance <= 2. * velocity.norm() * scene.step;
     // come through, and out past the rim: it is behind the edge's plane still
-    const bool is_behind = is_beyond && side.is_touching && side.is_through && seen != side.sign;
+    const bool  is_behind = is_beyond && known.is_touching && known.is_through && seen != known.sign;
+    std::int8_t of_side   = known.sign;
     if (is_beyond && !is_behind)
-      side.sign = 0;
-    else if (!is_behind && (side.piece < 0 || side.sign == 0 || (seen != side.sign && !is_passage)))
+      of_side = 0;
+    else if (!is_behind && (known.piece < 0 || known.sign == 0 || (seen != known.sign && !is_passage)))
       {
         if (!scene.facets.two_sided && seen < 0)
           {
             side = unknown_side;
             return false;
           }
-        side.sign = seen;
+        of_side = seen;
       }
+    side.sign  = of_side;
     side.piece = piece;
     side.nodes = nodes;
     if (!scene.facets.two_sided && seen > 0)
@@ -163,32 +167,32 @@ namespace birdstrike
         for (unsigned int d = 0; d < 3; ++d)
           side.outward[d] = static_cast<float>(outward[d]);
       }
-    const double sign = is_beyond && !is_behind ? 1. : side.sign * seen;
+    const double sign = is_beyond && !is_behind ? 1. : of_side * seen;
     EdgeTouch    edge{offset,
                    sign * distance,
                    pairs.half_thickness[place],
                    before.size,
                    is_beyond,
-                   side.is_touching && side.is_on_edge_face,
+                   known.is_touching && known.is_on_edge_face,
                    0.5 * before.size + pairs.half_thickness[place] - sign * distance,
-                   is_degenerate ? Point3((is_beyond ? seen : side.sign) * normal) : offset * (sign / distance)};
+                   is_degenerate ? Point3((is_beyond ? seen : of_side) * normal) : offset * (sign / distance)};
     if (!is_beyond)
       edge.slope = slope_at(scene, nodes, pairs.weights_of(place));
     if (const SharpEdges &edges = scene.topology.sharp_edges(); edges.are_near(facet))
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
-    const bool   was_limited = side.is_touching && side.depth < side.overlap - side.reference;
+    const bool   was_limited = known.is_touching && known.depth < known.overlap - known.reference;
     const double closing     = -velocity.dot(edge.normal - edge.slope) * scene.step;
     const bool   is_inside   = edge.overlap > 0. && edge.limit > 0.;
     const bool   is_new      = scene.is_changed || is_other_sheet;
-    side.reference = std::max(inherited_reference(scene, edge, side, is_new, is_elsewhere, std::max(0., closing)), 0.);
+    side.reference = std::max(inherited_reference(scene, edge, known, is_new, is_elsewhere, std::max(0., closing)), 0.);
     side.is_touching      = is_inside;
     side.is_through       = is_inside && sign < 0.;
     side.was_beyond       = edge.feature == EdgeTouch::Feature::beyond;
     side.is_on_edge_face  = edge.feature == EdgeTouch::Feature::edge_face;
     const bool   can_leap = (is_next || was_limited || side.is_on_edge_face) && before.last_call + 1 == scene.call;
     const double own_way  = velocity.norm() * scene.step + leap * before.size;
-    settle_depth(edge, closing, can_leap ? own_way : INFINITY, was_limited && !is_elsewhere, side, result);
+    settle_depth(edge, known.depth, closing, can_leap ? own_way : INFINITY, was_limited && !is_elsewhere, side, result);
     result.place = place;
     return result.penetration > 0.;
   }
