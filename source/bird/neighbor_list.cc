@@ -1,5 +1,4 @@
 #include <birdstrike/bird/neighbor_list.h>
-#include <birdstrike/core/simd/compress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,35 +89,8 @@ namespace birdstrike
       }
   }
 
-  template <bool is_periodic>
-  std::uint32_t *NeighborList::list_run(std::uint32_t *out, const std::size_t p, const std::size_t begin,
-                                        const std::size_t end) const
-  {
-    using Numbers                = LaneNumbers<FloatLanes>;
-    constexpr std::size_t width  = FloatLanes::size();
-    const float           range2 = static_cast<float>(safe_range * safe_range);
-    for (std::size_t j = begin; j < end; j += width)
-      {
-        FloatLanes r2 = 0.f;
-        for (int d = 0; d < 3; ++d)
-          {
-            FloatLanes x = FloatLanes(&positions[d][j], stdx::element_aligned) - positions[d][p];
-            if constexpr (is_periodic)
-              if (const float period = static_cast<float>(cell_period[d]); period > 0.f)
-                x -= period * stdx::nearbyint(x * (1.f / period));
-            r2 += x * x;
-          }
-        std::uint32_t bits = to_bits(r2 < range2);
-        if (p - j < width) // unsigned: p lies in this register
-          bits &= ~(std::uint32_t(1) << (p - j));
-        if (end - j < width)
-          bits &= (std::uint32_t(1) << (end - j)) - 1;
-        out += compress_lanes(count_lanes<Numbers>() + static_cast<std::uint32_t>(j), bits, out);
-      }
-    return out;
-  }
-
-  std::uint32_t *NeighborList::list_images(std::uint32_t *out, const std::size_t cell, const std::size_t p) const
+  /// The images that may be near the particles of a cell.
+  void NeighborList::add_images(const std::size_t cell, CellCandidates &candidates) const
   {
     const std::size_t first = positions[0].size() - mirror_images.size();
     const auto [cx, cy, cz] = grid.cell_coordinates(cell);
@@ -129,23 +101,33 @@ namespace birdstrike
         {
           const std::size_t begin = grid.begin(grid.cell_index(x[0], j, z[k]));
           const std::size_t end   = grid.end(grid.cell_index(x[nx - 1], j, z[k]));
-          out =
-            list_run<false>(out, p, first + mirror_images.count_before(begin), first + mirror_images.count_before(end));
+          candidates.add<false>(positions, first + mirror_images.count_before(begin),
+                                first + mirror_images.count_before(end));
         }
-    return out;
   }
 
   template <bool is_periodic>
   void NeighborList::list_cells(const std::size_t n, const std::size_t chunk, const std::size_t begin,
                                 const std::size_t end)
   {
-    AlignedVector<std::uint32_t> &lists = chunks[chunk];
-    std::size_t                   used  = 0;
+    using Numbers                            = LaneNumbers<FloatLanes>;
+    AlignedVector<std::uint32_t> &lists      = chunks[chunk];
+    CellCandidates               &candidates = candidates_of_chunk[chunk];
+    std::array<float, 3>          period;
+    std::copy(cell_period.begin(), cell_period.end(), period.begin());
+    std::size_t used = 0;
     for (std::size_t o = begin; o < end; ++o)
       {
         const std::size_t cell = grid.occupied()[o];
         const Runs        runs = find_runs(grid, cell);
         const std::size_t most = runs.total + mirror_images.size() + FloatLanes::size() + list_padding;
+        candidates.clear(runs.total + mirror_images.size(), static_cast<float>(safe_range * safe_range));
+        candidates.set_box(positions, grid.begin(cell), grid.end(cell));
+        for (int run = 0; run < runs.n; ++run)
+          candidates.add<is_periodic>(positions, runs.begin[run], runs.end[run]);
+        if (mirror_images.size() > 0)
+          add_images(cell, candidates);
+        candidates.close();
         for (std::size_t p = grid.begin(cell); p < grid.end(cell); ++p)
           {
             if (used + most > lists.size())
@@ -153,17 +135,17 @@ namespace birdstrike
                 lists.reserve(used + used / 8 + most); // not twice: lists are most of a bird's memory
                 lists.resize(lists.capacity());
               }
-            std::uint32_t *const list = lists.data() + used;
-            std::uint32_t       *out  = list;
-            for (int run = 0; run < runs.n; ++run)
-              out = list_run<is_periodic>(out, p, runs.begin[run], runs.end[run]);
-            if (mirror_images.size() > 0)
-              out = list_images(out, cell, p);
-            while ((out - list) % list_padding != 0)
-              *out++ = n;
+            std::uint32_t *const       list = lists.data() + used;
+            const std::array<float, 3> place{positions[0][p], positions[1][p], positions[2][p]};
+            const std::size_t          listed =
+              candidates.list<is_periodic>(list, static_cast<std::uint32_t>(p), place, period) - list;
+            // whole registers, of which what is beyond the list is written over: a loop's length would be guessed wrong
+            const std::size_t padded = (listed + list_padding - 1) / list_padding * list_padding;
+            for (std::size_t k = listed; k < padded; k += FloatLanes::size())
+              Numbers(static_cast<std::uint32_t>(n)).copy_to(list + k, stdx::element_aligned);
             offset[p] = used;
-            count[p]  = out - list;
-            used += count[p];
+            count[p]  = padded;
+            used += padded;
           }
       }
   }
@@ -193,12 +175,13 @@ namespace birdstrike
     const auto &occupied = grid.occupied();
     chunks.resize(pool.n_threads() == 1 ? 1 : chunks_per_thread * pool.n_threads());
     const std::size_t n_chunks = chunks.size();
-    const bool        wraps    = cell_period[0] > 0. || cell_period[1] > 0. || cell_period[2] > 0.;
-    const auto        border   = [&](const std::size_t c) { // chunks of about equally many particles
+    candidates_of_chunk.resize(n_chunks);
+    const bool wraps  = cell_period[0] > 0. || cell_period[1] > 0. || cell_period[2] > 0.;
+    const auto border = [&](const std::size_t c) { // chunks of about equally many particles
       if (c == n_chunks)
         return occupied.size();
       const auto cell = std::partition_point(occupied.begin(), occupied.end(),
-                                                      [&](const std::uint32_t o) { return grid.begin(o) < n * c / n_chunks; });
+                                             [&](const std::uint32_t o) { return grid.begin(o) < n * c / n_chunks; });
       return static_cast<std::size_t>(cell - occupied.begin());
     };
     pool.parallel_for(n_chunks, 1, [&](const std::size_t begin, const std::size_t end) {

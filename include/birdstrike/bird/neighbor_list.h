@@ -1,5 +1,6 @@
 #pragma once
 
+#include <birdstrike/bird/cell_candidates.h>
 #include <birdstrike/bird/cell_grid.h>
 #include <birdstrike/bird/mirror_images.h>
 #include <birdstrike/core/aligned_vector.h>
@@ -72,17 +73,15 @@ namespace birdstrike
 
   private:
     template <bool is_periodic>
-    void list_cells(std::size_t n, std::size_t chunk, std::size_t begin, std::size_t end);
-    template <bool is_periodic>
-    std::uint32_t *list_run(std::uint32_t *out, std::size_t p, std::size_t begin, std::size_t end) const;
-    void           update_positions(const Particles &particles);
-    void           reflect_positions(std::size_t n); ///< of n particles, to their images
-    void           make_lists(std::size_t n, ThreadPool &pool);
-    std::uint32_t *list_images(std::uint32_t *out, std::size_t cell, std::size_t p) const;
-    double         compute_image_spread(std::size_t o) const;
-    void           list_near_cells();
-    double         update_extremes(const Particles &particles, ThreadPool &pool);
-    double         compute_largest_spread(std::size_t begin, std::size_t end) const;
+    void   list_cells(std::size_t n, std::size_t chunk, std::size_t begin, std::size_t end);
+    void   update_positions(const Particles &particles);
+    void   reflect_positions(std::size_t n); ///< of n particles, to their images
+    void   make_lists(std::size_t n, ThreadPool &pool);
+    void   add_images(std::size_t cell, CellCandidates &candidates) const;
+    double compute_image_spread(std::size_t o) const;
+    void   list_near_cells();
+    double update_extremes(const Particles &particles, ThreadPool &pool);
+    double compute_largest_spread(std::size_t begin, std::size_t end) const;
 
     /// Occupied cells [begin, end).
     struct CellRun
@@ -98,12 +97,13 @@ namespace birdstrike
     MirrorImages mirror_images;
     /// Lists of one chunk of cells; chunks are made for threads, lists do not depend on them.
     std::vector<AlignedVector<std::uint32_t>> chunks;
+    std::vector<CellCandidates>               candidates_of_chunk;
     std::vector<const std::uint32_t *>        first;
     std::vector<std::uint32_t>                count, offset;
     std::vector<std::size_t>                  prefix;
     std::vector<std::uint32_t>                near_start, occupied_before;
     std::vector<CellRun>                      near_runs;
-    std::array<AlignedVector<float>, 3>       positions; ///< m, at the build, relative to origin
+    FloatPositions                            positions; ///< m, at the build, relative to origin
     std::array<double, 3>                     origin{};
     double                                    safe_range = 0.;
     Particles::Column3                        lowest, highest; ///< displacement, by occupied cell

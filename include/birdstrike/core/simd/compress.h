@@ -43,6 +43,15 @@ namespace birdstrike
     return bits;
   }
 
+  /// Whether compress_lanes of such a register is a few instructions, not a loop over its lanes.
+  template <class Register>
+  inline constexpr bool is_compressed_in_registers =
+#if defined(__AVX512F__) && defined(__AVX512VL__)
+    sizeof(Register) == 64 || (sizeof(Register) == 32 && sizeof(typename Register::value_type) == 4);
+#else
+    false;
+#endif
+
   /// Writes the lanes whose bit is set, in order, and returns how many. There must be room for all lanes: whole
   /// registers are written. Compressed in registers it takes a fifth of the time of the loop (measured, Zen 4; a
   /// compressing store to memory would be ten times slower there).
