@@ -76,7 +76,7 @@ namespace birdstrike
                                  CandidateBlock &block)
   {
     const std::size_t before = n_pairs;
-    const double      limit  = reach * (1. + 1e-12);
+    const double      limit  = reach * (1. + 1e-12); // a hair larger: rounding must not lose what is at reach
     const auto        number = static_cast<std::uint32_t>(block.points.size());
     if (near.size() < n_pairs + n_chosen + n_lanes)
       {
@@ -95,12 +95,12 @@ namespace birdstrike
               max(Lanes(0.), max(load<Lanes>(&low[d][b]) - p, p - load<Lanes>(&high[d][b])) + reach);
             squared += outside * outside;
           }
-        // the limit is a hair larger: rounding must not lose what is exactly at reach
-        const Lanes         distance = sqrt(squared);
-        const std::uint32_t bits     = to_bits(distance < limit);
+        const std::uint32_t bits = to_bits(squared < limit * limit);
         compress_lanes(LaneNumbers<Lanes>(&chosen[b], stdx::element_aligned), bits, &facet[n_pairs]);
-        n_pairs += compress_lanes(distance, bits, &bound[n_pairs]);
+        n_pairs += compress_lanes(squared, bits, &bound[n_pairs]);
       }
+    for (std::size_t k = before; k < n_pairs; k += n_lanes) // of the few that are left
+      Lanes(sqrt(Lanes(&bound[k], stdx::element_aligned))).copy_to(&bound[k], stdx::element_aligned);
     std::fill(near.begin() + static_cast<std::ptrdiff_t>(before), near.begin() + static_cast<std::ptrdiff_t>(n_pairs),
               number);
     if (n_pairs > before)

@@ -140,10 +140,10 @@ namespace birdstrike
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
-    const double way        = 2. * way_of(scene, place);
-    const double if_past    = 0.5 * before.size + pairs.half_thickness[place] + distance;
-    const bool   is_passage = known.is_touching ? if_past <= known.overlap + way + 1e-3 * before.size
-                                                : distance <= 2. * velocity.norm() * scene.step;
+    const double own_way = way_of(scene, place);
+    const double if_past = 0.5 * before.size + pairs.half_thickness[place] + distance;
+    const bool   is_passage =
+      known.is_touching ? if_past <= known.overlap + 2. * own_way + 1e-3 * before.size : distance <= 2. * own_way;
     // come through, and out past the rim: it is behind the edge's plane still
     const bool  is_behind = is_beyond && known.is_touching && known.is_through && seen != known.sign;
     std::int8_t of_side   = known.sign;
@@ -191,8 +191,8 @@ namespace birdstrike
     side.was_beyond       = edge.feature == EdgeTouch::Feature::beyond;
     side.is_on_edge_face  = edge.feature == EdgeTouch::Feature::edge_face;
     const bool   can_leap = (is_next || was_limited || side.is_on_edge_face) && before.last_call + 1 == scene.call;
-    const double own_way  = velocity.norm() * scene.step + leap * before.size;
-    settle_depth(edge, known.depth, closing, can_leap ? own_way : INFINITY, was_limited && !is_elsewhere, side, result);
+    const double most     = can_leap ? own_way + leap * before.size : INFINITY;
+    settle_depth(edge, known.depth, closing, most, was_limited && !is_elsewhere, side, result);
     result.place = place;
     return result.penetration > 0.;
   }
