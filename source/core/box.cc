@@ -4,43 +4,6 @@
 
 namespace birdstrike
 {
-  void Box::add(const double *p, const double margin)
-  {
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        low[d]  = std::min(low[d], p[d] - margin);
-        high[d] = std::max(high[d], p[d] + margin);
-      }
-  }
-
-  void Box::add(const Box &other)
-  {
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        low[d]  = std::min(low[d], other.low[d]);
-        high[d] = std::max(high[d], other.high[d]);
-      }
-  }
-
-  double Box::separation(const Box &other) const
-  {
-    double result = -1e300;
-    for (unsigned int d = 0; d < 3; ++d)
-      result = std::max({result, low[d] - other.high[d], other.low[d] - high[d]});
-    return result;
-  }
-
-  Box Box::widened(const double margin) const
-  {
-    Box box = *this;
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        box.low[d] -= margin;
-        box.high[d] += margin;
-      }
-    return box;
-  }
-
   void TimeSpan::cut(const double a, const double b)
   {
     if (b > 0.)

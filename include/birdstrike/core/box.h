@@ -2,6 +2,7 @@
 
 #include <birdstrike/core/number.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -30,9 +31,32 @@ namespace birdstrike
       return {{{-1e300, -1e300, -1e300}}, {{1e300, 1e300, 1e300}}};
     }
 
-    void add(const double *p, double margin = 0.);
-    void add(const Box &other);
-    Box  widened(double margin) const;
+    void add(const double *p, const double margin = 0.)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          low[d]  = std::min(low[d], p[d] - margin);
+          high[d] = std::max(high[d], p[d] + margin);
+        }
+    }
+    void add(const Box &other)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          low[d]  = std::min(low[d], other.low[d]);
+          high[d] = std::max(high[d], other.high[d]);
+        }
+    }
+    Box widened(const double margin) const
+    {
+      Box box = *this;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          box.low[d] -= margin;
+          box.high[d] += margin;
+        }
+      return box;
+    }
 
     bool contains(const Point3 &p) const
     {
@@ -45,7 +69,13 @@ namespace birdstrike
     }
 
     /// Largest axis-wise distance to another box, m: a lower bound of the distance, negative where they overlap.
-    double separation(const Box &other) const;
+    double separation(const Box &other) const
+    {
+      double result = -1e300;
+      for (unsigned int d = 0; d < 3; ++d)
+        result = std::max({result, low[d] - other.high[d], other.low[d] - high[d]});
+      return result;
+    }
 
     /// When the ray x + v t is inside, t >= 0 (Kay and Kajiya 1986: between the planes of each axis at once).
     TimeSpan passage(const Point3 &x, const Point3 &v) const;
