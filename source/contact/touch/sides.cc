@@ -59,12 +59,32 @@ namespace birdstrike
       return best;
     }
 
+    void set_outward(const Point3 &direction, PointRecord::Side &side)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        side.outward[d] = static_cast<float>(direction[d]);
+    }
+
+    /// What a point comes nearer in this step, m.
+    struct Approach
+    {
+      double to_face;       ///< or away from it
+      double through_plane; ///< of the edge that bounds the face, or out
+
+      /// Of its way to the face, what it has come since it was on the plane, `depth` above where it is now.
+      double since_plane(const double depth) const
+      {
+        return std::max(0., to_face) * std::min(1., depth / std::max(through_plane, 1e-300));
+      }
+    };
+
     /// Of the overlap, what carries no force.
     /// `is_new`: another sheet of the same surface, or facets that have just come; `is_elsewhere`: another place of the
     /// surface than the one remembered.
     double inherited_reference(const ContactScene &scene, const EdgeTouch &edge, const PointRecord::Side &known,
-                               const bool is_new, const bool is_elsewhere, const double approach)
+                               const bool is_new, const bool is_elsewhere, const Approach &approach)
     {
+      const double nearer = std::max(0., approach.to_face);
       if (scene.is_first)
         return edge.overlap;
       if (edge.feature == EdgeTouch::Feature::beyond) // it comes in from the side, or not at all
@@ -72,17 +92,17 @@ namespace birdstrike
       const double kept = std::min(known.reference, edge.overlap);
       // a slide over small facets, on which the overlap is continuous, or another sheet: it gives no depth
       if (is_elsewhere)
-        return std::max(kept, edge.overlap - approach - (known.is_touching ? known.overlap - known.reference : 0.));
-      // just come in from there: what it has flown in this step past the plane, not more
+        return std::max(kept, edge.overlap - nearer - (known.is_touching ? known.overlap - known.reference : 0.));
+      // just come in from there: the height that it had in the plane is its stand-off, whatever the step
       if (known.was_beyond)
-        return std::max(kept, edge.overlap - 0.5 * edge.limit);
+        return std::max(kept, edge.overlap - approach.since_plane(edge.limit));
       // through the edge face into the middle surface, or back
       if (known.is_touching && known.is_on_edge_face != (edge.feature == EdgeTouch::Feature::edge_face))
         return edge.overlap;
       // of a point that did not touch it before, all that it has not come nearer in this step is no contact: it was
       // there before, beside the nearest sheet
       if (is_new && !known.is_touching)
-        return edge.overlap - approach;
+        return edge.overlap - nearer;
       return kept;
     }
     /// The depth that carries a force, and its direction. It comes by the point's own way, `most` at most in this step
@@ -162,11 +182,7 @@ namespace birdstrike
     side.piece = piece;
     side.nodes = nodes;
     if (!scene.facets.two_sided && seen > 0)
-      {
-        const Point3 outward = is_degenerate ? normal : Point3(offset / distance);
-        for (unsigned int d = 0; d < 3; ++d)
-          side.outward[d] = static_cast<float>(outward[d]);
-      }
+      set_outward(is_degenerate ? normal : Point3(offset / distance), side);
     const double sign = is_beyond && !is_behind ? 1. : of_side * seen;
     EdgeTouch    edge{offset,
                    sign * distance,
@@ -181,18 +197,19 @@ namespace birdstrike
     if (const SharpEdges &edges = scene.topology.sharp_edges(); edges.are_near(facet))
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
-    const bool   was_limited = known.is_touching && known.depth < known.overlap - known.reference;
-    const double closing     = -velocity.dot(edge.normal - edge.slope) * scene.step;
-    const bool   is_inside   = edge.overlap > 0. && edge.limit > 0.;
-    const bool   is_new      = scene.is_changed || is_other_sheet;
-    side.reference = std::max(inherited_reference(scene, edge, known, is_new, is_elsewhere, std::max(0., closing)), 0.);
+    const bool     was_limited = known.is_touching && known.depth < known.overlap - known.reference;
+    const bool     is_inside   = edge.overlap > 0. && edge.limit > 0.;
+    const bool     is_new      = scene.is_changed || is_other_sheet;
+    const Approach approach{-velocity.dot(edge.normal - edge.slope) * scene.step,
+                            -velocity.dot(edge.limit_normal) * scene.step};
+    side.reference        = std::max(inherited_reference(scene, edge, known, is_new, is_elsewhere, approach), 0.);
     side.is_touching      = is_inside;
     side.is_through       = is_inside && sign < 0.;
     side.was_beyond       = edge.feature == EdgeTouch::Feature::beyond;
     side.is_on_edge_face  = edge.feature == EdgeTouch::Feature::edge_face;
     const bool   can_leap = (is_next || was_limited || side.is_on_edge_face) && before.last_call + 1 == scene.call;
     const double most     = can_leap ? own_way + leap * before.size : INFINITY;
-    settle_depth(edge, known.depth, closing, most, was_limited && !is_elsewhere, side, result);
+    settle_depth(edge, known.depth, approach.to_face, most, was_limited && !is_elsewhere, side, result);
     result.place = place;
     return result.penetration > 0.;
   }

@@ -51,7 +51,7 @@ TEST(Dissipation, DampersAtAnEdgeKnowTheSpinOfTheFacets)
     scene.add_point({Point3(3e-4 + 4.7e-4 * n, -(2.e-4 + 2e-5 * n), 6.5e-4), Point3(0., 20., -60.)});
   const ContactParameters parameters;
   Contact                 contact(parameters);
-  collide(scene, contact, 2e-8);
+  collide(scene, contact, 1e-8);
   EXPECT_GT(contact.report().dissipated_energy, 2e-4);
   EXPECT_EQ(contact.report().dissipation_fall, 0.);
   EXPECT_NEAR(contact.report().dissipated_energy / -scene.contact_work, 1., 1e-3);
