@@ -1,3 +1,4 @@
+#include "contact/touch/common_nodes.h"
 #include <birdstrike/contact/self_touch.h>
 
 #include <algorithm>
@@ -163,7 +164,7 @@ namespace birdstrike
 
     side                    = remembered(scene, near, before);
     const bool   is_new     = !side.is_known;
-    const bool   is_next    = side.is_known && side.nodes != nodes; // another facet than in the last call
+    const bool   is_next    = side.is_known && !are_same(side.nodes, nodes); // another facet than in the last call
     const double travelled  = velocity.norm() * scene.step;
     const bool   is_passage = side.is_touching || near.distance <= 2. * travelled;
     if (is_beyond)
