@@ -9,13 +9,14 @@ spacing across the flight, and what N is off the exact value. Steady while the j
 touch: the force is the slope of the contact's impulse, share and deflection come from how mass and momentum of what
 lies below the plate's plane grow.
 
-Eight places, four at D/24, two at D/32, 177.4 m/s, edge in the axis; free streamlines last:
+Eight places, four at D/24, two at D/32 (these two before the stand-off in an edge's plane no longer hung on the step), 177.4 m/s, edge in
+the axis; free streamlines last:
 
           36.4 degrees                               90 degrees
           N       error    m2     deflection speed   N       error    m2     deflection speed
-  D/8     0.2096  +0.0315  0.526  11.0       1.004   0.4357  +0.0108  0.668  26.8       0.952
-  D/12    0.2022  +0.0241  0.536  11.0       1.001   0.4305  +0.0056  0.668  28.1       0.970
-  D/16    0.1989  +0.0207  0.539  11.4       0.998   0.4291  +0.0042  0.667  28.6       0.976
+  D/8     0.2084  +0.0302  0.526  11.0       1.004   0.4328  +0.0079  0.671  26.7       0.953
+  D/12    0.2026  +0.0245  0.536  11.0       1.002   0.4300  +0.0051  0.668  28.1       0.970
+  D/16    0.1972  +0.0191  0.540  11.6       0.996   0.4294  +0.0045  0.667  28.6       0.976
   D/24    0.1924  +0.0142  0.540  12.3       0.994   0.4285  +0.0036  0.667  29.2       0.982
   D/32    0.1885  +0.0104  0.542  12.5       0.995   0.4280  +0.0031  0.667  29.3       0.983
   exact   0.1781           0.539  13.9       1       0.4249           0.665  30.2       1

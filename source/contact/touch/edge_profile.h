@@ -43,8 +43,8 @@ namespace birdstrike
   /// d = 0, or downwards with an overlap smaller than r (d = 0 again), or so that d falls: contact makes no energy.
   ///
   /// *Measured* against the plane jet of an ideal liquid (tests/studies/plane_jet.py), D wide, cut in its axis: the
-  /// share that passes is right to 0.004 from D/12 on. The force exceeds the exact one by 0.011 rho U^2 D at D/8 and
-  /// 0.004 at D/16 (of 0.425) at right angles, by 0.031 and 0.021 (of 0.178) at 36.4 degrees, where the stagnation
+  /// share that passes is right to 0.004 from D/12 on. The force exceeds the exact one by 0.008 rho U^2 D at D/8 and
+  /// 0.004 at D/16 (of 0.425) at right angles, by 0.030 and 0.019 (of 0.178) at 36.4 degrees, where the stagnation
   /// point lies 0.008 D from the edge: the row that meets the plate there loses its normal velocity instead of turning.
   /// That is resolution; neither spring nor damper changes it by more than 0.004.
   ///
