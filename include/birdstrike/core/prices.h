@@ -6,21 +6,22 @@
 /// the run time and "skipped" tells what was saved.
 ///
 /// ns of one core, the smallest of several repetitions of the benchmark that is named beside each, at 10 000 entities:
-/// AMD EPYC (Zen 4) with AVX-512, GCC 12, November 2026. tests/benchmarks/prices.py compares them with a new
-/// measurement, in every run of tests/benchmarks/run.sh. Constants and never clock readings: the same run takes the
-/// same steps anywhere.
+/// AMD EPYC (Zen 4) with AVX-512, GCC 12, November 2026; the particles but Riemann's and yielding Belytschko-Tsay
+/// shells, which beside the others cost 0.7 and 1.4 times as much on an Intel Xeon with AVX-512, are the geometric mean
+/// of both. tests/benchmarks/prices.py compares them with a new measurement, in every run of tests/benchmarks/run.sh.
+/// Constants and never clock readings: the same run takes the same steps anywhere.
 namespace birdstrike::prices
 {
   // of a particle: kicks, drift, its share of the neighbour list, rates
   constexpr double riemann_particle  = 195.; ///< bird/step/riemann
-  constexpr double linear_particle   = 423.; ///< bird/step/linear
-  constexpr double standard_particle = 186.; ///< bird/step/standard
+  constexpr double linear_particle   = 358.; ///< bird/step/linear
+  constexpr double standard_particle = 222.; ///< bird/step/standard
 
   // of an element, its internal forces; "yielding" with five points through the thickness that all yield
   constexpr double physical_shell                  = 48.;  ///< shell/forces/physical/elastic
   constexpr double physical_shell_yielding         = 104.; ///< shell/forces/physical/plastic_5
   constexpr double belytschko_tsay_shell           = 43.;  ///< shell/forces/belytschko_tsay/elastic
-  constexpr double belytschko_tsay_shell_yielding  = 89.;  ///< shell/forces/belytschko_tsay/plastic_5
+  constexpr double belytschko_tsay_shell_yielding  = 107.; ///< shell/forces/belytschko_tsay/plastic_5
   constexpr double fully_integrated_shell          = 58.;  ///< shell/forces/fully_integrated/elastic
   constexpr double fully_integrated_shell_yielding = 299.; ///< shell/forces/fully_integrated/plastic_5
   constexpr double one_point_brick                 = 55.;  ///< solid/forces/one_point/elastic
