@@ -198,8 +198,7 @@ namespace birdstrike
       edges.cut(scene.facets, facet, pairs.closest_of(scene.facets, scene.facets.nodes[facet], place), edge);
 
     const bool     was_limited = known.is_touching && known.depth < known.overlap - known.reference;
-    const bool     is_inside   = edge.overlap > 0. && edge.limit > 0.;
-    const bool     is_new      = scene.is_changed || is_other_sheet;
+    const bool     is_inside = edge.overlap > 0. && edge.limit > 0., is_new = scene.is_changed || is_other_sheet;
     const Approach approach{-velocity.dot(edge.normal - edge.slope) * scene.step,
                             -velocity.dot(edge.limit_normal) * scene.step};
     side.reference        = std::max(inherited_reference(scene, edge, known, is_new, is_elsewhere, approach), 0.);
