@@ -146,11 +146,13 @@ namespace birdstrike
         record.point               = block.points[touch.near];
         record.facet               = block.facets.keys()[facet];
         record.nodes               = block.facet_nodes[facet];
-        record.loads               = record.weights;
         std::array<std::uint32_t, 2> carriers;
         const unsigned int           n_carriers = find_carriers(block, touch.edge, carriers);
-        if (n_carriers == 0 && !has_friction && !touch.is_oblique)
-          continue;
+        if (n_carriers == 0 && !has_friction && !touch.is_oblique) // as nearly always: nothing to complete
+          {
+            record.loads = record.weights;
+            continue;
+          }
         if (n_carriers == 2)
           touches.push_back(TouchRecord(record)); // a copy: the list may move
         for (unsigned int c = 0; c < n_carriers; ++c)

@@ -151,12 +151,10 @@ namespace birdstrike
     // surface folds, the other side of the first one means nothing to it
     const auto &nodes = scene.facets.nodes[facet];
     taken = before.last_call + 1 == scene.call ? find_remembered(before, nodes, piece, is_other_sheet, taken) : -1;
-    // what was known is read from here: of the copy, wider than any load, a load would wait until it is in the cache
-    const PointRecord::Side &known = taken < 0 ? unknown_side : before.sides[taken];
-    side                           = known;
-    const bool is_other            = !are_same(known.nodes, nodes);
-    const bool is_elsewhere        = taken >= 0 && is_other && count_common_nodes(known.nodes, nodes) == 0;
-    const bool is_next             = is_other || known.was_beyond; // another face than in the last call
+    const PointRecord::Side &known        = taken < 0 ? unknown_side : before.sides[taken];
+    const bool               is_other     = !are_same(known.nodes, nodes);
+    const bool               is_elsewhere = taken >= 0 && is_other && count_common_nodes(known.nodes, nodes) == 0;
+    const bool               is_next      = is_other || known.was_beyond; // another face than in the last call
 
     // a change of sign within two steps' flight, or in touch, is a passage through the surface; else the point went
     // around; of one in touch, if the overlap has grown by no more than its way: else it is another sheet of a fold
@@ -178,9 +176,10 @@ namespace birdstrike
           }
         of_side = seen;
       }
-    side.sign  = of_side;
-    side.piece = piece;
-    side.nodes = nodes;
+    side.sign    = of_side;
+    side.piece   = piece;
+    side.nodes   = nodes;
+    side.outward = known.outward;
     if (!scene.facets.two_sided && seen > 0)
       set_outward(is_degenerate ? normal : Point3(offset / distance), side);
     const double sign = is_beyond && !is_behind ? 1. : of_side * seen;
