@@ -53,7 +53,7 @@ namespace birdstrike
                 continue;
               }
             if (skin.neighbors[other][other_side] >= 0)
-              refuse_edge(skin.centroid(facet), 3);
+              refuse_edge(skin.centroid(facet));
             skin.neighbors[other][other_side] = static_cast<std::int32_t>(facet);
             skin.neighbors[facet][side]       = static_cast<std::int32_t>(other);
           }

@@ -60,7 +60,6 @@ namespace birdstrike
   template <int dim>
   void check_cells(const dealii::Triangulation<dim, 3> &triangulation)
   {
-    std::vector<unsigned int> n_at_edge(triangulation.n_raw_lines(), 0);
     for (const auto &cell : triangulation.active_cell_iterators())
       {
         constexpr unsigned int     n_corners = 1u << dim;
@@ -84,10 +83,6 @@ namespace birdstrike
                                 "Every quadrilateral must be convex; repair or re-mesh there."
                               : " has a corner without volume (folded, inside out or collapsed).\nThe Jacobian "
                                 "of every hexahedron must be positive at its corners; repair or re-mesh there."));
-        if constexpr (dim == 2)
-          for (const unsigned int f : cell->face_indices())
-            if (++n_at_edge[cell->face_index(f)] > 2)
-              refuse_edge(middle(cell), dim);
       }
   }
 
@@ -114,12 +109,10 @@ namespace birdstrike
         " does not.\nMerge coincident nodes (Gmsh: Coherence Mesh) or remove the loose part.");
   }
 
-  void refuse_edge(const Point3 &place, const int dim)
+  void refuse_edge(const Point3 &place)
   {
-    throw InputError(
-      (dim == 2 ? "Mesh: more than two cells share an edge near " + at(place) + ".\nA shell surface may not branch."
-                : "Mesh: cells touch each other along an edge only, near " + at(place) +
-                    ".\nCells of a body share whole faces or nothing; join them or part them there."));
+    throw InputError("Mesh: cells touch each other along an edge only, near " + at(place) +
+                     ".\nCells of a body share whole faces or nothing; join them or part them there.");
   }
 
   template void put_on_symmetry_plane(dealii::Triangulation<2, 3> &);

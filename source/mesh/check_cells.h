@@ -11,8 +11,7 @@ namespace birdstrike
   void put_on_symmetry_plane(dealii::Triangulation<dim, 3> &triangulation);
 
   /// Throws InputError naming the first cell that is degenerate: whose Jacobian (of a surface: the area vector about
-  /// the cell's own) is not positive at one of its corners: folded, crossed, collapsed or inside out; or an edge of a
-  /// shell that more than two cells share.
+  /// the cell's own) is not positive at one of its corners: folded, crossed, collapsed or inside out.
   template <int dim>
   void check_cells(const dealii::Triangulation<dim, 3> &triangulation);
 
@@ -21,6 +20,6 @@ namespace birdstrike
   template <int dim>
   void check_connection(const CellMesh<dim> &mesh);
 
-  /// Throws InputError for an edge with too many quadrilaterals, of a shell (dim 2) or of a body's skin (dim 3).
-  [[noreturn]] void refuse_edge(const Point3 &place, int dim);
+  /// Throws InputError for an edge of a body's skin that more than two of its quadrilaterals share.
+  [[noreturn]] void refuse_edge(const Point3 &place);
 } // namespace birdstrike

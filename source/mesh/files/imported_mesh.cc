@@ -1,3 +1,4 @@
+#include "mesh/files/check_elements.h"
 #include "mesh/files/combinations.h"
 
 #include <birdstrike/core/errors.h>
@@ -42,6 +43,7 @@ namespace birdstrike
 
       MeshLabels build()
       {
+        check_elements<dim>(elements(), path);
         find_vertices();
         label_cells();
         create();

@@ -61,7 +61,8 @@ namespace birdstrike
   /// Elements one dimension below that are no side of the boundary are left out.
   ///
   /// Bricks that are inside out are turned. Folded ones pass, so that `check_cells` can name them. Throws InputError
-  /// for elements of a node, and ids, that are not there or there twice. `path` is for its text.
+  /// for elements of a node, and ids, that are not there or there twice, and what `check_elements` refuses. `path` is
+  /// for its text.
   template <int dim>
   MeshLabels make_triangulation(const ImportedMesh &mesh, const std::string &path,
                                 dealii::Triangulation<dim, 3> &triangulation);

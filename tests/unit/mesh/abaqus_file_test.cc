@@ -151,7 +151,26 @@ namespace birdstrike::abaqus_file_test
           {nodes + "4, 0, 0, 0\n" + squares, "node 4 is given twice"},
           {nodes + "*ELEMENT, TYPE=S4\n1, 1, 2, 12\n", "has 3 nodes"},
           {nodes + "x, 1, 2\n" + squares, "line 14: cannot read 'x'"},
-          {nodes + squares + "*NSET, NSET=a\nb\n", "the set 'b' has not been defined before"}})
+          {nodes + squares + "*NSET, NSET=a\nb\n", "the set 'b' has not been defined before"},
+          {nodes + "*ELEMENT, TYPE=S4\n1, 1, 2, 12, 12\n", "element 1 has the node 12 more than once"}})
       EXPECT_NE(complaint(text).find(words), std::string::npos) << words << "\n" << complaint(text);
+  }
+
+  // deal.II 9.4 never came back from ordering the quadrilaterals of such a surface where the second of three elements
+  // on an edge began with it.
+  TEST(AbaqusFile, RefusesASurfaceThatBranches)
+  {
+    const std::string        more = "21, 1., 0., 1.\n22, 1., 1., 1.\n*ELEMENT, TYPE=S4\n";
+    std::vector<std::string> cells{"1, 1, 2, 12, 11\n", "3, 2, 12, 22, 21\n", "5, 2, 3, 13, 12\n"};
+    EXPECT_EQ(complaint(nodes + more + cells[0] + cells[2]), "");
+    do
+      {
+        const std::string text = complaint(nodes + more + cells[0] + cells[1] + cells[2]);
+        EXPECT_NE(text.find("elements 1, 3 and 5 share an edge, between the nodes 2 and 12"), std::string::npos)
+          << text;
+      }
+    while (std::next_permutation(cells.begin(), cells.end()));
+    EXPECT_NE(complaint(nodes + squares + "8, 2, 12, 13, 3\n").find("elements 2 and 8 have the same nodes"),
+              std::string::npos);
   }
 } // namespace birdstrike::abaqus_file_test

@@ -169,6 +169,13 @@ namespace birdstrike::solid_mesh_file_test
     {
       EXPECT_EQ(complaint(cube, {whole}), "");
       EXPECT_TRUE(says(complaint(cube, {{0, 1, 2, 4}}), "not hexahedra"));
+      EXPECT_TRUE(says(complaint(cube, {{0, 1, 2, 3, 4, 5, 5, 4}}), "element 1 has the node 5 more than once"));
+      EXPECT_TRUE(says(complaint(cube, {whole, whole}), "elements 1 and 2 have the same nodes"));
+      auto three = cube; // on the face z = 1: the cube, and two that lie in one another
+      for (const double z : {2., 3.})
+        three.insert(three.end(), {{{0, 0, z}}, {{1, 0, z}}, {{1, 1, z}}, {{0, 1, z}}});
+      const std::string text = complaint(three, {whole, {4, 5, 6, 7, 8, 9, 10, 11}, {4, 5, 6, 7, 12, 13, 14, 15}});
+      EXPECT_TRUE(says(text, "elements 1, 2 and 3 share a face, between the nodes 5 and 8")) << text;
       auto folded = cube;
       folded[6]   = {{0.2, 0.2, 0.2}};
       EXPECT_TRUE(says(complaint(folded, {whole}), "cell 0 at")) << complaint(folded, {whole});
