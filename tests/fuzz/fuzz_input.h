@@ -9,14 +9,14 @@
 
 namespace birdstrike::fuzz
 {
-  /// A folder for what the readers open by name, in memory where TMPDIR is, gone with the process.
+  /// A folder for what the readers open by name, in TMPDIR, gone with the process. Always of the same name, which is
+  /// part of what is read and said: processes beside each other need a TMPDIR each.
   class Folder
   {
   public:
-    Folder()
+    Folder() : path(std::filesystem::temp_directory_path() / "birdstrike-fuzz")
     {
-      std::string name = (std::filesystem::temp_directory_path() / "birdstrike-fuzz-XXXXXX").string();
-      path             = ::mkdtemp(name.data());
+      std::filesystem::create_directory(path);
     }
     ~Folder()
     {
@@ -32,7 +32,7 @@ namespace birdstrike::fuzz
       return file;
     }
 
-    std::filesystem::path path;
+    const std::filesystem::path path;
   };
 
   inline std::string_view text_of(const std::uint8_t *data, const std::size_t size)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Everything that reads a file, under libFuzzer with the address and undefined-behaviour sanitizers:
 #   [SEED=1] bash tests/stress/fuzz.sh [SECONDS a target, 20 | counted] [TARGET...]
-# `counted`: a number of inputs instead of seconds, from the shipped files only: the same inputs on every machine, as CI needs them.
+# `counted`: a number of inputs instead of seconds, from the shipped files only, in one order, one thread and without random
+# addresses (where setarch may): the same inputs each time, as CI needs them.
 # An input may only be accepted or refused in words: no crash, no other exception, 20 s on the clock and 2 GiB at most. Builds with
 # clang into build-fuzz, begins with the shipped files and what earlier runs have found (build-fuzz/corpus), prints a line
 # a target, and leaves what fails in build-fuzz/failures.
@@ -24,7 +25,7 @@ memory=/dev/shm
 [ -w "$memory" ] || memory=/tmp
 scratch=$(mktemp -d -p "$memory")
 trap 'rm -rf "$scratch"' EXIT
-export TMPDIR=$scratch ASAN_OPTIONS=detect_leaks=0 # what MPI and deal.II keep until the end
+export TMPDIR=. ASAN_OPTIONS=detect_leaks=0 # what MPI and deal.II keep until the end
 
 seeds=$scratch/seeds
 mkdir -p "$seeds"/{parameter_file,mesh_file,checkpoint,run_folder}
@@ -40,18 +41,24 @@ printf 't20 0 0 0.01\n0.1, 0.05, 0, 1e-3 # a comment\n' >"$seeds/mesh_file/table
 for kind in s f r; do printf '%sbirdstrike checkpoint 3, 10 bytes, CRC-32 00000000\n' "$kind" >"$seeds/checkpoint/$kind"; done
 cp "$top"/tests/fuzz/seeds/run_folder/* "$seeds/run_folder"
 # Their dictionary: the words of the readers' sources.
+export LC_ALL=C
 grep -rhoE '"[^"\\]{2,40}"' "$top"/source/{io,mesh,bird,contact,structure,time_control,report}/ --include='*.cc' | sort -u >"$scratch/words"
 
 declare -A counts=([parameter_file]=300 [mesh_file]=12000 [checkpoint]=1500 [run_folder]=25000) # some 15 s each
 
 fuzz() # TARGET: its closing lines
 {
-  local corpus=$build/corpus/$1 bound=-max_total_time=$seconds
-  [ "$seconds" != counted ] || { corpus=$scratch/corpus/$1; bound=-runs=${counts[$1]}; }
-  mkdir -p "$corpus"
-  cd "$build/failures"
-  "$build/bin/fuzz_$1" "$bound" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=2048 -dict="$scratch/words" \
-    -seed="${SEED:-1}" -print_final_stats=1 -artifact_prefix="$1-" "$corpus" "$seeds/$1" >"$scratch/$1.log" 2>&1
+  local corpus=$build/corpus/$1 bound=(-max_total_time=$seconds) same=()
+  if [ "$seconds" = counted ]; then
+    corpus=$scratch/corpus/$1 bound=(-runs="${counts[$1]}" -reload=0) # no look at the folder by the clock
+    export DEAL_II_NUM_THREADS=1
+    ! setarch --addr-no-randomize true 2>/dev/null || same=(setarch --addr-no-randomize)
+  fi
+  mkdir -p "$corpus" "$scratch/work/$1"
+  cd "$scratch/work/$1"
+  "${same[@]}" "$build/bin/fuzz_$1" "${bound[@]}" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=2048 -seed="${SEED:-1}" \
+    -dict="$scratch/words" -seed_inputs="$(printf '%s\n' "$seeds/$1"/* | paste -sd,)" -print_final_stats=1 \
+    -artifact_prefix="$build/failures/$1-" "$corpus" >"$scratch/$1.log" 2>&1
 }
 running=()
 for target in "${targets[@]}"; do
