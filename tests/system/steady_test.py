@@ -98,6 +98,10 @@ end
 
 
 def judge_campbell():
+    # MPI's folders are no part of it: such processes would share one, and take it from each other
+    with_no_folder = subprocess.run([PROGRAM, "modes", BAR, "--output", "no-folder", "--number", "1"], capture_output=True, text=True,
+                                    env=os.environ | {"TMPDIR": "/proc/none"})
+    assert with_no_folder.returncode == 0, with_no_folder.stdout + with_no_folder.stderr
     text = call("modes", BAR, "--output", "modes", "--number", "4", "--speeds", "0:600:3")
     assert text.count("Modes at") == 3, text
     with open("modes/modes.csv") as file:
