@@ -47,7 +47,7 @@ namespace birdstrike
       std::array<Lanes, 3> sums;
       for (int d = 0; d < 3; ++d)
         {
-          const auto [a, b] = widen<std::int32_t>(total[d]);
+          const auto [a, b] = widen(total[d]);
           sums[d]           = a + b;
         }
       return sum_lanes<double>(sums);

@@ -18,11 +18,13 @@ namespace birdstrike
              __builtin_shufflevector(a, b, ((k & S) == 0 ? k + S : N + k)...);
     }
 
-    /// Half of a register of floats, or of as many integers, as doubles.
-    template <class T, std::size_t first, std::size_t... k>
-    [[gnu::always_inline]] inline Lanes widen_half(const LaneVector<T> &a, std::index_sequence<k...>)
+    template <class T, std::size_t n>
+    using VectorOf [[gnu::vector_size(n * sizeof(T))]] = T;
+
+    /// As many as there are lanes, from `first` on, as doubles.
+    template <std::size_t first, class Vector, std::size_t... k>
+    [[gnu::always_inline]] inline Lanes widen_half(const Vector &a, std::index_sequence<k...>)
     {
-      static_assert(width<T> == 2 * sizeof...(k));
       return std::bit_cast<Lanes>(
         __builtin_convertvector(__builtin_shufflevector(a, a, (first + k)...), LaneVector<double>));
     }
@@ -42,12 +44,23 @@ namespace birdstrike
   /// The lower and the upper half of a register of floats, or of as many integers, as doubles. (std::experimental's
   /// casts and splits are calls, before which all that a loop holds in registers is put away: 4 % of a particle step,
   /// measured.)
-  template <class T>
-  [[gnu::always_inline]] inline std::array<Lanes, 2> widen(const LanesOf<T> &a)
+  template <class Register>
+  [[gnu::always_inline]] inline std::array<Lanes, 2> widen(const Register &a)
   {
-    const auto     lanes = std::bit_cast<internal::LaneVector<T>>(a);
-    constexpr auto all   = std::make_index_sequence<n_lanes>();
-    return {internal::widen_half<T, 0>(lanes, all), internal::widen_half<T, n_lanes>(lanes, all)};
+    using T = typename Register::value_type;
+    static_assert(Register::size() == 2 * n_lanes);
+    using Vector = internal::VectorOf<T, 2 * n_lanes>;
+    Vector lanes;
+    if constexpr (std::is_trivially_copyable_v<Register> && sizeof(Register) == sizeof(Vector))
+      lanes = std::bit_cast<Vector>(a);
+    else // integers of AVX without AVX2: two registers
+      {
+        T values[2 * n_lanes];
+        a.copy_to(values, stdx::element_aligned);
+        std::memcpy(&lanes, values, sizeof lanes);
+      }
+    constexpr auto half = std::make_index_sequence<n_lanes>();
+    return {internal::widen_half<0>(lanes, half), internal::widen_half<n_lanes>(lanes, half)};
   }
 
   /// sums[k] = sum over the lanes of terms[k]. All sums share one tree of shuffles, a third of the work of one
@@ -68,7 +81,7 @@ namespace birdstrike
           std::memcpy(folded.data(), &m.row[0], sizeof folded);
         else
           {
-            const auto [low, high] = widen<T>(std::bit_cast<LanesOf<T>>(m.row[0]));
+            const auto [low, high] = widen(std::bit_cast<LanesOf<T>>(m.row[0]));
             store(low, folded.data());
             store(high, folded.data() + n_lanes);
           }
