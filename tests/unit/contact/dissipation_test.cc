@@ -39,20 +39,24 @@ TEST(Dissipation, FrictionThatSpinsTheFacetsTakesTheLess)
 }
 
 // Round the edge of a thin plate a force does not pass through the nearest point of the middle surface: its couple
-// turns the facets at the rim. What points and nodes lose is what dampers book, to 6e-4; a damper that knows nothing of
-// the spin books 1.2 % too much (and in drawn scenes of foils pushed what already turned with it, and made energy).
+// turns the facets at the rim. What points and nodes lose is what dampers book, to 6e-4 in either step; one that knows
+// nothing of the spin books 1.2 % too much (and in drawn scenes of foils pushed what already turned with it, and made
+// energy).
 TEST(Dissipation, DampersAtAnEdgeKnowTheSpinOfTheFacets)
 {
-  FreeMasses scene;
-  scene.add_plate(6, 2, 1e-3, 4e-4);
-  for (auto &node : scene.node)
-    node.inverse_mass = 4e6;
-  for (unsigned int n = 0; n < 12; ++n)
-    scene.add_point({Point3(3e-4 + 4.7e-4 * n, -(2.e-4 + 2e-5 * n), 6.5e-4), Point3(0., 20., -60.)});
-  const ContactParameters parameters;
-  Contact                 contact(parameters);
-  collide(scene, contact, 1e-8);
-  EXPECT_GT(contact.report().dissipated_energy, 2e-4);
-  EXPECT_EQ(contact.report().dissipation_fall, 0.);
-  EXPECT_NEAR(contact.report().dissipated_energy / -scene.contact_work, 1., 1e-3);
+  for (const double step : {1e-8, 5e-9})
+    {
+      FreeMasses scene;
+      scene.add_plate(6, 2, 1e-3, 4e-4);
+      for (auto &node : scene.node)
+        node.inverse_mass = 4e6;
+      for (unsigned int n = 0; n < 12; ++n)
+        scene.add_point({Point3(3e-4 + 4.7e-4 * n, -(2.e-4 + 2e-5 * n), 6.5e-4), Point3(0., 20., -60.)});
+      const ContactParameters parameters;
+      Contact                 contact(parameters);
+      collide(scene, contact, step);
+      EXPECT_GT(contact.report().dissipated_energy, 2e-4);
+      EXPECT_EQ(contact.report().dissipation_fall, 0.);
+      EXPECT_NEAR(contact.report().dissipated_energy / -scene.contact_work, 1., 1e-3) << step;
+    }
 }
