@@ -23,7 +23,7 @@ namespace birdstrike
     LaminateParameters result;
     result.reference_direction = "1 0 0";
     result.n_per_ply           = 1;
-    result.n_degradation_steps = 100;
+    result.degradation_time    = 1e-4;
     result.failed_share        = 1.;
     return result;
   }
@@ -43,7 +43,7 @@ namespace birdstrike
     };
     fill(result.reference_direction, blade.reference_direction);
     fill(result.n_per_ply, blade.n_per_ply);
-    fill(result.n_degradation_steps, blade.n_degradation_steps);
+    fill(result.degradation_time, blade.degradation_time);
     fill(result.failed_share, blade.failed_share);
     fill(result.smallest_step, blade.smallest_step);
     fill(result.materials, blade.materials);
@@ -72,9 +72,10 @@ namespace birdstrike
                       "blade's. [-]",
                       Patterns::Integer(0, 20));
     declare_ply(prm, ply);
-    prm.add_parameter("Degradation steps", n_degradation_steps,
-                      "Time steps in which a ply that fails loses what its mode takes; 0: the blade's. [-]",
-                      Patterns::Integer(0, 100000));
+    prm.add_parameter("Degradation time", degradation_time,
+                      "Time over which a ply that fails loses what its mode takes, at a constant rate, whatever the "
+                      "steps; shorter than a step: at once. 0: the blade's, of the blade 100 us. [s]",
+                      Patterns::Double(0., 1.));
     prm.add_parameter(
       "Failed share", failed_share,
       "Share of an element's thickness in which fibres must have failed before all of it is taken away; 0: the "

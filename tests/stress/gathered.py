@@ -99,7 +99,7 @@ def draw_plies(scene, draw, thickness):
                          "Points per ply": draw.choice((1, 1, 2, 3))}.items():
         scene.set("Blade/Laminate/" + entry, value)
     if weaker > 0.:
-        for entry, value in {"Shear weight": draw.choice((0., 1.)), "Degradation steps": draw.choice((1, 30, 100, 100)),
+        for entry, value in {"Shear weight": draw.choice((0., 1.)), "Degradation time": draw.choice((1e-9, 1e-5, 1e-4, 1e-4)),
                              "Failed share": draw.choice((1., 0.5)), "Smallest step": draw.choice((0., 0.1, 0.3))}.items():
             scene.set("Blade/Laminate/" + entry, value)
     scene.info["can_fail"] = scene.info["can_fail"] or weaker > 0.

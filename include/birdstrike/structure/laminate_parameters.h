@@ -41,9 +41,9 @@ namespace birdstrike
     std::string  reference_direction; ///< three numbers
     unsigned int n_per_ply = 0;
     Ply          ply;
-    unsigned int n_degradation_steps = 0;
-    double       failed_share        = 0.;
-    double       smallest_step       = 0.;
+    double       degradation_time = 0.; ///< s
+    double       failed_share     = 0.;
+    double       smallest_step    = 0.;
 
     std::array<PlyMaterial, 4> materials; ///< the blade's, for plies of all sections; without a name: not there
 

@@ -94,10 +94,9 @@ namespace birdstrike
                                                                              const LaminateState<Lanes> *old,
                                                                              const Lanes *volume, const double dt)
   {
-    const Laminate &law     = *laminate->law;
-    const double    at_once = 1.; // s: a static solve
-    const double    growth  = dt > at_once ? 1. : 1. / law.n_degradation_steps;
-    const Lanes     zero    = 0.;
+    const Laminate &law    = *laminate->law;
+    const double    growth = dt < law.degradation_time ? dt / law.degradation_time : 1.;
+    const Lanes     zero   = 0.;
     Lanes           failed = zero, carries = zero, grown = zero; // failed: of the thickness
     bool            has_damage = false;
     for (std::size_t i = 0; i < n_in_plane; ++i)

@@ -67,8 +67,8 @@ namespace birdstrike
     Point3                reference;    ///< global, that angles are counted from, projected on the elements
     double                density = 0.; ///< kg/m^3, mean over the thickness
 
-    unsigned int n_degradation_steps = 100;
-    double       failed_share = 1., smallest_step = 0.; ///< as of Failure
+    double degradation_time = 0.;                 ///< s; 0: at once
+    double failed_share = 1., smallest_step = 0.; ///< as of Failure
 
     double stiffness[6][6];      ///< Pa, (A B; B D)
     double shear[3];             ///< Pa, H_11, H_22, H_12
