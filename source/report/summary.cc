@@ -37,6 +37,8 @@ namespace birdstrike
     Json describe_laminate(const std::size_t section, const LaminateParameters &laminate)
     {
       Json json{{"section", section}, {"plies", laminate.plies}, {"n_plies", laminate.layers().size()}};
+      if (laminate.can_fail())
+        json["degradation_time"] = laminate.degradation_time;
       for (const PlyMaterial &material : laminate.stack().materials)
         for (const MetalConstant &constant : constants_in_use(material.ply))
           (material.name.empty() ? json["ply"] : json["materials"][material.name])[constant.key] = constant.value;

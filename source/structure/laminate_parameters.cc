@@ -195,6 +195,8 @@ namespace birdstrike
                               material.name.empty() ? "without a name" : material.name);
         text += (stack.materials.size() > 1 || !material.name.empty() ? ": " : ", ") + describe(material.ply);
       }
+    if (laminate.can_fail())
+      text += fmt::format("; what fails does so over {:.4g} us", 1e6 * laminate.degradation_time);
     return text;
   }
 } // namespace birdstrike
