@@ -4,10 +4,6 @@ namespace birdstrike
 {
   namespace
   {
-    /// Nodes of the sides S1..S6 of a brick, from 0.
-    constexpr unsigned int brick_sides[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1},
-                                                {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
-
     void append(FileLines &lines, std::vector<ImportedMesh::Id> &to,
                 const std::vector<ImportedMesh::Id> from) // a copy: it may be the same
     {
@@ -125,7 +121,7 @@ namespace birdstrike
             if (places.at(id).dim == 2)
               side = {nodes[s], nodes[(s + 1) % 4]};
             else
-              for (const unsigned int k : brick_sides[s])
+              for (const unsigned int k : ImportedMesh::brick_sides[s])
                 side.push_back(nodes[k]);
           }
   }

@@ -1,7 +1,5 @@
 #include "mesh/files/check_elements.h"
 
-#include <birdstrike/core/errors.h>
-
 #include <algorithm>
 
 namespace birdstrike
@@ -14,20 +12,6 @@ namespace birdstrike
     /// Nodes of something, sorted, with the element that has it.
     template <std::size_t n>
     using Owned = std::pair<std::array<Id, n>, Id>;
-
-    /// Corners of an element's sides, as places in Element::nodes.
-    template <int dim>
-    constexpr std::array<std::array<unsigned int, (1u << dim) / 2>, 2 * dim> sides = {};
-    template <>
-    constexpr std::array<std::array<unsigned int, 2>, 4> sides<2> = {{{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
-    template <>
-    constexpr std::array<std::array<unsigned int, 4>, 6> sides<3> = {
-      {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-
-    [[noreturn]] void refuse(const std::string &path, const std::string &what, const std::string &remedy)
-    {
-      throw InputError("Blade/Mesh/File: '" + path + "': " + what + ".\n" + remedy);
-    }
 
     /// Sorts; then the first of m in a row with the same nodes, or null.
     template <std::size_t n>
@@ -52,17 +36,17 @@ namespace birdstrike
           std::copy_n(element.nodes.begin(), n_corners, nodes.begin());
           std::sort(nodes.begin(), nodes.end());
           if (const auto same = std::adjacent_find(nodes.begin(), nodes.end()); same != nodes.end())
-            refuse(path,
-                   "element " + std::to_string(element.id) + " has the node " + std::to_string(*same) +
-                     " more than once",
-                   dim == 2 ? "Collapsed quadrilaterals (triangles) are not offered; re-mesh there."
-                            : "Collapsed hexahedra (wedges, pyramids, tetrahedra) are not offered; re-mesh there.");
+            refuse_mesh_file(
+              path,
+              "element " + std::to_string(element.id) + " has the node " + std::to_string(*same) + " more than once",
+              dim == 2 ? "Collapsed quadrilaterals (triangles) are not offered; re-mesh there."
+                       : "Collapsed hexahedra (wedges, pyramids, tetrahedra) are not offered; re-mesh there.");
         }
       if (const auto *two = first_of(2, of_elements))
-        refuse(path,
-               "the elements " + std::to_string(two[0].second) + " and " + std::to_string(two[1].second) +
-                 " have the same nodes",
-               "Remove one of them.");
+        refuse_mesh_file(path,
+                         "the elements " + std::to_string(two[0].second) + " and " + std::to_string(two[1].second) +
+                           " have the same nodes",
+                         "Remove one of them.");
     }
 
     template <int dim>
@@ -73,21 +57,21 @@ namespace birdstrike
       std::vector<Owned<n_corners>> of_sides;
       of_sides.reserve(2 * dim * elements.size());
       for (const Element &element : elements)
-        for (const auto &side : sides<dim>)
+        for (unsigned int number = 0; number < 2 * dim; ++number)
           {
             auto &nodes = of_sides.emplace_back(Owned<n_corners>{{}, element.id}).first;
             for (std::size_t k = 0; k < n_corners; ++k)
-              nodes[k] = element.nodes[side[k]];
+              nodes[k] = element.nodes[dim == 2 ? (number + k) % 4 : ImportedMesh::brick_sides[number][k]];
             std::sort(nodes.begin(), nodes.end());
           }
       if (const auto *three = first_of(3, of_sides))
-        refuse(path,
-               "the elements " + std::to_string(three[0].second) + ", " + std::to_string(three[1].second) + " and " +
-                 std::to_string(three[2].second) + " share " + (dim == 2 ? "an edge" : "a face") +
-                 ", between the nodes " + std::to_string(three->first.front()) + " and " +
-                 std::to_string(three->first.back()),
-               dim == 2 ? "A shell surface may not branch; remove what does not belong to the blade."
-                        : "A face has a brick on either side at most; remove what lies in another.");
+        refuse_mesh_file(path,
+                         "the elements " + std::to_string(three[0].second) + ", " + std::to_string(three[1].second) +
+                           " and " + std::to_string(three[2].second) + " share " + (dim == 2 ? "an edge" : "a face") +
+                           ", between the nodes " + std::to_string(three->first.front()) + " and " +
+                           std::to_string(three->first.back()),
+                         dim == 2 ? "A shell surface may not branch; remove what does not belong to the blade."
+                                  : "A face has a brick on either side at most; remove what lies in another.");
     }
   } // namespace
 

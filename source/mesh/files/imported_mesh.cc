@@ -14,11 +14,6 @@ namespace birdstrike
     using Id    = ImportedMesh::Id;
     using Group = ImportedMesh::Group;
 
-    [[noreturn]] void refuse(const std::string &path, const std::string &what, const std::string &remedy)
-    {
-      throw InputError("Blade/Mesh/File: '" + path + "': " + what + ".\n" + remedy);
-    }
-
     /// Places of things by their ids.
     template <class List, class IdOf>
     std::unordered_map<Id, std::uint32_t> places_of(const List &list, const IdOf &id_of, const std::string &what,
@@ -27,8 +22,8 @@ namespace birdstrike
       std::unordered_map<Id, std::uint32_t> places;
       for (std::uint32_t k = 0; k < list.size(); ++k)
         if (!places.emplace(id_of(list[k]), k).second)
-          refuse(path, "the " + what + " " + std::to_string(id_of(list[k])) + " is given twice",
-                 "Give each id once, or save the mesh again.");
+          refuse_mesh_file(path, "the " + what + " " + std::to_string(id_of(list[k])) + " is given twice",
+                           "Give each id once, or save the mesh again.");
       return places;
     }
 
@@ -80,10 +75,10 @@ namespace birdstrike
             {
               const auto found = node_of.find(element.nodes[k]);
               if (found == node_of.end())
-                refuse(path,
-                       "element " + std::to_string(element.id) + " has the node " + std::to_string(element.nodes[k]) +
-                         ", which is not there",
-                       "Save the mesh again with all its nodes.");
+                refuse_mesh_file(path,
+                                 "element " + std::to_string(element.id) + " has the node " +
+                                   std::to_string(element.nodes[k]) + ", which is not there",
+                                 "Save the mesh again with all its nodes.");
               is_used[found->second] = true;
             }
         for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
@@ -258,6 +253,11 @@ namespace birdstrike
       }
     };
   } // namespace
+
+  void refuse_mesh_file(const std::string &path, const std::string &what, const std::string &remedy)
+  {
+    throw InputError("Blade/Mesh/File: '" + path + "': " + what + ".\n" + remedy);
+  }
 
   template <int dim>
   MeshLabels make_triangulation(const ImportedMesh &mesh, const std::string &path,

@@ -31,6 +31,10 @@ namespace birdstrike
 
     static constexpr Id largest_number = 2'000'000'000; ///< of a group: deal.II keeps the highest ids for itself
 
+    /// Corners of a brick's sides, as places in Element::nodes; Abaqus' S1 to S6.
+    static constexpr unsigned int brick_sides[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1},
+                                                       {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
+
     struct Element
     {
       Id                    id;
@@ -54,6 +58,9 @@ namespace birdstrike
     std::array<std::vector<Element>, 4> elements; ///< by dimension: lines 1, quadrilaterals 2, bricks 3
     std::vector<Group>                  groups;
   };
+
+  /// Throws InputError about a mesh file.
+  [[noreturn]] void refuse_mesh_file(const std::string &path, const std::string &what, const std::string &remedy);
 
   /// Cells of dimension dim with their nodes, in the order of the file; other nodes are left out. Ids: a cell or a side
   /// of the boundary that lies in no group has 0; each combination of groups that occurs has an id of its own: the

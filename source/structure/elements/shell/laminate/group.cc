@@ -94,11 +94,12 @@ namespace birdstrike
                                                                              const LaminateState<Lanes> *old,
                                                                              const Lanes *volume, const double dt)
   {
-    const Laminate &law    = *laminate->law;
-    const double    growth = dt < law.degradation_time ? dt / law.degradation_time : 1.;
-    const Lanes     zero   = 0.;
-    Lanes           failed = zero, carries = zero, grown = zero; // failed: of the thickness
-    bool            has_damage = false;
+    const Laminate &law = *laminate->law;
+    // a static solve's steps are longer than any such time
+    const double growth = dt < law.degradation_time ? dt / law.degradation_time : 1.;
+    const Lanes  zero   = 0.;
+    Lanes        failed = zero, carries = zero, grown = zero; // failed: of the thickness
+    bool         has_damage = false;
     for (std::size_t i = 0; i < n_in_plane; ++i)
       {
         const std::size_t     k      = n_in_plane * b + i;
