@@ -17,21 +17,22 @@ namespace birdstrike
     struct Lattice
     {
       double              cell;  ///< edge of the cubic cell
+      double              layer; ///< between layers across an axis, in cells
       std::vector<Point3> basis; ///< in cells
     };
 
     Lattice make_lattice(const BirdLattice packing)
     {
       if (packing == BirdLattice::fcc) // four particles a cell
-        return {std::cbrt(4.), {{0., 0., 0.}, {.5, .5, 0.}, {.5, 0., .5}, {0., .5, .5}}};
-      return {1., {{0., 0., 0.}}};
+        return {std::cbrt(4.), 0.5, {{0., 0., 0.}, {.5, .5, 0.}, {.5, 0., .5}, {0., .5, .5}}};
+      return {1., 1., {{0., 0., 0.}}};
     }
 
-    /// Coordinates n + basis + shift in [-half, half], per direction, as lattice points inside the shape.
-    std::vector<Point3> cut_lattice(const Lattice &lattice, const Shape &shape, const double scale, const Point3 &shift)
+    /// Points cells * (n + basis + shift) inside the shape; cells: edges, m.
+    std::vector<Point3> cut_lattice(const Lattice &lattice, const Shape &shape, const Point3 &cells,
+                                    const Point3 &shift)
     {
-      const double        a = lattice.cell * scale;
-      const Point3        h = shape.half_lengths() / a;
+      const Point3        h = shape.half_lengths().cwiseQuotient(cells);
       std::vector<Point3> points;
       const auto          first = [&](const int d) { return static_cast<int>(std::floor(-h[d])) - 2; };
       for (int k = first(2); k <= -first(2); ++k)
@@ -39,28 +40,47 @@ namespace birdstrike
           for (int i = first(0); i <= -first(0); ++i)
             for (const Point3 &b : lattice.basis)
               {
-                const Point3 p = a * (Point3(i, j, k) + b + shift);
+                const Point3 p = cells.cwiseProduct(Point3(i, j, k) + b + shift);
                 if (shape.contains(p))
                   points.push_back(p);
               }
       return points;
     }
 
-    /// Tries the shifts that keep the lattice symmetric about the axis (through a point, or between points) and keeps
-    /// the cut whose count is nearest to the volume; that lattice is then moved across the axis as the entry says.
-    std::vector<Point3> pack(const BirdParameters &parameters, const Shape &shape)
+    /// Edges of the cells, m, and the shifts along the axis, in cells, that keep the lattice symmetric: through a
+    /// layer, or between two.
+    struct Cells
     {
-      const Lattice       lattice = make_lattice(parameters.packing);
-      const double        wanted  = shape.volume() / std::pow(parameters.spacing, 3);
-      const double        quarter = parameters.packing == BirdLattice::fcc ? 0.25 : 0.5;
+      Point3              edges;
+      std::vector<double> shifts;
+    };
+
+    /// Between flat ends the whole number of layers that is nearest to the spacing fills the length; across it cells
+    /// have what leaves a particle its volume.
+    Cells fit_cells(const Lattice &lattice, const Shape &shape, const double spacing)
+    {
+      const double cell = lattice.cell * spacing, between = 0.5 * lattice.layer;
+      if (!shape.has_flat_ends())
+        return {Point3::Constant(cell), {0., between}};
+      const double n     = std::max(1., std::round(shape.length() / (lattice.layer * cell)));
+      const double along = shape.length() / (n * lattice.layer), across = cell * std::sqrt(cell / along);
+      return {Point3(across, across, along), {std::fmod(n, 2.) == 1. ? 0. : between}};
+    }
+
+    /// Of the shifts that keep the lattice symmetric about the axis keeps the cut whose count is nearest to the volume;
+    /// that lattice is then moved across the axis as the entry says.
+    std::vector<Point3> pack(const BirdParameters &parameters, const Shape &shape, const Lattice &lattice,
+                             const Cells &cells)
+    {
+      const double        wanted = shape.volume() / std::pow(parameters.spacing, 3);
       std::vector<Point3> best;
       Point3              of_best = Point3::Zero();
-      for (const double lateral : {0., quarter})
+      for (const double lateral : {0., 0.5 * lattice.layer})
         if (!parameters.is_halved || lateral > 0.) // no particle in the plane of symmetry
-          for (const double axial : {0., quarter})
+          for (const double axial : cells.shifts)
             {
               const Point3        shift(lateral, lateral, axial);
-              std::vector<Point3> points = cut_lattice(lattice, shape, parameters.spacing, shift);
+              std::vector<Point3> points = cut_lattice(lattice, shape, cells.edges, shift);
               if (best.empty() || std::abs(points.size() - wanted) < std::abs(best.size() - wanted))
                 {
                   best    = std::move(points);
@@ -70,7 +90,7 @@ namespace birdstrike
       if (!parameters.is_lattice_shifted())
         return best;
       const auto &[x, y] = parameters.lattice_shift;
-      return cut_lattice(lattice, shape, parameters.spacing, of_best + Point3(x, y, 0.));
+      return cut_lattice(lattice, shape, cells.edges, of_best + Point3(x, y, 0.));
     }
 
     /// A slab takes whole numbers of cells along each length.
@@ -82,11 +102,10 @@ namespace birdstrike
       return n;
     }
 
-    std::vector<Point3> pack_slab(const BirdParameters &parameters, const Shape &shape)
+    std::vector<Point3> pack_slab(const BirdParameters &parameters, const Shape &shape, const Lattice &lattice)
     {
-      const Lattice       lattice = make_lattice(parameters.packing);
-      const double        a       = lattice.cell * parameters.spacing;
-      const auto          n       = count_cells(shape, a);
+      const double        a = lattice.cell * parameters.spacing;
+      const auto          n = count_cells(shape, a);
       std::vector<Point3> points;
       const double        inset = lattice.basis.size() == 1 ? 0.5 : 0.25;
       for (int k = 0; k < n[2]; ++k)
@@ -152,28 +171,31 @@ namespace birdstrike
   Packing compute_packing(const BirdParameters &parameters, const Shape &shape)
   {
     check_slice(parameters, shape);
-    Packing packing;
-    packing.points = shape.is_slab() ? pack_slab(parameters, shape) : pack(parameters, shape);
+    const Lattice lattice = make_lattice(parameters.packing);
+    const Cells   cells   = fit_cells(lattice, shape, parameters.spacing);
+    Packing       packing;
+    packing.points = shape.is_slab() ? pack_slab(parameters, shape, lattice) : pack(parameters, shape, lattice, cells);
     if (packing.points.empty())
       throw InputError("Section '" + parameters.section +
                        "': the shape holds no particle.\nChoose a smaller 'Particle spacing'.");
 
-    const std::size_t n     = packing.points.size();
-    const double      m     = shape.volume() * parameters.density;
-    const double      scale = std::cbrt(shape.volume() / n) / parameters.spacing;
-    packing.particle_mass   = m / n;
-    packing.spacing         = parameters.spacing * scale;
-    double low = INFINITY, high = -INFINITY;
+    const std::size_t n   = packing.points.size();
+    const double      m   = shape.volume() * parameters.density;
+    // what the count is off scales the lattice, across the axis alone where layers fill the length
+    const double ratio    = std::cbrt(shape.volume() / n) / parameters.spacing;
+    packing.particle_mass = m / n;
+    packing.spacing       = parameters.spacing * ratio;
+    const double along = shape.has_flat_ends() ? 1. : ratio, across = std::sqrt(ratio / along) * ratio;
+    double       low = INFINITY, high = -INFINITY;
     for (Point3 &p : packing.points)
       {
-        p *= scale;
+        p                       = p.cwiseProduct(Point3(across, across, along));
         low                     = std::min(low, p[2]);
         high                    = std::max(high, p[2]);
         p                       = shape.in_bird(p);
         packing.bounding_radius = std::max(packing.bounding_radius, p.norm());
       }
-    const double layer = parameters.packing == BirdLattice::fcc ? 0.5 * std::cbrt(4.) : 1.;
-    packing.length     = high - low + layer * packing.spacing;
+    packing.length = high - low + lattice.layer * cells.edges[2] * along;
     packing.bounding_radius += packing.spacing;
     // A cross-section is as large as its share of the volume: D scales with the cut's count at fixed shape.
     packing.diameter = shape.diameter() * std::sqrt(shape.length() / packing.length);

@@ -49,6 +49,10 @@ namespace birdstrike
     {
       return kind == BirdShape::slab;
     }
+    bool has_flat_ends() const ///< across z
+    {
+      return kind == BirdShape::cylinder || is_slice();
+    }
     bool is_slice() const
     {
       return cut.has_value();
