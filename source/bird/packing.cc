@@ -179,8 +179,8 @@ namespace birdstrike
       throw InputError("Section '" + parameters.section +
                        "': the shape holds no particle.\nChoose a smaller 'Particle spacing'.");
 
-    const std::size_t n   = packing.points.size();
-    const double      m   = shape.volume() * parameters.density;
+    const std::size_t n = packing.points.size();
+    const double      m = shape.volume() * parameters.density;
     // what the count is off scales the lattice, across the axis alone where layers fill the length
     const double ratio    = std::cbrt(shape.volume() / n) / parameters.spacing;
     packing.particle_mass = m / n;

@@ -22,6 +22,7 @@ import csv
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -63,17 +64,30 @@ def snap(radius, spacing):
     return spacing * min(fits, key=lambda r: abs(r - radius / spacing))
 
 
+def row_spacing(program, case, shape, spacing):
+    """Across the axis, of the bird as packed, m: a cylinder's layers fill its length, other shapes are as far apart along it."""
+    told = subprocess.run([program, "explain", *case], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
+    found = re.search(r"particles.* spacing ([0-9.]+) mm", told)
+    if not found:
+        raise SystemExit(f"{shape}, {spacing}: no spacing is explained:\n{told[-1000:]}")
+    packed = 1e-3 * float(found.group(1))
+    length = SHAPES[shape] * diameter(shape)
+    return math.sqrt(packed ** 3 * round(length / spacing) / length) if shape == "cylinder" else packed
+
+
 def run(program, output, shape, spacing, end, n_rings=N_RINGS, settings=()):
     """Times and, ring by ring from the middle outwards, mean pressures of the steps; two rings are a disc in the middle and the rest. A run
     that is there is taken, whatever its further settings."""
     folder = os.path.join(output, f"{shape.replace(' ', '-')}-{1e3 * spacing:g}mm-{1e6 * end:.0f}us")
-    radii = [0.] + [snap(0.5 * diameter(shape) * k / N_RINGS, spacing) for k in range(1, n_rings)] + [0.5 * diameter(shape)]
+    bird = ("Case/Symmetry plane=y", f"Bird/Shape={shape}", f"Bird/Length over diameter={SHAPES[shape]}", f"Bird/Particle spacing={spacing}")
+    case = [os.path.join(TOP, "prm", "rigid-plate.prm")] + [w for s in bird for w in ("--set", s)]
+    apart = row_spacing(program, case, shape, spacing)
+    radii = [0.] + [snap(0.5 * diameter(shape) * k / N_RINGS, apart) for k in range(1, n_rings)] + [0.5 * diameter(shape)]
     discs = "; ".join(f"disc{k}: 0 0 0 {radii[k]:.9g}" for k in range(1, n_rings + 1))
-    settings = ("Case/Symmetry plane=y", f"Bird/Shape={shape}", f"Bird/Length over diameter={SHAPES[shape]}", f"Bird/Particle spacing={spacing}",
-                f"Contact/Pressure patches={discs}", f"Time/End time={end}", "Time/Threads=1", "Output/History interval=0",
+    settings = (f"Contact/Pressure patches={discs}", f"Time/End time={end}", "Time/Threads=1", "Output/History interval=0",
                 "Output/Blade fields=false", "Output/Bird fields=false", "Output/HDF5=false", "Output/Checkpoint/At the end=false", *settings)
     if not os.path.exists(os.path.join(folder, "summary.json")):
-        command = [program, "run", os.path.join(TOP, "prm", "rigid-plate.prm"), "--output", folder]
+        command = [program, "run", *case, "--output", folder]
         done = subprocess.run(command + [w for s in settings for w in ("--set", s)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               text=True)
         if done.returncode != 0:

@@ -11,10 +11,10 @@ namespace birdstrike
 {
   /// The particles of an undeformed bird, placed: a lattice that is symmetric about the bird's axis, cut by the shape
   /// and scaled so that every particle holds exactly mass/n at exactly the given density: V_p = spacing^3 = m/(n rho).
-  /// Mass and density are therefore exact. So are the length of a cylinder, which a whole number of layers fills that are
-  /// nearly as far apart as the particles within them, and its cross-section; other shapes have dimensions that differ
-  /// slightly from the nominal ones, by less than half a layer at each end.
-  /// A slice is packed likewise, its lattice symmetric about its middle and along its planes, at its place in the bird.
+  /// Mass and density are therefore exact. So are the length of a cylinder, which a whole number of layers fills that
+  /// are nearly as far apart as the particles within them, and its cross-section; other shapes have dimensions that
+  /// differ slightly from the nominal ones, by less than half a layer at each end. A slice is packed likewise, its
+  /// lattice symmetric about its middle and along its planes, at its place in the bird.
   struct Packing
   {
     std::vector<Point3>   points;               ///< m
