@@ -45,7 +45,8 @@ namespace birdstrike
       prm.add_parameter("Slab lengths", bird.slab_lengths, "Lengths of a slab along x, y and z. [m]", three_numbers);
       declare_choice(prm, "Periodic directions", bird.is_periodic, directions,
                      "Directions in which a slab, or a cylinder along its axis, repeats itself for ever. [-]");
-      declare_choice(prm, "Packing", bird.packing, bird_lattices(), "Lattice on which the particles start. [-]");
+      declare_choice(prm, "Packing", bird.packing, bird_lattices(),
+                     "Lattice on which the particles start; its layers fill the length of a cylinder or slice. [-]");
       prm.add_parameter("Particle spacing", bird.spacing,
                         "Cube root of the volume of one particle; adjusted slightly to meet the mass exactly. [m]",
                         positive);
