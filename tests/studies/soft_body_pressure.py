@@ -65,14 +65,15 @@ def snap(radius, spacing):
 
 
 def row_spacing(program, case, shape, spacing):
-    """Across the axis, of the bird as packed, m: a cylinder's layers fill its length, other shapes are as far apart along it."""
+    """Across the axis, of the bird as packed, m: a cylinder's layers fill its length, in other shapes they are as far apart as rows. Of
+    fcc, which has no such rows, that of as many cubes."""
     told = subprocess.run([program, "explain", *case], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
     found = re.search(r"particles.* spacing ([0-9.]+) mm", told)
     if not found:
         raise SystemExit(f"{shape}, {spacing}: no spacing is explained:\n{told[-1000:]}")
     packed = 1e-3 * float(found.group(1))
     length = SHAPES[shape] * diameter(shape)
-    return math.sqrt(packed ** 3 * round(length / spacing) / length) if shape == "cylinder" else packed
+    return math.sqrt(packed ** 3 * round(length / spacing) / length) if shape == "cylinder" and "Bird/Packing=fcc" not in case else packed
 
 
 def run(program, output, shape, spacing, end, n_rings=N_RINGS, settings=()):
@@ -81,7 +82,7 @@ def run(program, output, shape, spacing, end, n_rings=N_RINGS, settings=()):
     folder = os.path.join(output, f"{shape.replace(' ', '-')}-{1e3 * spacing:g}mm-{1e6 * end:.0f}us")
     bird = ("Case/Symmetry plane=y", f"Bird/Shape={shape}", f"Bird/Length over diameter={SHAPES[shape]}", f"Bird/Particle spacing={spacing}")
     case = [os.path.join(TOP, "prm", "rigid-plate.prm")] + [w for s in bird for w in ("--set", s)]
-    apart = row_spacing(program, case, shape, spacing)
+    apart = row_spacing(program, case + [w for s in settings for w in ("--set", s)], shape, spacing)
     radii = [0.] + [snap(0.5 * diameter(shape) * k / N_RINGS, apart) for k in range(1, n_rings)] + [0.5 * diameter(shape)]
     discs = "; ".join(f"disc{k}: 0 0 0 {radii[k]:.9g}" for k in range(1, n_rings + 1))
     settings = (f"Contact/Pressure patches={discs}", f"Time/End time={end}", "Time/Threads=1", "Output/History interval=0",

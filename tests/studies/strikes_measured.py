@@ -72,10 +72,11 @@ def run(program, folder, strike, level, settings):
 
 
 def on_rigid_plate(program, folder, level, settings):
-    """Over Hugoniot's and over the stagnation pressure."""
+    """Over Hugoniot's and over the stagnation pressure. Half the bird, whose rows lie as the discs suppose, but of what has no half."""
     p_h, _, _ = soft_body_pressure.hugoniot()
-    result = soft_body_pressure.run(program, folder, "cylinder", 1e-3 * float(level[0]), 0.31e-3, 2,
-                                    ("Case/Symmetry plane=none", *settings))
+    has_half = not {"Bird/Packing=fcc", "Bird/Formulation=standard"} & set(settings)
+    whole = () if has_half else ("Case/Symmetry plane=none",)
+    result = soft_body_pressure.run(program, folder, "cylinder", 1e-3 * float(level[0]), 0.31e-3, 2, (*whole, *settings))
     found = soft_body_pressure.figures_of("cylinder", result, p_h)
     return {"Hugoniot pressure": found["peak"], "stagnation pressure": found["stagnation"]}
 
