@@ -1,7 +1,9 @@
 #include "simulation/projectile/first_touch.h"
 #include <birdstrike/bird/bird.h>
+#include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/contact/flight.h>
 #include <birdstrike/contact/mass_in_the_way.h>
+#include <birdstrike/core/closest_point.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/structure/blade.h>
 #include <birdstrike/structure/rotor.h>
@@ -46,19 +48,24 @@ namespace birdstrike
       }
     };
 
-    /// Velocity (m/s) of the surface where the bird aims: of the node nearest to that point.
+    /// Velocity (m/s) of the surface where it is closest to the aim point.
     Point3 find_velocity_at_aim(const Point3 &aim, const FacetsView &facets)
     {
-      std::uint32_t nearest  = 0;
-      double        smallest = INFINITY;
+      Point3 velocity = Point3::Zero();
+      double smallest = INFINITY;
       for (std::size_t f = 0; f < facets.n_facets; ++f)
-        for (const std::uint32_t node : facets.nodes[f])
-          if (const double d = (Point3(facets.position + 3 * node) - aim).squaredNorm(); d < smallest)
-            {
-              smallest = d;
-              nearest  = node;
-            }
-      return Point3(facets.velocity + facets.velocity_stride * nearest);
+        if (const auto closest = compute_closest_point(aim, facet_nodes(facets, f));
+            closest.distance_squared < smallest)
+          {
+            smallest      = closest.distance_squared;
+            const auto at = [&](const unsigned int k) {
+              return Point3(facets.velocity + facets.velocity_stride * facets.nodes[f][k]);
+            };
+            velocity = at(0);
+            for (unsigned int k = 1; k < 4; ++k)
+              velocity += closest.weights[k] * (at(k) - at(0)); // exact where all are the same
+          }
+      return velocity;
     }
 
     void move(Bird &bird, const BirdParameters &parameters, const Point3 &way)
@@ -192,7 +199,9 @@ namespace birdstrike
         aim = rotor->turn(parameters.arrival).carried(aim);
       }
     const FacetsView &facets = turned ? turned->view : at_start;
-    const Point3      frame  = find_velocity_at_aim(aim, facets);
+    // of a blade that turns, of the aim point itself: no mesh has a part in it, nor which face of a blade is nearer
+    const Point3 frame =
+      rotor != nullptr ? rotor->motion(parameters.arrival).velocity(aim) : find_velocity_at_aim(aim, facets);
     if (Point3(parameters.velocity.data()) == frame)
       throw InputError(
         fmt::format("The bird does not close in on the blade: {0}/Velocity is that of the blade where it "

@@ -185,3 +185,25 @@ TEST(Placement, AdviceIsNeverWhatIsSetAlready)
   EXPECT_NE(slab.find("inside"), std::string::npos) << slab;
   EXPECT_EQ(slab.find("Stand-off"), std::string::npos) << slab;
 }
+
+TEST(Placement, ATurningBladeIsMetAsFastAsItMovesWhereTheBirdAims)
+{
+  const Point3 omega(0., 300., 0.), centre(-0.25, 0., 0.), velocity(0., 110., 150.);
+  for (const std::string kind : {"shell", "solid"})
+    for (const std::string n : {"10", "14"})
+      for (const double z : {-1e-6, 1e-6})
+        {
+          const Point3             aim(0.137, 0.011, z);
+          std::vector<std::string> entries = square_plate;
+          entries.insert(entries.end(),
+                         {"Blade/Kind=" + kind, "Blade/Mesh/Elements along span=" + n, "Blade/Spin/Speed=300",
+                          "Blade/Spin/Axis=0, 1, 0", "Blade/Spin/Centre=-0.25, 0, 0", "Blade/Spin/Prestress=false",
+                          "Blade/Supports/Clamped=root", "Bird/Velocity=0, 110, 150",
+                          "Bird/Aim point=0.137, 0.011, " + std::to_string(z)});
+          CaseParameters parameters;
+          parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/quickstart.prm", entries);
+          const Scene  scene(parameters);
+          const Point3 closing(scene.birds.front().first_touch.closing_velocity.data());
+          EXPECT_LT((closing - (velocity - omega.cross(Point3(aim - centre)))).norm(), 1e-9) << kind << ", " << n;
+        }
+}
