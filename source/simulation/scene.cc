@@ -3,6 +3,7 @@
 #include "simulation/projectile/first_touch.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/contact/plane_folds.h>
 #include <birdstrike/contact/self_contact.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
@@ -102,6 +103,7 @@ namespace birdstrike
       }
     if (!has_contact())
       return;
+    refuse_folds_on_plane(blade->facets());
     require_apart(birds);
     limit_multirate();
   }
