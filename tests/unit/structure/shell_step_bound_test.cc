@@ -86,6 +86,21 @@ namespace shell_step_bound_test
     EXPECT_NEAR(model.elements.step_limit().value, 0.5 * before, 1e-12);
   }
 
+  // A roof, and the half of it that begins at the ridge.
+  TEST(ShellStepBound, OfAHalfIsThatOfTheWhole)
+  {
+    for (const auto formulation : all_formulations)
+      {
+        const auto roof = [](const double x, const double y) { return Point3(x, y, -0.5 * std::abs(y)); };
+        Model      whole(make_grid(4, 6, [&](double x, double y) { return roof(x, 2. * y - 1.); }), 0.1,
+                         make_section(1., 0.3, formulation));
+        Model      half(make_grid(4, 3, roof), 0.1, make_section(1., 0.3, formulation));
+        EXPECT_GT(half.elements.largest_stable_step(), 1.01 * whole.elements.largest_stable_step());
+        half.elements.add_symmetry_plane(std::vector<std::uint32_t>{0, 1, 2, 3, 4}, Point3::UnitY());
+        EXPECT_NEAR(half.elements.largest_stable_step() / whole.elements.largest_stable_step(), 1., 1e-12);
+      }
+  }
+
   TEST(ShellStepBound, IsTheSameWithAndWithoutWords)
   {
     // a mesh of more than one chunk of batches, moved, so that the largest value is somewhere inside

@@ -26,6 +26,8 @@ namespace birdstrike
   void ShellElements::add_symmetry_plane(const std::span<const std::uint32_t> plane, const Point3 &plane_normal)
   {
     nodes.add_symmetry_plane(plane, plane_normal);
+    for (ShellGroup &group : groups)
+      group.update_bounds_at_rest(); // which rest on directors
   }
 
   std::vector<double> ShellElements::compute_rotary_inertias() const
