@@ -11,6 +11,9 @@ namespace birdstrike
 {
   constexpr double blunt_ridge = std::numbers::pi / 6.; ///< ridges of smaller angles have no chamfer
 
+  constexpr double share_starts_at  = 0.5,
+                   share_is_full_at = 0.2; ///< cosines between two touching directions (NarrowPhase)
+
   inline Point3 node_at(const FacetsView &facets, const std::uint32_t node)
   {
     return Eigen::Map<const Point3>(facets.position + 3 * node);

@@ -1,4 +1,5 @@
 #include "contact/touch/common_nodes.h"
+#include "contact/touch/edge_frame.h"
 #include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/contact/narrow_phase.h>
 #include <birdstrike/core/closest_point.h>
@@ -10,7 +11,6 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr double share_starts_at = 0.5, share_is_full_at = 0.2; // cosines between two touching directions
     constexpr double tie           = 1e-9; // difference of equal distances over the range, of equal heights relative
     constexpr double looks_outward = 0.25; // cosine between a facet's normal and where a point came from
 

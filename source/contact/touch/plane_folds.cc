@@ -11,9 +11,7 @@ namespace birdstrike
 {
   namespace
   {
-    /// Angle between the normals of two sheets from which on a point touches both (NarrowPhase).
-    constexpr double both_sheets = std::numbers::pi / 3.;
-    constexpr double round_off   = 1e-6;
+    constexpr double round_off = 1e-6; // of an angle
 
     double degrees(const double angle)
     {
@@ -34,7 +32,7 @@ namespace birdstrike
           const EdgeFrame face     = edge_frame(facets, static_cast<std::int32_t>(f), a, b);
           const double    angle    = 2. * std::asin(std::min(std::abs(face.normal[1]), 1.)); // to its mirror image
           const bool      is_ridge = !facets.two_sided && face.normal[1] > 0.;
-          if (const double allowed = is_ridge ? blunt_ridge : both_sheets; angle > allowed + round_off)
+          if (const double allowed = is_ridge ? blunt_ridge : std::acos(share_starts_at); angle > allowed + round_off)
             throw InputError(fmt::format(
               "Case/Symmetry plane: at ({:.4g}, 0, {:.4g}) m the blade's surface meets its mirror image in a {} of "
               "{:.0f} degrees. Contact with such a place is not computed by half.\n  Allowed: {:.0f} degrees between "
