@@ -11,9 +11,9 @@ namespace birdstrike
 {
   namespace
   {
-    void declare_overrides(CLI::App *command, std::vector<std::string> &overrides)
+    CLI::Option *declare_overrides(CLI::App *command, std::vector<std::string> &overrides)
     {
-      command->add_option("--set", overrides, "Override an entry: \"Section/Entry=value\" (repeatable)")
+      return command->add_option("--set", overrides, "Override an entry: \"Section/Entry=value\" (repeatable)")
         ->allow_extra_args(false);
     }
 
@@ -87,7 +87,8 @@ namespace birdstrike
       modes->callback([&] { action = [&] { run_modes(request); }; });
     }
 
-    void declare_measurement(CLI::App *compare, MeasurementRequest &request)
+    /// Of runs that are there, to which nothing can be set.
+    CLI::Option *declare_measurement(CLI::App *compare, MeasurementRequest &request)
     {
       auto *measured = compare
                          ->add_option("--measured", request.of_file,
@@ -100,6 +101,7 @@ namespace birdstrike
         ->needs(measured);
       compare->add_option("--time-offset", request.time_offset, "Added to the table's times: \"0.35 ms\"")
         ->needs(measured);
+      return measured;
     }
 
     /// The case as it is, or as fine as a target asks for.
@@ -168,15 +170,17 @@ namespace birdstrike
     CLI::App       *compare = app.add_subcommand("compare", "Run cases, or take their runs, and set them side by side");
     CompareRequest &request = requests.of_comparison;
     compare->add_option("FILE", request.prm_files, "Parameter files; differences are to the first")->required();
-    declare_measurement(compare, requests.of_measurement);
-    compare
-      ->add_option(
-        "--blade", request.blade_kinds,
-        "Each file once for each of these values of Blade/Kind, e.g. shell,solid; rigid: the same surface without "
-        "elements")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-    declare_overrides(compare, request.overrides);
+    auto *blades =
+      compare
+        ->add_option(
+          "--blade", request.blade_kinds,
+          "Each file once for each of these values of Blade/Kind, e.g. shell,solid; rigid: the same surface without "
+          "elements")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    declare_measurement(compare, requests.of_measurement)
+      ->excludes(blades)
+      ->excludes(declare_overrides(compare, request.overrides));
     compare->add_option("--output", request.output, "Folder of the comparison")->capture_default_str();
     compare->callback([&requests, &action, compare] {
       if (requests.of_measurement.of_file.empty())

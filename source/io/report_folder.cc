@@ -47,7 +47,8 @@ namespace birdstrike
                        action);
   }
 
-  ReportFolder::ReportFolder(const fs::path &directory, const ReportKind &kind) : directory(directory)
+  ReportFolder::ReportFolder(const fs::path &directory, const ReportKind &kind, const bool keeps_results)
+    : directory(directory)
   {
     require_usable(directory, kind);
     std::error_code error;
@@ -62,9 +63,12 @@ namespace birdstrike
         ::close(lock);
         throw InputError("Another " + kind.name + " is writing into the folder '" + directory.string() + "'." + action);
       }
+    if (keeps_results)
+      return;
     for (const std::string &stem : kind.stems) // other files are somebody's own
-      for (const char *ending : {".csv", ".svg"})
+      for (const char *ending : {".csv", ".svg", ".h5"})
         fs::remove(directory / (stem + ending), error);
+    fs::remove(directory / "figures.gp", error);
   }
 
   ReportFolder::~ReportFolder()

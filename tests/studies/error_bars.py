@@ -32,7 +32,7 @@ CASES = {"frontal": "shell solid", "oblique": "shell solid", "perforation": "she
          "certification/large-bird": "shell", "certification/medium-bird": "shell", "certification/flock": "shell"}
 
 # Levels of the particles, and how many of them are coarser than the case: more where an edge cuts the bird.
-PARTICLES = {"oblique": (8, 1), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (6, 1), "fan-blade-composite": (8, 2),
+PARTICLES = {"oblique": (8, 1), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (8, 0), "fan-blade-composite": (8, 0),
              "certification/large-bird": (7, 2), "certification/medium-bird": (8, 2), "certification/flock": (8, 2)}
 OTHER_PARTICLES = {"fan-blade-spin": (7, 2)}  # five levels, to 2.78 mm, have changes that grow
 PLACES = 4  # of the lattice, where an edge cuts the bird

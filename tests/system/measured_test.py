@@ -159,6 +159,40 @@ def refuse():
         assert code == 2 and head in text and tail in text and len(text.splitlines()) <= 6, (name, code, text)
     done = call("compare", TOP, "--measured", write("time,tip\n" + rows), "tip: tip", "--output", "measured")
     assert done.returncode == 2 and "no run in" in done.stdout, done.stdout
+    for of_cases in (("--blade", "solid"), ("--set", "Bird/Mass=1")):
+        code, text, _ = compare("test.csv", "sensor: tip: tip", *of_cases)
+        assert code == 2 and of_cases[0] in text and "excludes" in text, text
+    shutil.copytree("run", "sparse")
+    with open("run/history.csv") as file:
+        lines = file.readlines()
+    first = next(k for k, line in enumerate(lines) if not line.startswith("#"))
+    with open("sparse/history.csv", "w") as file:
+        file.writelines(lines[:first + 2] + lines[-1:])
+    done = call("compare", "sparse", "--measured", "test.csv", "sensor: tip: tip", "--output", "measured")
+    assert done.returncode == 2 and "has 1 rows from" in done.stdout, done.stdout
+
+
+def read_what_spreadsheets_write():
+    """Names with separators in quotation marks, empty rows, a unit for one column alone."""
+    columns = [("time [ms]", "time", 1e3), ('"tip, mid ""chord"" [mm]"', "tip_mid_chord", 1e3)]
+    with open("run/history.csv") as file:
+        history = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    with open("sheet.csv", "w") as file:
+        file.write(",".join(name for name, _, _ in columns) + "\n,\n")
+        for row in history:
+            file.write(",".join(f'"{factor * float(row[name])!r}"' for _, name, factor in columns) + "\n")
+        file.write(',\n"",""\n')
+    code, text, (tip,) = compare("sheet.csv", 'tip, mid "chord": tip')
+    assert code == 0, text
+    near(tip["peak_ratio"], 1., 1e-9)
+    near(tip["iso_overall"], 1., 1e-6)
+    with open("sheet.csv") as file:
+        body = file.read().split("\n", 2)[2]
+    with open("sheet.csv", "w") as file:  # a row of units that leaves out what the header says
+        file.write("time,tip [mm]\n[ms],\n" + body)
+    code, text, (tip,) = compare("sheet.csv", "tip: tip")
+    assert code == 0, text
+    near(tip["peak_ratio"], 1., 1e-9)
 
 
 with tempfile.TemporaryDirectory() as scratch:
@@ -168,4 +202,5 @@ with tempfile.TemporaryDirectory() as scratch:
     compare_with_itself()
     compare_several()
     refuse()
+    read_what_spreadsheets_write()
 print("a run against its own curves, in other units and late; refusals in words")

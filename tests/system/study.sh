@@ -23,6 +23,9 @@ ask "a study that was stopped goes on" 0 "4 points, 3 of them" "1 of 1: Speed=10
 require "and computes nothing twice" '[ "$(comm -12 <(echo "$stamp") <(stat -c %Y.%y grid/*/history.csv | sort) | wc -l)" -eq 3 ]'
 ask "it may grow" 0 "6 points, 4 of them" -- "${grid[@]:0:${#grid[@]}-4}" --vary "Bird/Speed=100, 150, 200" --vary "Bird/Angle to surface=45, 90" --output grid
 
+ask "texts of an entry with a unit" 0 "Study in places" -- "$a" "${fast[@]}" --vary "Bird/Aim point=0.15, 0, 0 | 0.2, 0, 0" --vary "Case/Description=80% a_b | c" --output places
+require "are drawn" '! grep -q "could not draw" out.txt && grep -q "80% a_b" places/responses.svg places/maps.svg && grep -q "0.15, 0, 0" places/maps.svg'
+
 # a lost point, a refused point: both keep their rows, the others go on
 ask "a lost point" 3 "lost: .*energy" "Lost: 'Energy error limit=1e-12'" -- "$a" "${fast[@]}" --vary "Time/Energy error limit=0.05, 1e-12" --output lost
 require "keeps its row" 'grep -qE "^2,1e-12,.*lost: .*energy" lost/study.csv && grep -qE "^1,0.05,shell,.*,done," lost/study.csv'
@@ -63,8 +66,15 @@ require "has the same histories" 'cmp on/Mass=0.1/history.csv through/Mass=0.1/h
 # somebody else's scheduler
 ask "a task list" 0 "tasks: 2 lines" "SLURM_ARRAY_TASK_ID" -- "$a" "${fast[@]}" --vary "Bird/Shape=cylinder, hemispherical cylinder" --launcher "env TASK=1" --task-list tasks --output "my tasks"
 require "runs nothing" '[ -z "$(find "my tasks" -name summary.json)" ] && [ "$(wc -l <tasks)" -eq 2 ] && grep -q "env TASK=1 /" tasks'
+table=$(cksum grid/study.csv grid/study.h5 grid/maps.svg)
+ask "a task list of a study that is made" 0 "tasks 2.* is empty: no point is left to run" -- "${grid[@]}" --output grid --task-list "tasks 2"
+require "leaves its table" '[ "$table" = "$(cksum grid/study.csv grid/study.h5 grid/maps.svg)" ]'
+cp "$a" own.prm
+refuse "a task list over the case" "no list of tasks" -- own.prm "${fast[@]}" --vary "Bird/Mass=0.1, 0.2" --task-list own.prm --output over
+require "keeps it" 'cmp "$a" own.prm'
 (cd / && bash -c "$(sed -n 1p "$scratch/tasks")" && bash -c "$(sed -n 2p "$scratch/tasks")") >out.txt 2>&1
 ask "collects what was run" 0 "2 points, 2 of them" "^ *hemispherical cylinder .* done" -- "$a" "${fast[@]}" --vary "Bird/Shape=cylinder, hemispherical cylinder" --output "my tasks"
+ask "a launcher that runs nothing" 1 "exit code 0, and there is no complete run" -- "$a" "${fast[@]}" --vary "Bird/Mass=0.1, 0.2" --launcher true --output idle
 ask "a launcher that is not there" 1 "Cannot start 'no-such-launcher'" -- "$a" "${fast[@]}" --vary "Bird/Mass=0.1, 0.2" --launcher no-such-launcher --output nowhere
 
 # pairs, and the file's own section

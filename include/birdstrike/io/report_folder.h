@@ -20,7 +20,8 @@ namespace birdstrike
   class ReportFolder
   {
   public:
-    ReportFolder(const std::filesystem::path &directory, const ReportKind &kind);
+    /// Drops the tables and figures of an earlier report of the kind unless it keeps them.
+    ReportFolder(const std::filesystem::path &directory, const ReportKind &kind, bool keeps_results = false);
     ~ReportFolder();
     ReportFolder(const ReportFolder &)            = delete;
     ReportFolder &operator=(const ReportFolder &) = delete;

@@ -28,6 +28,15 @@ namespace birdstrike
       return quoted + "'";
     }
 
+    /// As a label at a tick, which gnuplot reads as a format.
+    std::string quote_tick(const std::string &text)
+    {
+      std::string doubled;
+      for (const char letter : text)
+        doubled += letter == '%' ? std::string("%%") : std::string(1, letter);
+      return quote(doubled);
+    }
+
     std::string label(const FigureAxis &axis)
     {
       return axis.quantity + " [" + axis.shown_unit + "]";
@@ -70,7 +79,7 @@ namespace birdstrike
       const std::size_t stride = std::max<std::size_t>(1, (n_letters + room - 1) / room);
       std::string       text;
       for (std::size_t k = 0; k < of.ticks.size(); k += stride)
-        text += (k > 0 ? ", " : "") + quote(of.ticks[k]) + " " + std::to_string(k + 1);
+        text += (k > 0 ? ", " : "") + quote_tick(of.ticks[k]) + " " + std::to_string(k + 1);
       return std::string("set ") + axis + "tics " + (text.empty() ? "autofreq" : "(" + text + ")") + "\n";
     }
 
@@ -181,7 +190,9 @@ namespace birdstrike
                        "set key outside bottom center horizontal noenhanced height 1\n"
                        "set title noenhanced\n"
                        "set xlabel noenhanced\n"
-                       "set ylabel noenhanced\n";
+                       "set ylabel noenhanced\n"
+                       "set xtics noenhanced\n"
+                       "set ytics noenhanced\n";
     for (const Figure &figure : figures)
       {
         const auto         n_panels = static_cast<unsigned int>(figure.panels.size());

@@ -64,6 +64,11 @@ namespace birdstrike
       return sum / double(measured.size());
     }
 
+    constexpr double no_change = 1e-12; // of its mean: a curve that changes by less is constant
+    constexpr double no_advantage =
+      1e-9; // between correlations, which are known to round-off and to what a file rounds
+
+    /// Normalised cross-correlation about the means; -1 where one of the curves is constant.
     double correlate(const Curve a, const Curve b)
     {
       const double n = double(a.size()), mean_a = std::accumulate(a.begin(), a.end(), 0.) / n,
@@ -75,7 +80,10 @@ namespace birdstrike
           aa += (a[k] - mean_a) * (a[k] - mean_a);
           bb += (b[k] - mean_b) * (b[k] - mean_b);
         }
-      return aa > 0. && bb > 0. ? ab / std::sqrt(aa * bb) : -1.;
+      const auto is_constant = [n](const double variation, const double mean) {
+        return variation <= n * std::pow(no_change * mean, 2);
+      };
+      return is_constant(aa, mean_a) || is_constant(bb, mean_b) ? -1. : ab / std::sqrt(aa * bb);
     }
 
     constexpr double largest_shift = 0.2;
@@ -87,7 +95,7 @@ namespace birdstrike
     };
 
     /// A computed curve that comes late is looked at first: of equal correlations the smallest shift to the left
-    /// counts.
+    /// counts. Straight lines, exponentials and periods correlate by 1 with what they are shifted by.
     Shifted shift(const Curve measured, const Curve computed)
     {
       Shifted    best{measured, computed, 0};
@@ -98,7 +106,7 @@ namespace birdstrike
           {
             const std::size_t rest = measured.size() - n;
             const Shifted     now{measured.subspan(is_late ? 0 : n, rest), computed.subspan(is_late ? n : 0, rest), n};
-            if (const double found = correlate(now.measured, now.computed); found > highest)
+            if (const double found = correlate(now.measured, now.computed); found > highest + no_advantage)
               {
                 highest = found;
                 best    = now;

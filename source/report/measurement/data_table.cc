@@ -14,20 +14,39 @@ namespace birdstrike
   {
     std::string trim(std::string text)
     {
-      const auto begin = text.find_first_not_of(" \t\r\""), end = text.find_last_not_of(" \t\r\"");
+      const auto begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
       return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
     }
 
+    /// Fields of a line, without what stands around them. One that begins with a quotation mark ends with one, and
+    /// holds separators and doubled marks as letters (RFC 4180).
     std::vector<std::string> split(const std::string &line, const char separator)
     {
-      std::vector<std::string> fields;
-      for (std::size_t begin = 0; begin <= line.size();)
+      std::vector<std::string> fields(1);
+      bool                     is_quoted = false;
+      for (std::size_t k = 0; k < line.size(); ++k)
         {
-          const std::size_t end = std::min(line.find(separator, begin), line.size());
-          fields.push_back(trim(line.substr(begin, end - begin)));
-          begin = end + 1;
+          std::string &field = fields.back();
+          if (line[k] == '"' && is_quoted && k + 1 < line.size() && line[k + 1] == '"')
+            field += line[++k];
+          else if (line[k] == '"' && (is_quoted || trim(field).empty()))
+            is_quoted = !is_quoted;
+          else if (line[k] == separator && !is_quoted)
+            fields.emplace_back();
+          else
+            field += line[k];
         }
+      std::ranges::transform(fields, fields.begin(), trim);
       return fields;
+    }
+
+    /// Of a line of names: semicolons before tabulators before commas.
+    char find_separator(const std::string &names)
+    {
+      for (const char separator : {';', '\t'})
+        if (split(names, separator).size() > 1)
+          return separator;
+      return ',';
     }
 
     bool parse(const std::string &text, double &value)
@@ -58,6 +77,8 @@ namespace birdstrike
       units[column.name] = column.unit;
     }
 
+    constexpr const char *nothing = " \t\r,;\"";
+
     struct Line
     {
       std::size_t number;
@@ -80,7 +101,7 @@ namespace birdstrike
               line.erase(0, 3);
             if (const auto first = line.find_first_not_of(" \t\r"); first != std::string::npos && line[first] == '#')
               read_comment(line, units);
-            else if (first != std::string::npos)
+            else if (line.find_first_not_of(nothing) != std::string::npos) // spreadsheets end with rows of separators
               lines.push_back({number, line});
           }
         if (lines.size() < 2)
@@ -89,10 +110,9 @@ namespace birdstrike
 
       std::vector<TableColumn> read()
       {
-        const std::string &head = lines[0].text;
-        separator = head.find(';') != std::string::npos ? ';' : head.find('\t') != std::string::npos ? '\t' : ',';
+        separator = find_separator(lines[0].text);
         std::vector<TableColumn> columns;
-        for (const std::string &name : split(head, separator))
+        for (const std::string &name : split(lines[0].text, separator))
           add(columns, name);
         std::size_t row = 1;
         double      number;
@@ -101,9 +121,10 @@ namespace birdstrike
             fields.size() == columns.size())
           {
             for (std::size_t k = 0; k < columns.size(); ++k)
-              columns[k].unit = fields[k].starts_with('[') && fields[k].ends_with(']')
-                                  ? trim(fields[k].substr(1, fields[k].size() - 2))
-                                  : fields[k];
+              if (!fields[k].empty())
+                columns[k].unit = fields[k].starts_with('[') && fields[k].ends_with(']')
+                                    ? trim(fields[k].substr(1, fields[k].size() - 2))
+                                    : fields[k];
             ++row;
           }
         for (; row < lines.size(); ++row)

@@ -126,6 +126,11 @@ namespace birdstrike
           format_quantity(computed.x.front(), axis), format_quantity(computed.x.back(), axis), fewest_rows,
           of_run.is_profile ? ""
                             : "\n--time-offset moves the measurement; a unit in its header ('time [ms]') scales it."));
+      if (const std::size_t n = count_rows(computed, begin, end); !of_run.is_profile && n < fewest_rows)
+        throw InputError(fmt::format("{} of {} has {} rows from {} to {}, where it was measured, fewer than {}.\n"
+                                     "Run it with a shorter Output/History interval, or further.",
+                                     of_run.quantity, run, n, format_quantity(begin, axis), format_quantity(end, axis),
+                                     fewest_rows));
       const auto m = sample(measured, begin, end), c = sample(computed, begin, end);
       if (std::ranges::all_of(m, [](const double y) { return y == 0.; }))
         throw InputError("'" + column + "' is zero wherever the run has values: nothing can be compared with it.");

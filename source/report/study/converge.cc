@@ -68,7 +68,8 @@ namespace birdstrike
     for (const PointRun &run : runs)
       if (run.is_done)
         done.push_back(run.folder);
-    log().info("\n{}{}{}", convergence.as_text(), describe_changing_sections(done), table.warnings_as_text());
+    log().info("\n{}{}{}{}", convergence.as_text(), describe_rounded_meshes(levels), describe_changing_sections(done),
+               table.warnings_as_text());
     for (const PointRun &run : runs)
       if (!run.is_done)
         log().info("No value of {}: {}", run.point.name, run.state);

@@ -64,8 +64,11 @@ namespace birdstrike
       return std::isfinite(value) ? fmt::format("{}", value) : "";
     }
 
+    /// Of so many levels, where all are there.
     std::string describe_bars(const std::size_t n_levels)
     {
+      if (n_levels < 3)
+        return "";
       if (n_levels == 3)
         return "Error bar: of the finest level, 1.25 times what Richardson's value is away where the ladder converges "
                "(grid\nconvergence index), else three times that; without an order three times the largest change.\n";
@@ -191,7 +194,10 @@ namespace birdstrike
                        (each.is_rising() ? "; still rising at the end, no peak, or still pushed by the bird" : ""));
         cells.push_back(std::move(line));
       }
-    return size_name(refinement) + ":\n" + align(cells) + describe_places(n_places) + describe_bars(sizes.size()) +
+    std::size_t n_fitted = 0;
+    for (const ConvergingRow &each : headline)
+      n_fitted = std::max(n_fitted, each.estimate.n_fitted);
+    return size_name(refinement) + ":\n" + align(cells) + describe_places(n_places) + describe_bars(n_fitted) +
            describe_interval(known_orders);
   }
 

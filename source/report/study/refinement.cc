@@ -120,7 +120,7 @@ namespace birdstrike
     require_what_is_refined(parameters, refinement);
     if (refinement == Refinement::points)
       return make_points_level(parameters.blade.element.n_points, factor);
-    LadderLevel level{factor, {}};
+    LadderLevel level{factor, {}, 0.};
     if (refines_mesh(refinement))
       {
         const MeshParameters &mesh   = parameters.blade.mesh;
@@ -129,7 +129,7 @@ namespace birdstrike
                      n_chord         = pair * std::max(1., std::round(mesh.n_chord / (pair * factor)));
         level.overrides              = {set_number("Blade/Mesh/Elements along span", n_span),
                                         set_number("Blade/Mesh/Elements along chord", n_chord)};
-        level.size                   = std::sqrt(mesh.length * mesh.chord / (n_span * n_chord));
+        level.size = level.mesh_size = std::sqrt(mesh.length * mesh.chord / (n_span * n_chord));
       }
     if (refines_bird(refinement))
       {
@@ -164,10 +164,26 @@ namespace birdstrike
       levels.push_back(make_level(parameters, refinement,
                                   std::pow(request.ratio, coarsest - static_cast<double>(k + request.n_finer))));
     for (std::size_t k = 1; k < n; ++k)
-      if (!(levels[k].size < levels[k - 1].size))
+      if (!(levels[k].size < levels[k - 1].size) ||
+          (refines_mesh(refinement) && !(levels[k].mesh_size < levels[k - 1].mesh_size)))
         throw InputError("Two levels are the same: " + levels[k].name() +
                          ".\n  Action: a larger --ratio, or a finer mesh in the case.");
     return levels;
+  }
+
+  std::string describe_rounded_meshes(const std::vector<LadderLevel> &levels)
+  {
+    constexpr double as_far = 0.05; // of a ratio
+    std::string      ratios;
+    bool             is_rounded = false;
+    for (std::size_t k = 1; k < levels.size() && levels[k].mesh_size > 0.; ++k)
+      {
+        const double of_mesh = levels[k - 1].mesh_size / levels[k].mesh_size,
+                     of_h    = levels[k - 1].size / levels[k].size;
+        is_rounded           = is_rounded || std::abs(of_mesh / of_h - 1.) > as_far;
+        ratios += fmt::format("{}{:.2f}", ratios.empty() ? "" : ", ", of_mesh);
+      }
+    return is_rounded ? "Elements are whole: sizes of the meshes are " + ratios + " apart, h is the particles'.\n" : "";
   }
 
   StudyPlan make_ladder_plan(const Refinement refinement, const std::vector<LadderLevel> &levels,

@@ -20,6 +20,7 @@ namespace birdstrike
   {
     double                   size; ///< h: m, or relative to the case
     std::vector<std::string> overrides;
+    double                   mesh_size = 0.; ///< m, where the mesh is refined
 
     std::string name() const; ///< "Elements along span=31, Elements along chord=9"
   };
@@ -40,6 +41,10 @@ namespace birdstrike
   /// All levels, the coarsest first. Throws InputError for fewer than three levels or more than eight, a ratio of at
   /// most 1.05, two levels of the same size, time steps longer than the case's.
   std::vector<LadderLevel> make_ladder(const CaseParameters &parameters, const ConvergeRequest &request);
+
+  /// How far meshes are apart whose elements are rounded, where that is not as far as their h, which is the particles';
+  /// empty where it is.
+  std::string describe_rounded_meshes(const std::vector<LadderLevel> &levels);
 
   /// Overrides by place of the lattice (report/study/lattice_places.h); one that is empty is the case as it stands.
   using LadderPlaces = std::vector<std::vector<std::string>>;

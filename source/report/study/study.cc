@@ -13,6 +13,7 @@
 #include <spdlog/logger.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace birdstrike
 {
@@ -63,14 +64,32 @@ namespace birdstrike
       log().info("Study in {}", folder.path().string());
     }
 
+    constexpr const char *task_begins_with = "cd ";
+
+    /// Over a list of before, or an empty file: the case itself is easily named by mistake.
+    void require_no_other_file(const std::string &file)
+    {
+      std::ifstream in(file);
+      std::string   line;
+      if (std::getline(in, line) && !line.starts_with(task_begins_with))
+        throw InputError("--task-list " + file +
+                         ": there is a file that is no list of tasks.\n  Action: give the list a name of its own.");
+    }
+
     void write_task_list(const std::string &file, const std::vector<PointRun> &runs, const RunOptions &options)
     {
+      require_no_other_file(file);
       const std::string tasks = make_task_list(runs, options);
       write_whole_file(file, {tasks});
+      const auto        n_tasks   = std::ranges::count(tasks, '\n');
+      const std::string collected = "The same command without --task-list, but with --collect, makes the table of what "
+                                    "has been run.";
+      if (n_tasks == 0)
+        return log().info("{} is empty: no point is left to run. {}", file, collected);
+      const std::string name = quote_for_shell(file);
       log().info("{}: {} lines, one a point. GNU parallel: parallel < {}. Slurm: an array 1-{}, each task\n"
-                 "  bash -c \"$(sed -n \"${{SLURM_ARRAY_TASK_ID}}p\" {})\"\n"
-                 "The same command without --task-list, but with --collect, makes the table of what has been run.",
-                 file, std::ranges::count(tasks, '\n'), file, std::ranges::count(tasks, '\n'), file);
+                 "  bash -c \"$(sed -n \"${{SLURM_ARRAY_TASK_ID}}p\" {})\"\n{}",
+                 file, n_tasks, name, n_tasks, name, collected);
     }
   } // namespace
 
@@ -87,7 +106,7 @@ namespace birdstrike
     const auto      n_to_go_on = std::ranges::count_if(runs, [](const PointRun &run) { return run.goes_on; });
     log().info("{} points, {} of them are there{}", runs.size(), n_done,
                n_to_go_on > 0 ? fmt::format(", {} will go on from a checkpoint", n_to_go_on) : "");
-    const ReportFolder folder(output, kind);
+    const ReportFolder folder(output, kind, !request.task_list.empty());
     if (!request.task_list.empty())
       return write_task_list(request.task_list, runs, options);
     if (!request.only_collects)

@@ -39,10 +39,8 @@ namespace birdstrike
     {
       const VariedEntry &entry = plan.entries[e];
       FigureAxis         axis  = make_axis(plan.short_name(e), entry.unit);
-      if (is_of_cells)
-        axis = {plan.short_name(e), entry.unit, entry.unit};
       if (is_of_cells || entry.numbers.empty())
-        axis.ticks = texts_of(entry);
+        axis = {plan.short_name(e), entry.unit, entry.unit, 1., texts_of(entry)};
       return axis;
     }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <map>
 #include <set>
 
 namespace birdstrike
@@ -62,6 +63,17 @@ namespace birdstrike
         if (!names.insert(point.name).second)
           throw InputError("The point " + point.name + " occurs twice.\n  Action: points of a study must differ.");
     }
+
+    /// Texts that differ by blanks, commas and hyphens alone: each gets the hash of its own.
+    void separate_folders(std::vector<StudyPoint> &points)
+    {
+      std::map<std::string, std::size_t> n_points;
+      for (const StudyPoint &point : points)
+        ++n_points[point.folder];
+      for (StudyPoint &point : points)
+        if (n_points[point.folder] > 1)
+          point.folder = make_folder_name(point.name, true);
+    }
   } // namespace
 
   std::vector<std::size_t> StudyPlan::shape() const
@@ -109,15 +121,16 @@ namespace birdstrike
         points.push_back(make_point(plan, at));
       }
     require_different(points);
+    separate_folders(points);
     return points;
   }
 
-  std::string make_folder_name(const std::string &text)
+  std::string make_folder_name(const std::string &text, const bool is_hashed)
   {
     constexpr std::size_t longest = 100;
     std::string           name;
     std::uint64_t         hash     = 14695981039346656037u;
-    bool                  is_whole = true;
+    bool                  is_whole = !is_hashed;
     for (std::size_t k = 0; k < text.size(); ++k)
       {
         const auto letter = static_cast<unsigned char>(text[k]);

@@ -33,10 +33,11 @@ namespace birdstrike
   /// (Output/Directory, Case/Name), pairs have unequal lengths, and for more than most_points points.
   StudyPlan read_study_plan(const std::vector<std::string> &vary, bool are_pairs);
 
-  /// All points, the last entry's values running fastest. Throws InputError where two pairs are equal.
+  /// All points, the last entry's values running fastest, each with a folder of its own. Throws InputError where two
+  /// pairs are equal.
   std::vector<StudyPoint> make_points(const StudyPlan &plan);
 
   /// A text as the name of a folder: letters, digits and ".=+-_" stay, others become '-'. One that is long or loses a
-  /// letter that may tell it from another ends in a checksum of the text (FNV-1a).
-  std::string make_folder_name(const std::string &text);
+  /// letter that may tell it from another, or `is_hashed`, ends in a checksum of the text (FNV-1a).
+  std::string make_folder_name(const std::string &text, bool is_hashed = false);
 } // namespace birdstrike

@@ -118,9 +118,8 @@ namespace birdstrike
     }
 
     /// By Time/Maximum wall time: its results are those of a part, and which depends on the machine.
-    bool ends_by_the_clock(const PointRun &run)
+    bool ends_by_the_clock(const RunRecord &record)
     {
-      const RunRecord record = read_record(run.folder);
       return record.is_complete() && record.summary().text("end/reason") == end_reasons().name(EndReason::wall_time);
     }
 
@@ -132,9 +131,16 @@ namespace birdstrike
           run.state   = "run anew, for resume says: " + find_refusal(result.output);
           return;
         }
-      run.exit_code     = result.exit_code == 0 && ends_by_the_clock(run) ? Interrupted::exit_code : result.exit_code;
-      run.is_done       = run.exit_code == 0;
-      const auto marker = read_record(run.folder).state();
+      const RunRecord record = read_record(run.folder);
+      if (result.exit_code == 0 && !record.is_complete()) // of a launcher that only hands over
+        {
+          run.exit_code = static_cast<int>(ExitCode::internal_error);
+          run.state     = "its launcher is back with exit code 0, and there is no complete run";
+          return;
+        }
+      run.exit_code = result.exit_code == 0 && ends_by_the_clock(record) ? Interrupted::exit_code : result.exit_code;
+      run.is_done   = run.exit_code == 0;
+      const auto marker = record.state();
       if (run.is_done)
         run.state = "done";
       else if (result.exit_code == static_cast<int>(ExitCode::numerical_failure))
@@ -165,17 +171,6 @@ namespace birdstrike
           "{} of {}: {}: {}{}", n_ended, requests.size(), started[k]->point.name, started[k]->state,
           n_left > 0. ? ", about " + format_duration(seconds * n_left / static_cast<double>(n_ended)) + " to go" : "");
       });
-    }
-
-    std::string quote_for_shell(const std::string &text)
-    {
-      if (!text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                                  "_-+=.,/:@%") == std::string::npos)
-        return text;
-      std::string quoted = "'";
-      for (const char letter : text)
-        quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-      return quoted + "'";
     }
   } // namespace
 
@@ -248,6 +243,17 @@ namespace birdstrike
                                  "go on from it.");
       }
     while (std::ranges::any_of(runs, is_to_run));
+  }
+
+  std::string quote_for_shell(const std::string &text)
+  {
+    if (!text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                                "_-+=.,/:@%") == std::string::npos)
+      return text;
+    std::string quoted = "'";
+    for (const char letter : text)
+      quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+    return quoted + "'";
   }
 
   std::string make_task_list(const std::vector<PointRun> &runs, const RunOptions &options)

@@ -42,6 +42,9 @@ namespace birdstrike
   /// What a run that was refused says why, of all that it has said: behind its warnings.
   std::string find_refusal(const std::string &output);
 
+  /// A text as one word of the shell.
+  std::string quote_for_shell(const std::string &text);
+
   /// A line of shell for each of these points, that runs it from any folder.
   std::string make_task_list(const std::vector<PointRun> &runs, const RunOptions &options);
 } // namespace birdstrike

@@ -23,6 +23,16 @@ namespace birdstrike
     /// Of four levels the test of an order that is wrong by one rejects a half at best (scatter of 6 % of the change).
     constexpr std::size_t fewest_of_a_test = 5;
 
+    /// Particles and elements have no higher one: more is a sign of three levels that are not in the asymptotic range.
+    constexpr double highest_order_of_three = 2.1; ///< as of fits
+
+    bool is_trusted_here(const GridConvergence &made)
+    {
+      const bool is_too_good =
+        made.n_fitted == 3 && made.trend == Trend::asymptotic && made.order > highest_order_of_three;
+      return made.is_trusted() && !is_too_good;
+    }
+
     double largest_change(const std::vector<double> &values)
     {
       const std::size_t n       = std::min<std::size_t>(values.size(), 3);
@@ -146,17 +156,27 @@ namespace birdstrike
 
   double ClimbAxis::share_beyond(const std::size_t level) const
   {
-    const double way = std::abs(values[level] - values.front()), more = std::abs(correction(level));
-    return way > 0. ? 1. + more / way : 1.;
+    double     to_level = 0., to_end = 0.;
+    const auto last = values.size() - 1;
+    for (std::size_t k = 1; k <= last; ++k)
+      {
+        const double way = std::abs(values[k] + correction(k) - values.front());
+        to_end           = std::max(to_end, way);
+        if (k <= level)
+          to_level = std::max(to_level, std::abs(values[k] - values.front()));
+      }
+    return to_level > 0. ? std::max(1., to_end / to_level) : 1.;
   }
 
   double ClimbAxis::bar() const
   {
     if (const auto fit = limit())
       return std::max(noise, fit->half_interval);
-    const GridConvergence made      = estimate();
-    const double          estimated = std::isnan(made.bar) ? factor_without_order * largest_change(values) : made.bar;
-    return made.n_fitted > 3 ? std::max(noise, estimated) : noise + estimated;
+    const GridConvergence made  = estimate();
+    const double          apart = factor_without_order * largest_change(values);
+    if (made.n_fitted > 3)
+      return std::max(noise, std::isnan(made.bar) ? apart : made.bar);
+    return noise + (is_trusted_here(made) ? made.bar : apart);
   }
 
   bool ClimbAxis::is_bar_noise() const
@@ -194,7 +214,7 @@ namespace birdstrike
         return fit && values.size() >= fewest_of_a_test && fit->limit * values.back() > 0. &&
                (trend == Trend::settled || (!fit->rejects_order() && trend != Trend::diverging));
       }
-    return !is_refined() || estimate().is_trusted() || bar() <= small_bar * allowed;
+    return !is_refined() || is_trusted_here(estimate()) || bar() <= small_bar * allowed;
   }
 
   double ClimbAxis::expected_gain() const

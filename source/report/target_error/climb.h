@@ -51,13 +51,14 @@ namespace birdstrike
     /// What takes the finest level's value there; 0 of other levels, and without a limit.
     double correction(std::size_t level) const;
 
-    /// What comes from the way of the values to a level comes from that to the limit, if it is corrected: so many times
-    /// as much.
+    /// What comes from the way of the values to a level comes from that to the finest too, and to the limit, if it is
+    /// corrected: so many times as much.
     double share_beyond(std::size_t level) const;
 
-    /// Half the error bar of the finest level: that of the estimate; where changes grow, and it has none, three times
-    /// the largest change of the three finest levels. With a limit half of its interval. Fits to four levels and more
-    /// know scatter, and are at least the noise; to a bar of three, which does not, it is added.
+    /// Half the error bar of the finest level: that of the estimate; where changes grow, and it has none, and of three
+    /// levels whose estimate is not trusted, three times the largest change of the three finest. With a limit half of
+    /// its interval. Fits to four levels and more know scatter, and are at least the noise; to a bar of three, which
+    /// does not, it is added.
     double bar() const;
 
     bool is_bar_noise() const; ///< and nothing else
@@ -66,17 +67,17 @@ namespace birdstrike
     /// With a limit, what it is away from that, the finest corrected, and half of the interval.
     std::vector<double> errors() const;
 
-    /// Whether errors may be claimed: the ladder's estimate is trusted, or its bar, by the larger factor of safety, is
-    /// below half of what is allowed: of three levels, then all changes are below a sixth of that. With an order that
-    /// is known: whether there is a limit, of the finest value's sign, and five levels and more do not reject the order
-    /// nor part, or have settled.
+    /// Whether errors may be claimed: the ladder's estimate is trusted, and of three levels has no higher order than
+    /// fits may have, 2.1, or its bar, by the larger factor of safety, is below half of what is allowed: of three
+    /// levels, then all changes are below a sixth of that. With an order that is known: whether there is a limit, of
+    /// the finest value's sign, and five levels and more do not reject the order nor part, or have settled.
     bool is_trusted(double allowed) const;
 
     /// What one more level would take off the error of the finest, by the order that is seen, else by one.
     double expected_gain() const;
   };
 
-  /// A line of a claim that fails: what runs with both refined add to the sum of the ladders; none: no run has.
+  /// A line of a claim that fails: what both refined add to the sum of the ladders; none: no run has been.
   std::string describe_interaction(std::optional<double> interaction, const std::string &unit);
 
   /// What a user changes to have finer levels: "a smaller Bird/Particle spacing and more ...".

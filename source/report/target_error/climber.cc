@@ -41,22 +41,36 @@ namespace birdstrike
   Climber::Answer Climber::climb()
   {
     begin();
-    std::vector<Levels> looked_at; // with these ladders: never twice, whatever round-off says
     while (true)
       {
         const double allowed = allowed_error();
         if (axes[0].is_trusted(allowed) && axes[1].is_trusted(allowed))
-          if (const auto choice = choose(allowed - interaction.value_or(0.));
-              choice && std::ranges::find(looked_at, *choice) == looked_at.end())
-            {
-              looked_at.push_back(*choice);
-              const Answer answer = look_at(*choice);
-              if (answer.bar() <= target.share * std::abs(answer.value))
-                return answer;
-              continue; // with the interaction that has been seen, choices are fewer
-            }
-        looked_at.clear();
+          if (const auto answer = find_answer())
+            return *answer;
         extend(allowed);
+      }
+  }
+
+  /// The cheapest pair of levels that these ladders and what both together add allow, which every pair that is run
+  /// tells better; where that alone is in the way the finest one, which extrapolates none of it.
+  std::optional<Climber::Answer> Climber::find_answer()
+  {
+    const Levels     finest(axes[0].sizes.size() - 1, axes[1].sizes.size() - 1);
+    std::set<Levels> looked_at; // never twice by the same, whatever round-off says
+    while (true)
+      {
+        auto choice = choose(allowed_error() - whole_interaction().value_or(0.), looked_at);
+        if (!choice && !looked_at.contains(finest) && choose(allowed_error(), {}))
+          choice = finest;
+        if (!choice)
+          return std::nullopt;
+        const std::size_t n_seen = asides.size();
+        const Answer      answer = look_at(*choice);
+        if (answer.bar() <= target.share * std::abs(answer.value))
+          return answer;
+        if (asides.size() > n_seen)
+          looked_at.clear();
+        looked_at.insert(*choice);
       }
   }
 
@@ -85,17 +99,17 @@ namespace birdstrike
         add_level(a);
   }
 
-  /// The cheapest.
-  std::optional<Climber::Levels> Climber::choose(const double allowed)
+  /// The cheapest that is not looked at yet.
+  std::optional<Climber::Levels> Climber::choose(const double allowed, const std::set<Levels> &looked_at)
   {
     std::optional<Levels> best;
     for (const ClimbChoice &choice : find_choices(axes[0], axes[1], allowed))
-      if (const Levels at(choice.bird, choice.mesh); !best || cost(at) < cost(*best))
+      if (const Levels at(choice.bird, choice.mesh); !looked_at.contains(at) && (!best || cost(at) < cost(*best)))
         best = at;
     return best;
   }
 
-  /// Place by place, since the scatter of one has the other; no less than its mean is known by.
+  /// Seen there; place by place, since the scatter of one has the other; no less than its mean is known by.
   double Climber::look_at_interaction(const Levels &at) const
   {
     std::vector<double> aside = known.values(at);
@@ -103,20 +117,30 @@ namespace birdstrike
       aside[place] -=
         known.values({at.first, 0})[place] + known.values({0, at.second})[place] - known.values({0, 0})[place];
     const double mean = mean_over_places(aside, aside.size()).at(0).mean;
-    return axes[0].share_beyond(at.first) * std::max(std::abs(mean), interval_of_mean(aside));
+    return std::max(std::abs(mean), interval_of_mean(aside));
+  }
+
+  /// As far as both ladders go: it grows as the product of their ways, by the pair from which the least is to go.
+  std::optional<double> Climber::whole_interaction() const
+  {
+    std::optional<double> whole;
+    double                least = std::numeric_limits<double>::infinity();
+    for (const auto &[at, seen] : asides)
+      if (const double share = axes[0].share_beyond(at.first) * axes[1].share_beyond(at.second); share < least)
+        {
+          least = share;
+          whole = share * seen;
+        }
+    return whole;
   }
 
   Climber::Answer Climber::look_at(const Levels &at)
   {
     known.run({at});
-    double aside = 0.;
     if (at.first > 0 && at.second > 0)
-      {
-        aside       = look_at_interaction(at);
-        interaction = std::max(interaction.value_or(0.), aside);
-      }
+      asides[at] = look_at_interaction(at);
     return {at, known.value(at) + axes[0].correction(at.first), axes[0].errors()[at.first], axes[1].errors()[at.second],
-            aside};
+            whole_interaction().value_or(0.)};
   }
 
   /// One more level: first of a ladder that cannot be trusted, else of the one that gains most for its time.

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace birdstrike
   /// Climbs the ladders of bird and mesh of one case until a run is within its target error.
   ///
   /// Each ladder runs with the other direction at its coarsest. What a run at levels (i, j) of both differs from the
-  /// sum of the two ladders' changes is counted as a third part of its error; later choices leave room for the largest
-  /// such part that was seen. Values are those of LevelRuns.
+  /// sum of the two ladders' changes, taken as far as both ladders go, is counted as a third part of
+  /// its error. Values are those of LevelRuns.
   class Climber
   {
   public:
@@ -48,15 +49,17 @@ namespace birdstrike
     const RunTimeForecast   &forecast;
     const ErrorTarget        target;
     LevelRuns                known;
-    std::array<ClimbAxis, 2> axes;        ///< bird, mesh
-    std::map<Levels, double> forecasts;   ///< of a run, s
-    std::optional<double>    interaction; ///< the largest that was seen
+    std::array<ClimbAxis, 2> axes;      ///< bird, mesh
+    std::map<Levels, double> forecasts; ///< of a run, s
+    std::map<Levels, double> asides;    ///< what runs with both refined differ from the sum of the ladders
 
     void                  begin();
     void                  add_level(std::size_t axis);
-    std::optional<Levels> choose(double allowed);
+    std::optional<Answer> find_answer();
+    std::optional<Levels> choose(double allowed, const std::set<Levels> &looked_at);
     Answer                look_at(const Levels &at);
     double                look_at_interaction(const Levels &at) const;
+    std::optional<double> whole_interaction() const;
     void                  extend(double allowed);
     [[noreturn]] void     refuse() const;
     std::string           advise() const;

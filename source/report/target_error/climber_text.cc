@@ -40,8 +40,8 @@ namespace birdstrike
       "The target error of {} is not reached, and none is claimed: {} is near {}.\n"
       "  {}.\n  {}.\n{}{}  Action: {}.",
       format_share(target.share), name_of_quantity(), format_value(value, unit), describe_axis(0), describe_axis(1),
-      axes[0].is_refined() && axes[1].is_refined() ? describe_interaction(interaction, unit) : "", describe_places(),
-      advise()));
+      axes[0].is_refined() && axes[1].is_refined() ? describe_interaction(whole_interaction(), unit) : "",
+      describe_places(), advise()));
   }
 
   /// What the ladders' bars allow, where they can be trusted.
@@ -52,7 +52,7 @@ namespace birdstrike
       return axes[0].known_orders && !axes[0].is_trusted(allowed)
                ? "another --bird-order, or none; birdstrike converge shows what a longer ladder has"
                : "a larger target, or a case whose ladders converge (birdstrike converge)";
-    const double errors    = axes[0].errors().back() + axes[1].errors().back() + interaction.value_or(0.);
+    const double errors    = axes[0].errors().back() + axes[1].errors().back() + whole_interaction().value_or(0.);
     const double scattered = axes[0].noise + axes[1].noise;
     return fmt::format("a target well above {}, {}{} in the case: the finest levels are half of its own sizes",
                        format_share(target.share * errors / allowed),

@@ -111,6 +111,40 @@ TEST(Climb, TrustsSwingsOnlyWhereTheyAreSmall)
   EXPECT_FALSE(grows.is_trusted(0.02));
 }
 
+// Energy that a plate absorbs, bird of 10, 7.1, 5 mm (J): the order of 3.1 is none that particles have, and five levels
+// end at 504.7.
+TEST(Climb, ThreeLevelsOfNoOrderCountByAllThatTheyAreApart)
+{
+  const ClimbAxis lucky{"bird", {10., 7.07107, 5.}, {546.3, 534.6, 530.7}};
+  EXPECT_EQ(lucky.estimate().trend, Trend::not_asymptotic);
+  EXPECT_NEAR(lucky.bar(), 3. * (546.3 - 530.7), 1e-9);
+  EXPECT_FALSE(lucky.is_trusted(0.09 * 530.7));
+  EXPECT_LT(lucky.values.back() - lucky.bar(), 504.7);
+}
+
+// Plastic work (J), bird of 10, 7.1, 5 mm: finer ones end at 464, 10 % lower.
+TEST(Climb, ThreeLevelsOfAHigherOrderThanTheMethodsAreNotTrusted)
+{
+  const ClimbAxis quick = axis_of_power(2.14, 0.1, 3), quadratic = axis_of_power(2., 0.1, 3);
+  EXPECT_EQ(quick.estimate().trend, Trend::asymptotic);
+  EXPECT_FALSE(quick.is_trusted(quick.bar()));
+  EXPECT_NEAR(quick.bar(), 3. * (quick.values[0] - quick.values[2]), 1e-12);
+  EXPECT_TRUE(quadratic.is_trusted(1e-9));
+  EXPECT_TRUE(axis_of_power(2.05, 0.1, 5).is_trusted(1e-9)) << "a fit of five, as converge has it";
+}
+
+TEST(Climb, WhatBothAddIsTakenAsFarAsTheLadderGoes)
+{
+  const ClimbAxis axis{"bird", {4., 3., 2., 1.}, {10., 9., 8.5, 8.}};
+  EXPECT_EQ(axis.share_beyond(0), 1.) << "nothing has been seen";
+  EXPECT_DOUBLE_EQ(axis.share_beyond(1), 2.);
+  EXPECT_DOUBLE_EQ(axis.share_beyond(2), 2. / 1.5);
+  EXPECT_EQ(axis.share_beyond(3), 1.);
+  const ClimbAxis back{"mesh", {3., 2., 1.}, {1., 1.1, 1.}};
+  EXPECT_EQ(back.share_beyond(1), 1.) << "it goes, and comes back";
+  EXPECT_EQ(back.share_beyond(2), 1.);
+}
+
 TEST(Climb, TrustsAFitOfFiveLevelsWithinItsScatter)
 {
   // Impulse of an oblique strike (N s): the bar is that of the fit (grid_convergence_test.cc).
@@ -140,7 +174,10 @@ TEST(Climb, TakesALadderOfAKnownOrderToItsLimit)
     {
       EXPECT_EQ(cut.correction(k), 0.) << "the finest alone is corrected";
       EXPECT_NEAR(cut.errors()[k], cut.values[k] - cut.limit()->limit + cut.bar(), 1e-12);
-      EXPECT_EQ(cut.share_beyond(k), 1.);
+      if (k > 0)
+        {
+          EXPECT_NEAR(cut.share_beyond(k), (11.01 - 8.098235) / (11.01 - cut.values[k]), 1e-6);
+        }
     }
   EXPECT_NEAR(cut.share_beyond(4), (11.01 - 8.098235) / (11.01 - 8.89), 1e-6)
     << "of the way to the limit, to the finest";

@@ -44,6 +44,35 @@ namespace birdstrike
     EXPECT_STREQ(rating.grade(), "excellent");
   }
 
+  // Curves that correlate with what they are shifted by: which shift is best must not be a matter of round-off.
+  TEST(CurveMetrics, CurvesThatAShiftLeavesAlikeAgreeWithThemselves)
+  {
+    const double tau = 2. * std::numbers::pi;
+    for (const auto &y : {sample(1001, [](const double t) { return 0.1 * t; }),
+                          sample(1001, [](const double t) { return std::exp(-3. * t); }),
+                          sample(1001, [=](const double t) { return std::round(1e6 * std::sin(10. * tau * t)) / 1e6; }),
+                          sample(801, [=](const double t) { return 0.3 * std::sin(8. * tau * t); })})
+      for (const double factor : {1., 0.9})
+        {
+          auto computed = y;
+          for (double &value : computed)
+            value *= factor;
+          const IsoRating rating = compute_iso_rating(y, computed);
+          EXPECT_EQ(rating.phase, 1.) << y[1] << " times " << factor;
+          if (factor == 1.)
+            {
+              EXPECT_NEAR(rating.overall, 1., 1e-15);
+            }
+        }
+    for (const double level : {0.01, 0.03, 0.07, 1.})
+      {
+        EXPECT_EQ(compute_iso_rating(sample(300, [=](double) { return level; }), sample(300, swing)).phase, 1.)
+          << level;
+        EXPECT_EQ(compute_iso_rating(sample(300, swing), sample(300, [=](double) { return level; })).phase, 1.)
+          << level;
+      }
+  }
+
   // M = factor - 1 whatever the shape, P = 0; both follow from the formulas.
   TEST(CurveMetrics, AFactorIsTheMagnitude)
   {

@@ -64,6 +64,15 @@ TEST(Figure, LevelsAreDrawnInTheShownUnit)
   EXPECT_NE(script.find("title 'yield stress'"), std::string::npos);
 }
 
+TEST(Figure, TicksAreTextsAndNeitherFormatsNorMarkup)
+{
+  Figure figure            = make_figure();
+  figure.panels[1].x.ticks = {"100%d", "a_b {/Symbol x}^2"};
+  const std::string script = script_of({figure});
+  EXPECT_NE(script.find("('100%%d' 1, 'a_b {/Symbol x}^2' 2)"), std::string::npos) << script;
+  EXPECT_NE(script.find("set xtics noenhanced"), std::string::npos);
+}
+
 TEST(Figure, LeavesTicksOutWhereTheyWouldOverlap)
 {
   Figure figure = make_figure();

@@ -72,6 +72,19 @@ TEST_F(Refining, SizesOfMeshesAreThoseOfWholeElements)
   EXPECT_EQ(ladder("both", 3, 2.)[1].overrides.size(), 3u);
 }
 
+TEST_F(Refining, BothAreRefinedOrNeither)
+{
+  const auto levels = ladder("both", 3, 2.);
+  EXPECT_EQ(levels[0].size, 0.008);
+  EXPECT_DOUBLE_EQ(levels[0].mesh_size, 4. * levels[2].mesh_size);
+  EXPECT_EQ(describe_rounded_meshes(levels), "");
+  const auto rounded = ladder("both", 3, 1.5, 0, {"Blade/Mesh/Elements along chord=2"});
+  EXPECT_NE(describe_rounded_meshes(rounded).find(", "), std::string::npos) << "1.5 of two elements is none";
+  EXPECT_EQ(describe_rounded_meshes(ladder("particles")), "");
+  const Texts few{"Blade/Mesh/Elements along span=3", "Blade/Mesh/Elements along chord=1"};
+  EXPECT_THROW(ladder("both", 3, 1.1, 0, few), InputError) << "birds of three sizes on one mesh";
+}
+
 // Half a plate is cut between elements: numbers along the chord are even, as the case's own must be.
 TEST_F(Refining, HalvesKeepPairsAlongTheChord)
 {

@@ -91,6 +91,28 @@ TEST(StudyPoints, TellFoldersApart)
   EXPECT_NE(make_folder_name(std::string(1000, 'a')), make_folder_name(std::string(1001, 'a')));
 }
 
+TEST(StudyPoints, HaveFoldersOfTheirOwn)
+{
+  const auto points = make_points(read_study_plan({"Blade/Mesh/File=plate 1.msh | plate-1.msh | plate 2.msh"}, false));
+  EXPECT_NE(points[0].folder, points[1].folder);
+  EXPECT_TRUE(points[1].folder.starts_with("File=plate-1.msh-"));
+  EXPECT_EQ(points[2].folder, "File=plate-2.msh") << "nothing else is called so";
+}
+
+TEST_F(Study, TextsOfAnEntryWithAUnitStandAtWholePlaces)
+{
+  const StudyPlan plan = read_study_plan({"Bird/Aim point=0.15, 0, 0 | 0.2, 0, 0"}, false);
+  ASSERT_EQ(plan.entries[0].unit, "m");
+  std::vector<PointRun> both(runs.begin(), runs.begin() + 2);
+  both[0].point.at   = {0};
+  both[1].point.at   = {1};
+  const auto figures = make_study_figures(plan, both, StudyTable(plan, both));
+  ASSERT_FALSE(figures.empty());
+  EXPECT_EQ(figures[0].panels[0].x.factor, 1.);
+  EXPECT_EQ(figures[0].panels[0].x.shown_unit, "m") << "as the texts are";
+  EXPECT_EQ(figures[0].panels[0].x.ticks, (std::vector<std::string>{"0.15, 0, 0", "0.2, 0, 0"}));
+}
+
 TEST_F(Study, TableHasEveryPointAndSaysWhyOneIsMissing)
 {
   const StudyTable  table(plan, runs);
