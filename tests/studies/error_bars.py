@@ -32,8 +32,13 @@ CASES = {"frontal": "shell solid", "oblique": "shell solid", "perforation": "she
          "certification/large-bird": "shell", "certification/medium-bird": "shell", "certification/flock": "shell"}
 
 # Levels of the particles, and how many of them are coarser than the case: more where an edge cuts the bird.
-PARTICLES = {"oblique": (8, 1), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (8, 0), "fan-blade-composite": (8, 0),
+PARTICLES = {"oblique": (8, 1), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (6, 1), "fan-blade-composite": (8, 0),
              "certification/large-bird": (7, 2), "certification/medium-bird": (8, 2), "certification/flock": (8, 2)}
+PARTICLES_OF_KIND = {("oblique", "solid"): (7, 1), ("fan-row", "shell"): (7, 0)}
+# Where the edge that is struck is so thick that particles resolve it (5 mm of fan-row, 4.2 mm of the composite), ladders bend on the way there
+# and the limit is that of so many finest levels: those below 0.6 of the thickness.
+RESOLVED = {("fan-row", "shell"): 6, ("fan-blade-composite", "shell"): 5}
+PLACES_OF_CASE = {"fan-blade-composite": 2}  # of its particles, whose scatter is 0.2 %
 OTHER_PARTICLES = {"fan-blade-spin": (7, 2)}  # five levels, to 2.78 mm, have changes that grow
 PLACES = 4  # of the lattice, where an edge cuts the bird
 LADDERS = ("particles", "mesh", "step")
@@ -53,13 +58,20 @@ QUANTITIES = {"Tip: peak (mid-chord)": ("tip peak", "mm", 1e3), "Tip: permanent 
 QUIET = ("Time/Threads=1", "Output/Blade fields=false", "Output/Bird fields=false", "Output/Checkpoint/At the end=false")
 
 
+def read_rows(path):
+    """By quantity."""
+    with open(path, newline="") as file:
+        return {row["quantity"]: row for row in csv.DictReader(file)}
+
+
 class Ladder:
     """converge.csv of a case: by quantity its values from the coarsest on, and the rest of its row; of levels.csv the run as shipped."""
 
     def __init__(self, folder, level):
         self.level = level  # of the case
-        with open(os.path.join(folder, "converge.csv"), newline="") as file:
-            self.rows = {row["quantity"]: row for row in csv.DictReader(file)}
+        self.rows = read_rows(os.path.join(folder, "converge.csv"))
+        resolved = os.path.join(folder, "resolved.csv")
+        self.rows_of_limit = read_rows(resolved) if os.path.exists(resolved) else self.rows
         self.places = int(next(iter(self.rows.values()))["places"])
         with open(os.path.join(folder, "levels.csv"), newline="") as file:
             self.run = list(csv.DictReader(file))[level * self.places]
@@ -105,25 +117,27 @@ class Ladder:
         return f"{scale * (self.at_case(quantity) - self.shipped(quantity)):+.1f} ± {scale * scatter:.1f}"
 
 
-def levels_of(case, name):
+def levels_of(case, kind, name):
     """How many, and how many of them are coarser than the case."""
     if name == "particles":
-        return PARTICLES.get(case) or OTHER_PARTICLES.get(case, (5, 2))
+        return PARTICLES_OF_KIND.get((case, kind)) or PARTICLES.get(case) or OTHER_PARTICLES.get(case, (5, 2))
     return MESHES.get(case, OTHER_MESHES)
 
 
-def ladder_of(case, name):
+def ladder_of(case, kind, name, finest=None):
+    """Arguments of converge, for as many levels as wanted from the finest on."""
     if name == "step":
         return ("--levels", "4")
-    n_levels, coarser = levels_of(case, name)
+    n_levels, coarser = levels_of(case, kind, name)
     ratio = "1.2" if name == "particles" or case in THICK else "1.3"
-    levels = ("--levels", str(n_levels), "--finer", str(n_levels - 1 - coarser), "--ratio", ratio)
-    return (levels + (("--places", str(PLACES)) if case in PARTICLES else ()) + ("--order", ORDERS))
+    levels = ("--levels", str(finest or n_levels), "--finer", str(n_levels - 1 - coarser), "--ratio", ratio)
+    places = PLACES_OF_CASE.get(case, PLACES) if name == "particles" else PLACES
+    return (levels + (("--places", str(places)) if case in PARTICLES else ()) + ("--order", ORDERS))
 
 
-def level_of_case(case, name):
+def level_of_case(case, kind, name):
     """From the coarsest on."""
-    return 0 if name == "step" else levels_of(case, name)[1]
+    return 0 if name == "step" else levels_of(case, kind, name)[1]
 
 
 def folder_of(folder, case, kind, name):
@@ -133,25 +147,31 @@ def folder_of(folder, case, kind, name):
 def read(folder, case, kind, name):
     """None where there is none."""
     of_ladder = folder_of(folder, case, kind, name)
-    return Ladder(of_ladder, level_of_case(case, name)) if os.path.exists(os.path.join(of_ladder, "converge.csv")) else None
+    return Ladder(of_ladder, level_of_case(case, kind, name)) if os.path.exists(os.path.join(of_ladder, "converge.csv")) else None
 
 
 def converge(program, folder, case, kind, name, extra):
     """The ladder with what else is asked; None where it was refused."""
     output = folder_of(folder, case, kind, name)
-    command = [program, "converge", os.path.join(TOP, "prm", case + ".prm"), "--vary", name, *ladder_of(case, name), "--jobs", "1",
-               "--output", output, *extra]
-    for setting in (f"Blade/Kind={kind}", *QUIET):
-        command += ["--set", setting]
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        print(f"{case}, {kind}, {name}: exit code {done.returncode}\n{done.stdout[-600:]}", file=sys.stderr)
-    return read(folder, case, kind, name) if done.returncode in (0, 3) else None  # 3: levels were lost, and its table says so
+
+    def climb(finest=None):
+        command = [program, "converge", os.path.join(TOP, "prm", case + ".prm"), "--vary", name, *ladder_of(case, kind, name, finest),
+                   "--jobs", "1", "--output", output, *extra]
+        for setting in (f"Blade/Kind={kind}", *QUIET):
+            command += ["--set", setting]
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if done.returncode != 0:
+            print(f"{case}, {kind}, {name}: exit code {done.returncode}\n{done.stdout[-600:]}", file=sys.stderr)
+        return done.returncode in (0, 3)  # 3: levels were lost, and its table says so
+
+    if name == "particles" and (case, kind) in RESOLVED and climb(RESOLVED[case, kind]):
+        os.replace(os.path.join(output, "converge.csv"), os.path.join(output, "resolved.csv"))
+    return read(folder, case, kind, name) if climb() else None
 
 
 def limit_cell(ladder, quantity):
     """What h -> 0 adds to the case's level by the fits with orders between ORDERS; none where changes grow or they are rejected."""
-    row = ladder and ladder.rows.get(quantity)
+    row = ladder and ladder.rows_of_limit.get(quantity)
     if not row or not row["extrapolated by known order"] or not ladder.shipped(quantity) or row["ladder"] == "diverges":
         return "–"
     if float(row["p-value of known order [-]"]) < SIGNIFICANCE:

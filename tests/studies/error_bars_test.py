@@ -37,8 +37,8 @@ class OneRow:
     """A ladder from 1.5 at the case, whose run had 1.25."""
 
     def __init__(self, limit="1.2", p="0.4", trend="scatters"):
-        self.rows = {"tip": {"extrapolated by known order": limit, "half of its 95 % interval": "0.02", "p-value of known order [-]": p,
-                             "ladder": trend}}
+        self.rows_of_limit = {"tip": {"extrapolated by known order": limit, "half of its 95 % interval": "0.02", "p-value of known order [-]": p,
+                                      "ladder": trend}}
 
     def shipped(self, _):
         return 1.25
@@ -66,7 +66,8 @@ def main():
         for name, shipped, finest in (("particles", "Particle-spacing=0.008", "Particle-spacing=0.00321502"),
                                       ("mesh", "Elements-along-span=20-Elements-along-chord=6", "Elements-along-span=44-Elements-along-chord=13")):
             runs = impulses(pathlib.Path(folder) / "sheath-shell" / name)
-            expect(f"{name}: {runs}", len(runs) == int(error_bars.ladder_of("sheath", name)[1]) and {len(each) for each in runs.values()} == {2})
+            n_levels = int(error_bars.ladder_of("sheath", "shell", name)[1])
+            expect(f"{name}: {runs}", len(runs) == n_levels and {len(each) for each in runs.values()} == {2})
             at_case = next((runs[run] for run in runs if run == shipped), [math.nan])
             at_finest = next((runs[run] for run in runs if run.startswith(finest)), [math.nan])
             added = 100 * (statistics.mean(at_finest) - statistics.mean(at_case)) / at_case[0]
