@@ -66,9 +66,10 @@ namespace birdstrike
     if (keeps_results)
       return;
     for (const std::string &stem : kind.stems) // other files are somebody's own
-      for (const char *ending : {".csv", ".svg", ".h5"})
+      for (const char *ending : {".csv", ".svg"})
         fs::remove(directory / (stem + ending), error);
-    fs::remove(directory / "figures.gp", error);
+    for (const std::string &name : kind.others)
+      fs::remove(directory / name, error);
   }
 
   ReportFolder::~ReportFolder()

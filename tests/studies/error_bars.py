@@ -67,11 +67,10 @@ def read_rows(path):
 class Ladder:
     """converge.csv of a case: by quantity its values from the coarsest on, and the rest of its row; of levels.csv the run as shipped."""
 
-    def __init__(self, folder, level):
+    def __init__(self, folder, level, of_limit):
         self.level = level  # of the case
         self.rows = read_rows(os.path.join(folder, "converge.csv"))
-        resolved = os.path.join(folder, "resolved.csv")
-        self.rows_of_limit = read_rows(resolved) if os.path.exists(resolved) else self.rows
+        self.rows_of_limit = read_rows(os.path.join(folder, of_limit))
         self.places = int(next(iter(self.rows.values()))["places"])
         with open(os.path.join(folder, "levels.csv"), newline="") as file:
             self.run = list(csv.DictReader(file))[level * self.places]
@@ -140,6 +139,11 @@ def level_of_case(case, kind, name):
     return 0 if name == "step" else levels_of(case, kind, name)[1]
 
 
+def is_resolved(case, kind, name):
+    """Whether the limit is that of some finest levels alone."""
+    return name == "particles" and (case, kind) in RESOLVED
+
+
 def folder_of(folder, case, kind, name):
     return os.path.join(folder, case.replace("/", "-") + "-" + kind, name)
 
@@ -147,7 +151,9 @@ def folder_of(folder, case, kind, name):
 def read(folder, case, kind, name):
     """None where there is none."""
     of_ladder = folder_of(folder, case, kind, name)
-    return Ladder(of_ladder, level_of_case(case, kind, name)) if os.path.exists(os.path.join(of_ladder, "converge.csv")) else None
+    of_limit = "resolved.csv" if is_resolved(case, kind, name) else "converge.csv"
+    is_there = all(os.path.exists(os.path.join(of_ladder, table)) for table in ("converge.csv", of_limit))
+    return Ladder(of_ladder, level_of_case(case, kind, name), of_limit) if is_there else None
 
 
 def converge(program, folder, case, kind, name, extra):
@@ -164,7 +170,7 @@ def converge(program, folder, case, kind, name, extra):
             print(f"{case}, {kind}, {name}: exit code {done.returncode}\n{done.stdout[-600:]}", file=sys.stderr)
         return done.returncode in (0, 3)  # 3: levels were lost, and its table says so
 
-    if name == "particles" and (case, kind) in RESOLVED and climb(RESOLVED[case, kind]):
+    if is_resolved(case, kind, name) and climb(RESOLVED[case, kind]):
         os.replace(os.path.join(output, "converge.csv"), os.path.join(output, "resolved.csv"))
     return read(folder, case, kind, name) if climb() else None
 

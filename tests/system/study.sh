@@ -57,6 +57,7 @@ sleep 0.3
 kill -TERM $running
 wait $running
 require "stopped points say so" 'grep -q "Mass=0.1: stopped at .*, will go on" out.txt && ! grep -q "exit code" out.txt'
+ask "a launcher that hands over what was stopped" 1 "exit code 0, and there is no complete run" -- "$a" "${fast[@]}" "${long[@]}" --launcher true --output on
 echo damaged >"$(ls on/Mass=0.12/checkpoints/*.h5 | tail -1)"
 ask "a stopped study goes on" 0 "2 points, 0 of them are there, 1 will go on from a checkpoint" "^ *0.1 .* done" "^ *0.12 .* done" -- "$a" "${fast[@]}" "${long[@]}" --output on
 require "from the checkpoint" 'grep -q "Going on from" on/Mass=0.1/log.txt && ! grep -q "Going on from" on/Mass=0.12/log.txt'
@@ -70,8 +71,10 @@ table=$(cksum grid/study.csv grid/study.h5 grid/maps.svg)
 ask "a task list of a study that is made" 0 "tasks 2.* is empty: no point is left to run" -- "${grid[@]}" --output grid --task-list "tasks 2"
 require "leaves its table" '[ "$table" = "$(cksum grid/study.csv grid/study.h5 grid/maps.svg)" ]'
 cp "$a" own.prm
+printf 'cd /somewhere\nmake things\n' >script.sh
+refuse "a task list over a script" "no list of tasks" -- "$a" "${fast[@]}" --vary "Bird/Mass=0.1, 0.2" --task-list script.sh --output over
 refuse "a task list over the case" "no list of tasks" -- own.prm "${fast[@]}" --vary "Bird/Mass=0.1, 0.2" --task-list own.prm --output over
-require "keeps it" 'cmp "$a" own.prm'
+require "keeps it" 'cmp "$a" own.prm && [ ! -e over ]'
 (cd / && bash -c "$(sed -n 1p "$scratch/tasks")" && bash -c "$(sed -n 2p "$scratch/tasks")") >out.txt 2>&1
 ask "collects what was run" 0 "2 points, 2 of them" "^ *hemispherical cylinder .* done" -- "$a" "${fast[@]}" --vary "Bird/Shape=cylinder, hemispherical cylinder" --output "my tasks"
 ask "a launcher that runs nothing" 1 "exit code 0, and there is no complete run" -- "$a" "${fast[@]}" --vary "Bird/Mass=0.1, 0.2" --launcher true --output idle

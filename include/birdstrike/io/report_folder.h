@@ -11,6 +11,7 @@ namespace birdstrike
   {
     std::string              name;  ///< "comparison": in messages, and of the marker file, `.birdstrike-comparison`
     std::vector<std::string> stems; ///< of tables and figures: those of an earlier one must not be taken for this one's
+    std::vector<std::string> others = {}; ///< further files, likewise
   };
 
   /// The folder of one comparison or study: its table, figures and data, and below it one run folder for each case that

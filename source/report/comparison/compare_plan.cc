@@ -103,7 +103,9 @@ namespace birdstrike
   const ReportKind &comparison_kind()
   {
     static const ReportKind kind{
-      "comparison", {"comparison", "tip_deflection", "contact", "energies", "root_moment", "root_stress", "profiles"}};
+      "comparison",
+      {"comparison", "tip_deflection", "contact", "energies", "root_moment", "root_stress", "profiles"},
+      {"figures.gp"}};
     return kind;
   }
 

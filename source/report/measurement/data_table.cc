@@ -19,7 +19,7 @@ namespace birdstrike
     }
 
     /// Fields of a line, without what stands around them. One that begins with a quotation mark ends with one, and
-    /// holds separators and doubled marks as letters (RFC 4180).
+    /// holds separators and doubled marks as letters. Empty where a mark is not closed.
     std::vector<std::string> split(const std::string &line, const char separator)
     {
       std::vector<std::string> fields(1);
@@ -36,6 +36,8 @@ namespace birdstrike
           else
             field += line[k];
         }
+      if (is_quoted)
+        return {};
       std::ranges::transform(fields, fields.begin(), trim);
       return fields;
     }
@@ -99,7 +101,7 @@ namespace birdstrike
             ++number;
             if (number == 1 && line.starts_with("\xEF\xBB\xBF")) // as spreadsheets begin UTF-8
               line.erase(0, 3);
-            if (const auto first = line.find_first_not_of(" \t\r"); first != std::string::npos && line[first] == '#')
+            if (const auto first = line.find_first_not_of(" \t\r\""); first != std::string::npos && line[first] == '#')
               read_comment(line, units);
             else if (line.find_first_not_of(nothing) != std::string::npos) // spreadsheets end with rows of separators
               lines.push_back({number, line});
@@ -112,11 +114,11 @@ namespace birdstrike
       {
         separator = find_separator(lines[0].text);
         std::vector<TableColumn> columns;
-        for (const std::string &name : split(lines[0].text, separator))
+        for (const std::string &name : fields_of(lines[0]))
           add(columns, name);
         std::size_t row = 1;
         double      number;
-        auto        fields = split(lines[1].text, separator);
+        auto        fields = fields_of(lines[1]);
         if (std::ranges::none_of(fields, [&](const std::string &field) { return parse(field, number); }) &&
             fields.size() == columns.size())
           {
@@ -151,6 +153,14 @@ namespace birdstrike
         throw InputError(at(line, why));
       }
 
+      std::vector<std::string> fields_of(const Line &line) const
+      {
+        auto fields = split(line.text, separator);
+        if (fields.empty())
+          refuse(line.number, "a quotation mark is not closed.");
+        return fields;
+      }
+
       void add(std::vector<TableColumn> &columns, const std::string &name)
       {
         TableColumn column{name, "", {}};
@@ -170,7 +180,7 @@ namespace birdstrike
 
       void read_row(const Line &line, std::vector<TableColumn> &columns) const
       {
-        const auto fields = split(line.text, separator);
+        const auto fields = fields_of(line);
         if (fields.size() != columns.size())
           refuse(line.number, std::to_string(fields.size()) + " fields, where there are " +
                                 std::to_string(columns.size()) + " names." +

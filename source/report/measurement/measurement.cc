@@ -27,7 +27,7 @@ namespace birdstrike
 
     const ReportKind &measurement_kind()
     {
-      static const ReportKind kind{"measurement", {"measurement", "ratings"}};
+      static const ReportKind kind{"measurement", {"measurement", "ratings"}, {"figures.gp"}};
       return kind;
     }
 
@@ -127,10 +127,10 @@ namespace birdstrike
           of_run.is_profile ? ""
                             : "\n--time-offset moves the measurement; a unit in its header ('time [ms]') scales it."));
       if (const std::size_t n = count_rows(computed, begin, end); !of_run.is_profile && n < fewest_rows)
-        throw InputError(fmt::format("{} of {} has {} rows from {} to {}, where it was measured, fewer than {}.\n"
+        throw InputError(fmt::format("{} of {} has fewer than {} rows ({}) from {} to {}, where it was measured.\n"
                                      "Run it with a shorter Output/History interval, or further.",
-                                     of_run.quantity, run, n, format_quantity(begin, axis), format_quantity(end, axis),
-                                     fewest_rows));
+                                     of_run.quantity, run, fewest_rows, n, format_quantity(begin, axis),
+                                     format_quantity(end, axis)));
       const auto m = sample(measured, begin, end), c = sample(computed, begin, end);
       if (std::ranges::all_of(m, [](const double y) { return y == 0.; }))
         throw InputError("'" + column + "' is zero wherever the run has values: nothing can be compared with it.");

@@ -18,7 +18,7 @@ namespace birdstrike
   {
     namespace fs = std::filesystem;
 
-    const ReportKind kind{"ladder", {"converge", "levels", "refinement"}};
+    const ReportKind kind{"ladder", {"converge", "levels", "refinement"}, {"figures.gp"}};
 
     std::optional<OrderRange> read_orders(const ConvergeRequest &request)
     {

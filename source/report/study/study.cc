@@ -21,9 +21,10 @@ namespace birdstrike
   {
     namespace fs = std::filesystem;
 
-    const ReportKind kind{"study",
-                          {"study", "responses", "maps", "tip_deflection", "contact", "energies", "root_moment",
-                           "root_stress", "profiles"}};
+    const ReportKind kind{
+      "study",
+      {"study", "responses", "maps", "tip_deflection", "contact", "energies", "root_moment", "root_stress", "profiles"},
+      {"study.h5", "figures.gp"}};
 
     /// Of the command line, or else of the file's section Study.
     StudyPlan read_plan(const StudyRequest &request)
@@ -64,21 +65,20 @@ namespace birdstrike
       log().info("Study in {}", folder.path().string());
     }
 
-    constexpr const char *task_begins_with = "cd ";
-
     /// Over a list of before, or an empty file: the case itself is easily named by mistake.
     void require_no_other_file(const std::string &file)
     {
       std::ifstream in(file);
-      std::string   line;
-      if (std::getline(in, line) && !line.starts_with(task_begins_with))
+      bool          is_list = !fs::is_directory(file);
+      for (std::string line; is_list && std::getline(in, line);)
+        is_list = line.starts_with("cd ") && line.find(" && ") != std::string::npos; // as make_task_list writes them
+      if (!is_list)
         throw InputError("--task-list " + file +
-                         ": there is a file that is no list of tasks.\n  Action: give the list a name of its own.");
+                         ": there is something that is no list of tasks.\n  Action: give the list a name of its own.");
     }
 
     void write_task_list(const std::string &file, const std::vector<PointRun> &runs, const RunOptions &options)
     {
-      require_no_other_file(file);
       const std::string tasks = make_task_list(runs, options);
       write_whole_file(file, {tasks});
       const auto        n_tasks   = std::ranges::count(tasks, '\n');
@@ -98,6 +98,8 @@ namespace birdstrike
     const fs::path output =
       request.output.empty() ? fs::path("runs/study") / fs::path(request.prm_file).stem() : fs::path(request.output);
     ReportFolder::require_usable(output, kind);
+    if (!request.task_list.empty())
+      require_no_other_file(request.task_list);
     const StudyPlan plan   = read_plan(request);
     const auto      points = make_points(plan);
     RunOptions      options{request.prm_file, request.overrides, request.n_jobs, request.launcher};

@@ -55,7 +55,10 @@ namespace birdstrike
     {
       CaseParameters parameters;
       parameters.read(options.prm_file, overrides_of(run.point, options));
-      const FoundRun found = find_run({run.folder}, parameters);
+      const fs::path plain = run.folder.parent_path() / make_folder_name(run.point.name); // of a smaller study
+      FoundRun       found = find_run({run.folder, plain}, parameters);
+      if (found.in_use)
+        run.folder = found.folder;
       run.is_done = run.is_reused = found.in_use != nullptr;
       run.state                   = run.is_done ? "done" : "not run";
       if (!run.is_done)
@@ -117,10 +120,10 @@ namespace birdstrike
                                        (find_checkpoints(run.folder).empty() ? "" : ", will go on");
     }
 
-    /// By Time/Maximum wall time: its results are those of a part, and which depends on the machine.
-    bool ends_by_the_clock(const RunRecord &record)
+    /// Its results are those of a part, and which depends on the machine, or on who stopped it.
+    bool ended_by(const RunRecord &record, const EndReason reason)
     {
-      return record.is_complete() && record.summary().text("end/reason") == end_reasons().name(EndReason::wall_time);
+      return record.is_complete() && record.summary().text("end/reason") == end_reasons().name(reason);
     }
 
     void judge(PointRun &run, const ChildResult &result)
@@ -132,14 +135,15 @@ namespace birdstrike
           return;
         }
       const RunRecord record = read_record(run.folder);
-      if (result.exit_code == 0 && !record.is_complete()) // of a launcher that only hands over
+      if (result.exit_code == 0 && (!record.is_complete() || ended_by(record, EndReason::signal)))
         {
-          run.exit_code = static_cast<int>(ExitCode::internal_error);
+          run.exit_code = static_cast<int>(ExitCode::internal_error); // of a launcher that only hands over
           run.state     = "its launcher is back with exit code 0, and there is no complete run";
           return;
         }
-      run.exit_code = result.exit_code == 0 && ends_by_the_clock(record) ? Interrupted::exit_code : result.exit_code;
-      run.is_done   = run.exit_code == 0;
+      const bool is_cut = result.exit_code == 0 && ended_by(record, EndReason::wall_time);
+      run.exit_code     = is_cut ? Interrupted::exit_code : result.exit_code;
+      run.is_done       = run.exit_code == 0;
       const auto marker = record.state();
       if (run.is_done)
         run.state = "done";

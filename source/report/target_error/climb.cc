@@ -165,7 +165,9 @@ namespace birdstrike
         if (k <= level)
           to_level = std::max(to_level, std::abs(values[k] - values.front()));
       }
-    return to_level > 0. ? std::max(1., to_end / to_level) : 1.;
+    if (to_level > 0.)
+      return std::max(1., to_end / to_level);
+    return to_end > 0. ? std::numeric_limits<double>::infinity() : 1.;
   }
 
   double ClimbAxis::bar() const
@@ -224,6 +226,26 @@ namespace birdstrike
     const double          ratio = sizes[sizes.size() - 2] / sizes.back();
     const double error = limit() ? bar() : std::isnan(made.bar) ? std::abs(values.back() - values.front()) : made.bar;
     return error * (1. - std::pow(ratio, -order));
+  }
+
+  std::optional<double> extrapolate_interaction(const ClimbAxis &bird, const ClimbAxis &mesh,
+                                                const std::vector<SeenInteraction> &seen)
+  {
+    if (seen.empty())
+      return std::nullopt;
+    double least = std::numeric_limits<double>::infinity(), whole = 0.;
+    for (const SeenInteraction &each : seen)
+      {
+        const double share = bird.share_beyond(each.levels.bird) * mesh.share_beyond(each.levels.mesh);
+        if (share < least)
+          whole = 0.;
+        least = std::min(least, share);
+        if (share == least && std::isfinite(share))
+          whole = std::max(whole, share * each.size);
+      }
+    for (const SeenInteraction &each : seen)
+      whole = std::max(whole, each.size);
+    return whole;
   }
 
   std::string describe_interaction(const std::optional<double> interaction, const std::string &unit)

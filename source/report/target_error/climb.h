@@ -52,7 +52,7 @@ namespace birdstrike
     double correction(std::size_t level) const;
 
     /// What comes from the way of the values to a level comes from that to the finest too, and to the limit, if it is
-    /// corrected: so many times as much.
+    /// corrected: so many times as much; infinity where nothing has come of it yet.
     double share_beyond(std::size_t level) const;
 
     /// Half the error bar of the finest level: that of the estimate; where changes grow, and it has none, and of three
@@ -88,6 +88,18 @@ namespace birdstrike
   {
     std::size_t bird, mesh;
   };
+
+  /// What a run with both refined differs from the sum of the ladders.
+  struct SeenInteraction
+  {
+    ClimbChoice levels;
+    double      size; ///< not negative
+  };
+
+  /// As far as both ladders go: it grows as the product of their ways, seen from the levels from which the least is to
+  /// go, and is at least what has been seen anywhere. None of none.
+  std::optional<double> extrapolate_interaction(const ClimbAxis &bird, const ClimbAxis &mesh,
+                                                const std::vector<SeenInteraction> &seen);
 
   /// For each level of the bird the coarsest mesh with which the errors' sum is at most `allowed`. Not the coarsest
   /// levels of directions that are refined: only a run aside from both ladders shows whether errors add up.

@@ -43,16 +43,21 @@ namespace birdstrike
     begin();
     while (true)
       {
-        const double allowed = allowed_error();
-        if (axes[0].is_trusted(allowed) && axes[1].is_trusted(allowed))
-          if (const auto answer = find_answer())
+        if (are_trusted())
+          if (const auto answer = find_answer(); answer && are_trusted()) // its runs may have smaller values
             return *answer;
-        extend(allowed);
+        extend(allowed_error());
       }
   }
 
-  /// The cheapest pair of levels that these ladders and what both together add allow, which every pair that is run
-  /// tells better; where that alone is in the way the finest one, which extrapolates none of it.
+  bool Climber::are_trusted() const
+  {
+    const double allowed = allowed_error();
+    return axes[0].is_trusted(allowed) && axes[1].is_trusted(allowed);
+  }
+
+  /// The cheapest pair of levels that these ladders and what both together add allow, of which every run tells more.
+  /// Where that alone is in the way the finest pair is run, from which the least of it is to go.
   std::optional<Climber::Answer> Climber::find_answer()
   {
     const Levels     finest(axes[0].sizes.size() - 1, axes[1].sizes.size() - 1);
@@ -120,18 +125,12 @@ namespace birdstrike
     return std::max(std::abs(mean), interval_of_mean(aside));
   }
 
-  /// As far as both ladders go: it grows as the product of their ways, by the pair from which the least is to go.
   std::optional<double> Climber::whole_interaction() const
   {
-    std::optional<double> whole;
-    double                least = std::numeric_limits<double>::infinity();
-    for (const auto &[at, seen] : asides)
-      if (const double share = axes[0].share_beyond(at.first) * axes[1].share_beyond(at.second); share < least)
-        {
-          least = share;
-          whole = share * seen;
-        }
-    return whole;
+    std::vector<SeenInteraction> seen;
+    for (const auto &[at, aside] : asides)
+      seen.push_back({{at.first, at.second}, aside});
+    return extrapolate_interaction(axes[0], axes[1], seen);
   }
 
   Climber::Answer Climber::look_at(const Levels &at)

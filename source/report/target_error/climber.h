@@ -55,6 +55,7 @@ namespace birdstrike
 
     void                  begin();
     void                  add_level(std::size_t axis);
+    bool                  are_trusted() const;
     std::optional<Answer> find_answer();
     std::optional<Levels> choose(double allowed, const std::set<Levels> &looked_at);
     Answer                look_at(const Levels &at);

@@ -122,7 +122,6 @@ TEST(Climb, ThreeLevelsOfNoOrderCountByAllThatTheyAreApart)
   EXPECT_LT(lucky.values.back() - lucky.bar(), 504.7);
 }
 
-// Plastic work (J), bird of 10, 7.1, 5 mm: finer ones end at 464, 10 % lower.
 TEST(Climb, ThreeLevelsOfAHigherOrderThanTheMethodsAreNotTrusted)
 {
   const ClimbAxis quick = axis_of_power(2.14, 0.1, 3), quadratic = axis_of_power(2., 0.1, 3);
@@ -136,13 +135,24 @@ TEST(Climb, ThreeLevelsOfAHigherOrderThanTheMethodsAreNotTrusted)
 TEST(Climb, WhatBothAddIsTakenAsFarAsTheLadderGoes)
 {
   const ClimbAxis axis{"bird", {4., 3., 2., 1.}, {10., 9., 8.5, 8.}};
-  EXPECT_EQ(axis.share_beyond(0), 1.) << "nothing has been seen";
   EXPECT_DOUBLE_EQ(axis.share_beyond(1), 2.);
   EXPECT_DOUBLE_EQ(axis.share_beyond(2), 2. / 1.5);
   EXPECT_EQ(axis.share_beyond(3), 1.);
   const ClimbAxis back{"mesh", {3., 2., 1.}, {1., 1.1, 1.}};
   EXPECT_EQ(back.share_beyond(1), 1.) << "it goes, and comes back";
   EXPECT_EQ(back.share_beyond(2), 1.);
+  const ClimbAxis late{"mesh", {3., 2., 1.}, {10., 10., 9.}};
+  EXPECT_TRUE(std::isinf(late.share_beyond(1))) << "nothing has come of it yet";
+  EXPECT_EQ(late.share_beyond(2), 1.);
+
+  EXPECT_FALSE(extrapolate_interaction(axis, back, {}));
+  EXPECT_DOUBLE_EQ(*extrapolate_interaction(axis, back, {{{1, 1}, 0.1}}), 0.2);
+  EXPECT_DOUBLE_EQ(*extrapolate_interaction(axis, back, {{{1, 1}, 0.1}, {{3, 1}, 0.15}}), 0.15) << "the nearer one";
+  EXPECT_DOUBLE_EQ(*extrapolate_interaction(axis, back, {{{1, 1}, 0.1}, {{3, 1}, 0.}}), 0.1) << "what was seen, was";
+  const ClimbAxis swings{"bird", {5., 4., 3., 2., 1.}, {9., 9.4, 9.2, 9.3, 9.25}};
+  EXPECT_DOUBLE_EQ(*extrapolate_interaction(swings, back, {{{1, 2}, 0.01}, {{4, 2}, 0.3}}), 0.3) << "alike: the larger";
+  EXPECT_DOUBLE_EQ(*extrapolate_interaction(axis, late, {{{2, 1}, 0.01}, {{3, 2}, 0.5}}), 0.5);
+  EXPECT_DOUBLE_EQ(*extrapolate_interaction(axis, late, {{{2, 1}, 0.01}}), 0.01) << "all that is known";
 }
 
 TEST(Climb, TrustsAFitOfFiveLevelsWithinItsScatter)
