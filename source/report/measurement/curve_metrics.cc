@@ -64,9 +64,8 @@ namespace birdstrike
       return sum / double(measured.size());
     }
 
-    constexpr double no_change = 1e-12; // of its mean: a curve that changes by less is constant
-    constexpr double no_advantage =
-      1e-9; // between correlations, which are known to round-off and to what a file rounds
+    constexpr double no_change    = 1e-12; ///< of its mean: a curve that changes by less is constant
+    constexpr double no_advantage = 1e-9;  ///< of a correlation: round-off, and what a file rounds
 
     /// Normalised cross-correlation about the means; -1 where one of the curves is constant.
     double correlate(const Curve a, const Curve b)
