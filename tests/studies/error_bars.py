@@ -10,9 +10,10 @@ not in the asymptotic range where an edge cuts the bird), mesh (five 1.3 apart a
 the finest level adds to the case's own, and half the error bar of the finest level, both in percent of the value as shipped; "in x" instead
 of a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
 Where an edge cuts the bird each level of particles and of the mesh is the mean over four places of the lattice (`--places`): "places" is what
-that mean adds to the run as shipped, and the standard deviation of one run, of the mesh's ladder.
+that mean adds to the run as shipped, and the standard deviation of one run, of the mesh's ladder. Particles of fan-blade-composite have two.
 The last columns are what h -> 0 adds by fits of orders from 1 to 2, with what the 95 % confidence intervals of those span that the levels
-do not reject (`converge --order 1:2`); "no order" where they reject them all.
+do not reject (`converge --order 1:2`); "no order" where they reject them all. Where particles resolve a thick edge (RESOLVED),
+the limit is that of the finest levels alone.
 
 Writes a folder a ladder, whose runs are reused by the next call, and of all ladders that are there error_bars.md (a line a quantity) and
 summary.md (a line a case: what the finest levels add).
