@@ -161,9 +161,9 @@ namespace birdstrike
     /// before it may be no more than a first swing backwards while the bird pushes. What has never left zero has no
     /// peak (null): a blade without this section, or one that holds it.
     template <class AnyPeak>
-    std::optional<bool> is_reached(const AnyPeak &peak, View run)
+    std::optional<bool> is_reached(const AnyPeak &peak, View run, const bool may_rise)
     {
-      return peak.value() == 0. ? std::nullopt : std::optional(peak.time() < run.time && !run.has_later_peaks());
+      return peak.value() == 0. ? std::nullopt : std::optional(peak.time() < run.time && !may_rise);
     }
 
     /// Signs and frames: structure/reports.h. Peaks are over all macro steps: of the tip the largest deflection either
@@ -177,7 +177,8 @@ namespace birdstrike
          "Time integral of the force that the blade exerts on its supports, global axes"},
         {"", "tip/peak", "m", [](View run) { return run.observed.tip_peak.value(); }, "peak (mid-chord)"},
         {"", "tip/peak_time", "s", [](View run) { return run.observed.tip_peak.time(); }, "time of the peak"},
-        {"", "tip/peak_reached", "", [](View run) { return is_reached(run.observed.tip_peak, run); }, "Tip peak"},
+        {"", "tip/peak_reached", "",
+         [](View run) { return is_reached(run.observed.tip_peak, run, run.may_deflect_further()); }, "Tip peak"},
         {"tip_mid_chord", "", "m", [](View run) { return run.observed.tip.mid_chord; }, "",
          "Displacement of the tip row at mid-chord along its undeformed normal; positive away from the struck side"},
         {"", "tip/final", "m", [](View run) { return run.observed.tip.mid_chord; }, "deflection at the end"},
@@ -197,12 +198,13 @@ namespace birdstrike
          "peak normal stress"},
         {"", "root/peak_normal_stress_time", "s", [](View run) { return run.observed.root_stress.time(); },
          "time of the peak stress"},
-        {"", "root/peak_normal_stress_reached", "", [](View run) { return is_reached(run.observed.root_stress, run); },
+        {"", "root/peak_normal_stress_reached", "",
+         [](View run) { return is_reached(run.observed.root_stress, run, run.is_pushed()); },
          "Root peak normal stress"},
         {"", "root/peak_moment", "N m", [](View run) { return run.observed.root_moment.value(); },
          "peak bending moment"},
-        {"", "root/peak_moment_reached", "", [](View run) { return is_reached(run.observed.root_moment, run); },
-         "Root peak moment"},
+        {"", "root/peak_moment_reached", "",
+         [](View run) { return is_reached(run.observed.root_moment, run, run.is_pushed()); }, "Root peak moment"},
         {"", "root/peak_force", "N", [](View run) { return run.observed.root_force.value(); }, "peak force"},
         {"max_plastic_strain", "plastic/max_strain", "-",
          [](View run) { return find_largest(run.observed.plastic).value; }, "peak plastic strain",

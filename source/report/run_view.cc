@@ -41,9 +41,9 @@ namespace birdstrike
     return contact && peak > 0. && closing_force() > small_force * peak;
   }
 
-  bool RunView::has_later_peaks() const
+  bool RunView::may_deflect_further() const
   {
-    return is_pushed() && end_reason != EndReason::tip_peak;
+    return end_reason != EndReason::tip_peak && (is_pushed() || !observed.first_tip_peak.has_turned_back(time, 0.));
   }
 
   std::size_t RunView::n_particles() const

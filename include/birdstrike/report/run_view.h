@@ -102,7 +102,7 @@ namespace birdstrike
     bool        has_bird() const;      ///< that is computed still
     double      closing_force() const; ///< N, of contact on the mean of the last 0.25 ms: a drop may touch any instant
     bool        is_pushed() const;     ///< at the end, by a closing force of more than 1 % of the filtered peak
-    bool        has_later_peaks() const; ///< may have: it is pushed still, and the tip has not been seen to turn back
+    bool        may_deflect_further() const; ///< is pushed, or has only swung back against the push so far
     std::size_t n_particles() const;
     std::size_t n_retired() const;       ///< of all together, as the next
     double      retired_mass() const;    ///< kg

@@ -68,49 +68,61 @@ namespace birdstrike
     double when    = 0.;
   };
 
-  /// The first maximum of a deflection, in either direction, that follows a load. It has passed once
+  /// The first maximum of a deflection from its start, in either direction, that follows a load. It has passed once
   ///  - the load has stayed below 5 % of its largest value,
   ///  - the deflection has stayed within its extremes (a ripple on the way up ends sooner: 0.7 ms in the frontal
   ///  strike),
   /// both for `wait` seconds, and
   ///  - the maximum exceeds the largest deflection the other way, against the load: a blade struck outboard first moves
-  ///    its tip backwards. Where nothing strikes, or the tip has since swung through to the other side, the larger of
-  ///    the two is the maximum.
+  ///    its tip backwards. Where nothing strikes, or the tip has since swung through and turned back on the other side
+  ///    as well, the larger of the two is the maximum.
   class FirstMaximum
   {
   public:
     void update(const double time, const double deflection, const double load)
     {
-      peak.update(time, deflection);
-      if (backward.value() < -deflection)
-        has_swung_through = false;
-      else if (deflection > 0.)
-        has_swung_through = true;
-      backward.update(time, -deflection);
+      if (!has_started)
+        start = deflection;
+      has_started        = true;
+      const double value = deflection - start;
+      forward.update(time, value);
+      if (-value > backward.value())
+        since_backward = Peak();
+      since_backward.update(time, value);
+      backward.update(time, -value);
       peak_load.update(time, load);
       if (load > 0.05 * peak_load.value())
         last_loaded = time;
     }
     bool is_passed(const double now, const double wait) const
     {
-      const bool has_maximum =
-        peak.value() > backward.value() ? peak.value() > 0. : peak_load.value() == 0. || has_swung_through;
-      return has_maximum && std::max(peak.value(), backward.value()) > 0. && now - peak.time() > wait &&
+      return std::max(forward.value(), backward.value()) > 0. && has_turned_back(now, wait) &&
              now - backward.time() > wait && now - last_loaded > wait;
+    }
+    /// Whether for longer than `wait` there has been nothing larger. Of a deflection that is largest backwards this is
+    /// asked of the other side since, and for twice as long as it took to go backwards: on the way to the peak of a
+    /// slow blade shorter waves make it pause.
+    bool has_turned_back(const double now, const double wait) const
+    {
+      if (forward.value() > backward.value() || peak_load.value() == 0.)
+        return now - forward.time() > wait;
+      return since_backward.value() > 0. && now - since_backward.time() > std::max(wait, 2. * backward.time());
     }
     void archive(Archive &archive, const char *name)
     {
       const auto group = archive.group(name);
-      peak.archive(archive, "deflection");
+      archive("start", has_started, start);
+      forward.archive(archive, "deflection");
       backward.archive(archive, "backward");
+      since_backward.archive(archive, "since the largest backward");
       peak_load.archive(archive, "load");
       archive("last loaded", last_loaded);
-      archive("has swung through", has_swung_through);
     }
 
   private:
-    Peak   peak, backward, peak_load;
-    double last_loaded       = -INFINITY; // s
-    bool   has_swung_through = false;     // since the largest deflection backwards
+    bool   has_started = false;
+    double start       = 0.;
+    Peak   forward, backward, since_backward, peak_load; // from the start on
+    double last_loaded = -INFINITY;                      // s
   };
 } // namespace birdstrike

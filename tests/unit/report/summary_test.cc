@@ -189,6 +189,7 @@ TEST(Summary, NoPeakIsReachedWhileTheBirdPushes)
   EXPECT_TRUE(Summary(run).is_false("root/peak_normal_stress_reached"));
   run.end_reason = EndReason::tip_peak;
   EXPECT_EQ(Summary(run).json["tip"]["peak_reached"], true) << "it has been seen to turn back";
+  EXPECT_TRUE(Summary(run).is_false("root/peak_normal_stress_reached")) << "of the root nothing was seen";
   run.end_reason = EndReason::end_time;
   push(99., 260);
   EXPECT_EQ(Summary(run).json["tip"]["peak_reached"], true);

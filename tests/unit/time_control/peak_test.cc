@@ -9,12 +9,12 @@ using namespace birdstrike;
 
 namespace
 {
-  /// Time at which a maximum counts as passed on a curve sampled every 10 us; -1 if it never does until 40 ms.
+  /// Time at which a maximum counts as passed on a curve sampled every 10 us; -1 if it never does until 60 ms.
   template <class Deflection, class Load>
   double find_end(const Deflection &deflection, const Load &load, const double wait)
   {
     FirstMaximum maximum;
-    for (int k = 0; k < 4000; ++k)
+    for (int k = 0; k < 6000; ++k)
       {
         const double t = 1e-5 * k;
         maximum.update(t, deflection(t), load(t));
@@ -41,6 +41,31 @@ TEST(FirstMaximum, IsNotFooledByTheBackwardMotion)
   // a trace forward, 4 mm backwards for 3 ms, then the swing
   const auto tip = [](const double t) {
     return t < 1e-4 ? 1e-6 : t < 3e-3 ? -4e-3 : 0.3 * std::sin(std::numbers::pi * (t - 3e-3) / 20e-3);
+  };
+  EXPECT_NEAR(find_end(tip, short_load, 1e-3), 14e-3, 2e-5);
+}
+
+TEST(FirstMaximum, IsNotFooledByTheWayBackThroughZero)
+{
+  // a bump of 1 mm at 0.25 ms, 9 mm backwards at 1.75 ms, then the swing to 77 mm at 13 ms
+  const auto tip = [](const double t) {
+    if (t < 0.5e-3)
+      return 1e-3 * std::sin(std::numbers::pi * t / 0.5e-3);
+    return t < 3e-3 ? -9e-3 * std::sin(std::numbers::pi * (t - 0.5e-3) / 2.5e-3)
+                    : 77e-3 * std::sin(std::numbers::pi * (t - 3e-3) / 20e-3);
+  };
+  EXPECT_NEAR(find_end(tip, short_load, 1e-3), 14e-3, 2e-5);
+  FirstMaximum maximum;
+  for (int k = 0; k < 500; ++k)
+    maximum.update(1e-5 * k, tip(1e-5 * k), short_load(1e-5 * k));
+  EXPECT_FALSE(maximum.has_turned_back(5e-3, 0.)) << "to the larger one on the other side";
+}
+
+// Of what spin and pressure deflect before anything strikes, 115 mm, the swing backwards is 3 mm.
+TEST(FirstMaximum, IsThatOfTheWayFromTheStart)
+{
+  const auto tip = [](const double t) {
+    return 0.115 + (t < 3e-3 ? -3e-3 : 0.1) * std::sin(std::numbers::pi * (t < 3e-3 ? t / 3e-3 : (t - 3e-3) / 20e-3));
   };
   EXPECT_NEAR(find_end(tip, short_load, 1e-3), 14e-3, 2e-5);
 }
@@ -74,9 +99,10 @@ TEST(FirstMaximum, IsFoundInTheOtherDirectionToo)
   const auto swing = [](const double t) { return -0.3 * std::sin(std::numbers::pi * t / 20e-3); };
   const auto none  = [](double) { return 0.; };
   EXPECT_NEAR(find_end(swing, none, 1e-3), 11e-3, 2e-5);
-  // a bird throws the tip backwards for good: known once it has swung through to its lesser maximum on the other side
+  // a bird throws the tip backwards for good, most at 10 ms: known when it has swung through to its lesser maximum on
+  // the other side, at 30 ms, and twice 10 ms have passed
   const auto thrown = [](const double t) { return (t < 20e-3 ? -0.3 : -0.1) * std::sin(std::numbers::pi * t / 20e-3); };
-  EXPECT_NEAR(find_end(thrown, short_load, 1e-3), 31e-3, 2e-5);
+  EXPECT_NEAR(find_end(thrown, short_load, 1e-3), 50e-3, 2e-5);
 }
 
 TEST(SignedPeak, IsTheLargestInEitherDirection)
