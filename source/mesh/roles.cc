@@ -1,6 +1,7 @@
 #include <birdstrike/mesh/roles.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -222,6 +223,27 @@ namespace birdstrike
     if (root.is_present() && tip.is_present() && root.span.dot(tip.span) < -least_cosine &&
         chord_at(tip.normal, -tip.span).dot(tip.chord) < 0.)
       tip.chord = -tip.chord;
+  }
+
+  void BladeRoles::take_row(const MeshParameters::Row &row)
+  {
+    turns.clear();
+    if (row.n_blades == 1)
+      return;
+    centre = Point3(row.centre.data());
+    for (const double angle : row.angles())
+      turns.push_back(Eigen::AngleAxisd(angle, Point3(row.axis.data()).normalized()).toRotationMatrix());
+  }
+
+  Matrix3<double> BladeRoles::turn_at(const Point3 &point) const
+  {
+    const auto distance_of = [&](const Matrix3<double> &turn) {
+      const Point3 own = centre + turn.transpose() * (point - centre) - root.middle;
+      const Point3 way = tip.is_present() ? Point3(tip.middle - root.middle) : root.span;
+      return (own - std::clamp(own.dot(way) / way.squaredNorm(), 0., 1.) * way).norm();
+    };
+    return turns.empty() ? Matrix3<double>(Matrix3<double>::Identity())
+                         : *std::ranges::min_element(turns, {}, distance_of);
   }
 
   Point3 BladeRoles::chord_at(const Point3 &normal, const Point3 &span) const

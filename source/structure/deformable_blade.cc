@@ -74,8 +74,9 @@ namespace birdstrike
     motion.watch(parameters.probes, mesh);
     probe_warnings = warn_of_far_probes(parameters.probes, mesh);
     stiffness = Kind::stiffness_along(BladeEnd(mesh, SpanEnd::root, supports.root_ids).span, mesh, lumped, elements);
-    roles   = BladeRoles(mesh, supports.root_ids, supports.tip_ids, compute_approach(parameters, mesh, motion.arrays()),
-                         stiffness);
+    roles = BladeRoles(mesh, supports.root_ids, supports.tip_ids, compute_approach(parameters, mesh, motion.arrays()),
+                       stiffness);
+    roles.take_row(parameters.mesh.row);
     root    = typename Kind::Root(mesh, roles.root);
     tip     = TipRow(mesh, roles.tip);
     members = RowOfBlades<Kind>(parameters.mesh.row, mesh, sections, roles, supports.root_ids, supports.tip_ids);

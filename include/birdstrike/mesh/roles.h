@@ -87,10 +87,19 @@ namespace birdstrike
                const std::vector<unsigned int> &tip_ids, const Approach &approach,
                const std::vector<double> &stiffness = {});
 
+    void take_row(const MeshParameters::Row &row);
+
+    /// What turns the described blade into that of the row whose line from root to tip is nearest to a point (m).
+    Matrix3<double> turn_at(const Point3 &point) const;
+
     /// Along the chord at a place of the blade with this normal, away from the struck side, and this span, from root to
     /// tip: unit, running on from that of the root however the sections turn in between.
     Point3 chord_at(const Point3 &normal, const Point3 &span) const;
 
-    BladeEnd root, tip;
+    BladeEnd root, tip; ///< of a row, of the blade that is described
+
+    /// Of a row: what turns the described blade into each, itself first, about a centre (m); empty: one blade.
+    std::vector<Matrix3<double>> turns;
+    Point3                       centre = Point3::Zero();
   };
 } // namespace birdstrike

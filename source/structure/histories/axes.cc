@@ -96,12 +96,13 @@ namespace birdstrike
     if (!roles.root.is_present())
       throw InputError(entry + " needs the axes of the blade, which follow from its root, and this blade has none.\n"
                                "Name the root in Blade/Supports/Clamped or Hub.");
-    const Point3 towards = interpolate_normal(roles, point);
+    const Matrix3<double> turn = roles.turn_at(point);
+    const Point3 towards = turn * interpolate_normal(roles, roles.centre + turn.transpose() * (point - roles.centre));
     Point3       there   = interpolate_normal(surface, find_nodal_normals(surface, towards), point);
     if (!surface.symmetry_nodes.empty() && point[1] == 0.)
       there[1] = 0.; // with the place of the other half that is as near
     const Point3 normal = there.norm() > 0. ? Point3(there.normalized()) : towards;
-    Point3       way    = roles.tip.is_present() ? Point3(roles.tip.middle - roles.root.middle) : roles.root.span;
+    Point3       way = turn * (roles.tip.is_present() ? Point3(roles.tip.middle - roles.root.middle) : roles.root.span);
     way -= way.dot(normal) * normal;
     const Point3    span = way.normalized();
     Matrix3<double> rows;

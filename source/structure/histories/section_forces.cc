@@ -49,10 +49,10 @@ namespace birdstrike
     : plane(plane)
   {
     const Point3      way = roles.tip.middle - roles.root.middle, along = way.normalized();
-    std::vector<bool> is_beyond(mesh.cells.size(), true);
-    if (station > 0.)
-      for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
-        is_beyond[cell] = (mesh.centroid(cell) - roles.root.middle).dot(along) > station * way.norm();
+    std::vector<bool> is_beyond(mesh.cells.size());
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+      is_beyond[cell] = mesh.blade_of(cell) == 0 &&
+                        (station == 0. || (mesh.centroid(cell) - roles.root.middle).dot(along) > station * way.norm());
     find_cut(mesh, is_beyond, stiffness);
     if (station > 0. && (cut.empty() || beyond.empty()))
       throw InputError(fmt::format("Output/Histories/Stations: no row of elements ends at {:g} of the span: all lie on "
