@@ -171,7 +171,7 @@ namespace birdstrike
     const auto  &x       = target.points.position;
     const Point3 closest = Point3(x[0][touch.point], x[1][touch.point], x[2][touch.point]) - touch.offset;
     for (std::size_t k = 0; k < target.patches.size(); ++k)
-      if (const PressurePatch &patch = target.patches[k]; (closest - patch.centre).norm() <= patch.radius)
+      if (const PressurePatch &patch = target.patches[k]; patch.holds(closest))
         target.report.patch_pressures[k] += force.dot(touch.normal.normalized()) / patch.area;
   }
 } // namespace birdstrike

@@ -97,7 +97,8 @@ namespace birdstrike
                                        least <= patch.radius * patch.radius
                                          ? "which covers none of its places: the disc is far too large"
                                          : fmt::format("which is {:.4g} m away", std::sqrt(least))));
-        moved[p].area = covered * patch.area;
+        moved[p].area   = covered * patch.area;
+        moved[p].normal = of_facet[1];
         for (unsigned int d = 0; d < 3; ++d)
           held.own[d] = of_facet[d].dot(arm);
         held.start = held.place(facets);
@@ -119,6 +120,7 @@ namespace birdstrike
     for (std::size_t p = 0; p < anchors.size(); ++p)
       {
         moved[p].centre = first[p].centre + (anchors[p].place(facets) - anchors[p].start);
+        moved[p].normal = axes(corners(facets, anchors[p].nodes))[1];
         if (facets.plane.exists() && first[p].centre[1] == 0.)
           moved[p].centre[1] = 0.;
       }

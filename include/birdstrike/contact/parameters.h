@@ -2,6 +2,7 @@
 
 #include <birdstrike/core/number.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,19 @@ namespace birdstrike
   struct PressurePatch
   {
     std::string name;
-    Point3      centre; ///< m; goes with the surface (moving_patches.h)
-    double      radius; ///< m
-    double      area;   ///< m^2: the disc's, as far as the surface covers it (moving_patches.h)
+    Point3      centre;                  ///< m; goes with the surface (moving_patches.h)
+    double      radius;                  ///< m
+    double      area;                    ///< m^2: the disc's, as far as the surface covers it (moving_patches.h)
+    Point3      normal = Point3::Zero(); ///< unit, of the surface there; zero: nothing holds it
+
+    /// Whether a place of the surface is counted: in a cylinder as high either way as its radius, so that a centre in
+    /// the middle of a body means the same disc as one on its face. Of a patch that nothing holds, in a ball.
+    bool holds(const Point3 &place) const
+    {
+      const Point3 way    = place - centre;
+      const double height = way.dot(normal);
+      return std::abs(height) <= radius && way.squaredNorm() - height * height <= radius * radius;
+    }
   };
 
   /// How points and facets push one another. Section `Contact`. Raises InputError from check() and pressure_patches().

@@ -136,7 +136,7 @@ TEST(PressurePatches, FeelThePressureOfTheirPoints)
         scene.add_point(point);
       }
   ContactParameters parameters = without_damper();
-  parameters.patches           = "middle: 0.01 0.01 0 0.005; corner: 0.0 0.0 0.0 0.002";
+  parameters.patches           = "middle: 0.01 0.01 0 0.005; corner: 0.0 0.0 0.0 0.002; below: 0.01 0.01 -0.004 0.005";
   Contact    contact(parameters);
   ThreadPool pool;
   scene.compute_contact(contact, 1e-7, pool);
@@ -147,5 +147,6 @@ TEST(PressurePatches, FeelThePressureOfTheirPoints)
   EXPECT_NEAR(contact.report().patch_pressures[0] / pressure, 80. / (std::numbers::pi * 25.),
               1e-9); // 80 centres in r = 5
   EXPECT_NEAR(contact.report().patch_pressures[1] / pressure, 4. / (std::numbers::pi * 4.), 0.26);
+  EXPECT_EQ(contact.report().patch_pressures[2], contact.report().patch_pressures[0]) << "the same disc of the surface";
   EXPECT_NEAR(-contact.report().force[2], 400. * 1e-6 * pressure, 1e-6);
 }
