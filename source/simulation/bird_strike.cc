@@ -199,11 +199,8 @@ namespace birdstrike
     if (limits.maximum_wall_time > 0. && timings.wall() > limits.maximum_wall_time)
       return EndReason::wall_time;
     // a later bird that has not struck yet may make a higher one: of a blade that has bent away it comes after its time
-    const auto is_to_come = [](const Projectile &each) {
-      return each.parameters.arrival > 0. && each.contact && each.contact_report().peak_force == 0.;
-    };
     if (limits.stop_at_tip_peak && observed.first_tip_peak.is_passed(now, limits.tip_peak_wait) &&
-        std::ranges::none_of(scene.birds, is_to_come))
+        std::ranges::none_of(scene.birds, &Projectile::is_to_come))
       return EndReason::tip_peak;
     return EndReason::none;
   }

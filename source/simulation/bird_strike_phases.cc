@@ -73,8 +73,11 @@ namespace birdstrike
   {
     const auto  &given     = balance.state().blade_momentum.contact_impulse;
     const double tolerated = parameters.time.bird_phase_tolerance * std::hypot(given[0], given[1], given[2]);
-    if (tolerated == 0. || now - projectile.last_touch < quiet_time || scene.blade->rotor() != nullptr)
-      return false; // of a blade that turns what is left may be met a turn later: it stays until it is removed
+    // of a blade that turns what is left may be met a turn later, and a later bird that has not struck yet may come to
+    // a blade that has bent away: they stay until they are removed
+    if (tolerated == 0. || now - projectile.last_touch < quiet_time || scene.blade->rotor() != nullptr ||
+        projectile.is_to_come())
+      return false;
     projectile.reachable_impulse = compute_reachable_impulse(projectile.bird->points(), scene.blade->facets(), horizon);
     return projectile.reachable_impulse <= tolerated;
   }

@@ -65,6 +65,10 @@ namespace birdstrike
     /// Puts it at the first touch of the blade, which it waits for if that comes later, and gives it a contact.
     void place(Blade &blade, const ContactParameters &contact);
 
+    bool is_to_come() const ///< a later bird that has struck nothing yet
+    {
+      return parameters.arrival > 0. && contact && contact_report().peak_force == 0.;
+    }
     bool is_here() const ///< and not waiting: it is computed
     {
       return bird != nullptr && !is_waiting;
