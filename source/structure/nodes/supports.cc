@@ -4,6 +4,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -144,7 +146,12 @@ namespace birdstrike
     clamped_ids.insert(clamped_ids.end(), root_ids.begin(), root_ids.end());
     if (root_ids.empty())
       root_ids = clamped_ids;
-    require_ids(parameters.free, mesh, "Free");
+    for (const unsigned int id : require_ids(parameters.free, mesh, "Free"))
+      if (std::ranges::find(clamped_ids, id) != clamped_ids.end())
+        throw InputError(
+          fmt::format("Blade/Supports/Free = {}: boundary {} is held by Clamped (by default 0) or Hub as well."
+                      "\nTake it out of one of them.",
+                      parameters.free, id));
     if (parameters.tip != standard.tip)
       tip_ids = require_ids(parameters.tip, mesh, "Tip");
     else if (!are_named) // a file need not have a tip
@@ -194,9 +201,14 @@ namespace birdstrike
             "Blade/Supports/Driven: '" + text +
             "' moves both halves of a symmetric blade to one side.\nAllowed with a plane of symmetry: ux, "
             "uz and ry.");
-        Driven driven_here{
-          held.add(mesh.nodes_on(ids), components),
+        const auto nodes = mesh.nodes_on(ids); // none where the mirror image has them all
+        Driven     driven_here{
+          held.add(nodes, components),
           std::make_shared<const TimeLaw>(dealii::Utilities::trim(text.substr(equals + 1)), "Supports/Driven")};
+        if (driven_here.dofs.empty() && !nodes.empty())
+          throw InputError("Blade/Supports/Driven: '" + key + ": " + text +
+                           "' drives nothing: all that it names is clamped, held or driven already.\nLet Clamped, Hub "
+                           "and Held leave it free (Clamped = empty), and name each component once.");
         if (driven_here.at(0.) != 0.)
           throw InputError("Blade/Supports/Driven: '" + text +
                            "' is not 0 at t = 0.\nA displacement begins where the mesh is; subtract its first value.");

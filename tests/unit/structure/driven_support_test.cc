@@ -117,4 +117,30 @@ namespace birdstrike::driven_support_test
     p.supports.driven     = "1: uz = t";
     EXPECT_THROW(make_blade(p, pool), InputError);
   }
+  // What is held stays so; an entry that is left without anything to drive would be one that is not read.
+  TEST(DrivenSupport, ThatDrivesNothingIsRefused)
+  {
+    ThreadPool pool(1);
+    const auto said_of = [&](const char *clamped, const char *driven, const char *free) {
+      BladeParameters p  = bar("shell");
+      p.supports.clamped = clamped;
+      p.supports.driven  = driven;
+      p.supports.free    = free;
+      try
+        {
+          make_blade(p, pool);
+        }
+      catch (const InputError &error)
+        {
+          return std::string(error.what());
+        }
+      return std::string();
+    };
+    EXPECT_EQ(said_of("", "0: ux = 5*t; 0: uy = t", "1"), "");
+    EXPECT_EQ(said_of("0", "2: ux = 5*t", ""), "") << "an edge that shares a corner with what is clamped";
+    EXPECT_NE(said_of("0", "0: ux = 5*t", "").find("Driven: '0: ux = 5*t' drives nothing"), std::string::npos);
+    EXPECT_NE(said_of("", "1: uz = t; 1: uz = 2*t", "").find("Driven: '1: uz = 2*t' drives nothing"),
+              std::string::npos);
+    EXPECT_NE(said_of("0", "", "0").find("Free = 0: boundary 0 is held by Clamped"), std::string::npos);
+  }
 } // namespace birdstrike::driven_support_test
