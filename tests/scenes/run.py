@@ -252,7 +252,49 @@ def long_vibration(check):
         check.between("kinetic energy over that brought", result.most("blade_kinetic") / result.initial_energy(), 0., 1.001)
 
 
-SCENES = {"thin-skin": thin_skin, "fast-on-rigid-plate": fast_on_rigid_plate, "contact-without-damper": contact_without_damper,
+def back_swing(check):
+    stopped, whole = check.run("back-swing"), check.run("back-swing", "Time/Stop at tip peak=false")
+    early = check.run("back-swing", "Time/Stop at tip peak=false", "Time/End time=5e-3")
+    if stopped and whole and early:
+        check.between("tip peak, mm", 1e3 * whole["tip/peak"], 60., 95.)
+        check.require(stopped["end/reason"] == "tip peak passed", "Stop at tip peak does not stop")
+        check.equal("stopped and whole", stopped["tip/peak"], whole["tip/peak"], 0.)
+        check.require(early["tip/peak"] < 0. and early.summary["tip"]["peak_reached"] is False, "the backward swing is called a peak")
+
+
+def late_bird(check):
+    results = [check.run("late-bird", *settings) for settings in ((), ("Time/Bird phase tolerance=0",))]
+    if all(results):
+        impulses = [abs(result.summary["birds"][1]["impulse"][2]) for result in results]
+        check.between("impulse of the second bird, N s", impulses[1], 2., 15.)
+        check.equal("and with the default tolerance", impulses[0], impulses[1], 0.01)
+
+
+def row_histories(check):
+    row, one = check.run("row-histories"), check.run("row-histories", "Blade/Mesh/Row/Blades=1", "Blade/Mesh/Row/Place=1",
+                                                     "Output/Histories/Gauges=here: 0.2075 0.007217 0.004167 | 45")
+    if row and one:
+        of_row, of_one = row.table("sections"), one.table("sections")
+        for name in (name for name in of_one if name != "time"):
+            scale = max(map(abs, of_one["span0.3.M_bending" if ".M_" in name else "span0.3.Q_normal"]))
+            far = max(abs(a - b) for a, b in zip(of_row[name], of_one[name]))
+            check.require(far <= 1e-6 * scale, f"{name} of the row and of one blade are {far:.3g} apart")
+        gauges = row.table("gauges")
+        here = gauges["here.strain"][-1]
+        for other in ("next", "before"):
+            check.equal(f"gauges here and {other}", here, gauges[other + ".strain"][-1], 1e-6)
+        check.equal("gauge of the row and of one blade", here, one.table("gauges")["here.strain"][-1], 1e-6)
+
+
+def patch_below_the_face(check):
+    result = check.run("patch-below-the-face")
+    if result:
+        means = [sum(result.columns["pressure_" + name]) / len(result.columns["time"]) for name in ("middle", "face")]
+        check.equal("mean pressure, middle and face", *means, 0.02)
+
+
+SCENES = {"back-swing": back_swing, "late-bird": late_bird, "row-histories": row_histories,
+          "patch-below-the-face": patch_below_the_face, "thin-skin": thin_skin, "fast-on-rigid-plate": fast_on_rigid_plate, "contact-without-damper": contact_without_damper,
           "folded-sheet": folded_sheet, "crushed-bricks": crushed("crushed-bricks"), "crushed-shell": crushed("crushed-shell"),
           "last-step": last_step, "long-vibration": long_vibration, "edge-on": edge_on, "oblique-edge": oblique_edge,
           "tip-peak": tip_peak, "output-intervals": output_intervals, "rubber-multirate": rubber_multirate,
