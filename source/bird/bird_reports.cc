@@ -2,6 +2,7 @@
 #include <birdstrike/core/prices.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -213,7 +214,12 @@ namespace birdstrike
       }
     report.moment_scale  = particles.mass * sums[6];
     report.impulse_scale = particles.mass * sums[7];
-    return packed.plane.whole(report);
+    report               = packed.plane.whole(report);
+    const auto norm      = [](const MomentumReport::Vector &a) { return std::hypot(a[0], a[1], a[2]); };
+
+    report.largest_momentum         = norm(report.momentum);
+    report.largest_angular_momentum = norm(report.angular_momentum);
+    return report;
   }
 
   std::size_t Bird::n_particles() const

@@ -1,5 +1,7 @@
 #include <birdstrike/core/energy_report.h>
 
+#include <algorithm>
+
 namespace birdstrike
 {
   void add(EnergyReport &sum, const EnergyReport &one)
@@ -13,8 +15,10 @@ namespace birdstrike
     for (const MomentumKind &kind : momentum_kinds)
       for (unsigned int d = 0; d < 3; ++d)
         (sum.*kind.value)[d] += (one.*kind.value)[d];
-    sum.impulse_scale += one.impulse_scale;
-    sum.moment_scale += one.moment_scale;
+    for (const auto scale : momentum_scales)
+      sum.*scale += one.*scale;
+    for (const auto norm : largest_momenta)
+      sum.*norm = std::max(sum.*norm, one.*norm);
   }
 
   void archive(Archive &archive, const char *name, EnergyReport &energy)
@@ -30,5 +34,6 @@ namespace birdstrike
     for (const MomentumKind &kind : momentum_kinds)
       archive(kind.name, momentum.*kind.value);
     archive("scales", momentum.impulse_scale, momentum.moment_scale);
+    archive("largest", momentum.largest_momentum, momentum.largest_angular_momentum);
   }
 } // namespace birdstrike

@@ -121,8 +121,8 @@ namespace birdstrike
     error.update(scale > 0. ? (current_energy - reference_energy) / scale : 0.);
     most_dissipated = std::max(most_dissipated, state.contact.dissipated);
     fall            = std::max({fall, most_dissipated - state.contact.dissipated, state.contact_dissipation_fall});
-    update(linear, false, &MomentumReport::impulse_scale);
-    update(angular, true, &MomentumReport::moment_scale);
+    update(linear, false, &MomentumReport::impulse_scale, &MomentumReport::largest_momentum);
+    update(angular, true, &MomentumReport::moment_scale, &MomentumReport::largest_angular_momentum);
     check(time, step);
   }
 
@@ -132,10 +132,12 @@ namespace birdstrike
     largest = std::max(largest, std::abs(value));
   }
 
-  void Balance::update(Momentum &momentum, const bool is_axial, double MomentumReport::*const smallest_scale)
+  void Balance::update(Momentum &momentum, const bool is_axial, double MomentumReport::*const smallest_scale,
+                       double MomentumReport::*const of_one_body)
   {
+    momentum.largest_of_one_body = std::max(momentum.largest_of_one_body, last.bird_momentum.*of_one_body);
     const double against =
-      std::max({norm(momentum.reference), largest_norm(last, is_axial),
+      std::max({norm(momentum.reference), momentum.largest_of_one_body, largest_norm(last, is_axial),
                 smallest_share * (last.bird_momentum.*smallest_scale + last.blade_momentum.*smallest_scale)});
     momentum.error.update(relative_distance(momentum_of(last, is_axial), momentum.reference, against));
   }
@@ -229,6 +231,7 @@ namespace birdstrike
     archive("contact dissipation", most_dissipated, fall, last.contact_dissipation_fall);
     archive("energy", reference_energy, reference_driven, current_energy, scale);
     archive("reference momentum", linear.reference, angular.reference);
+    archive("largest momentum of a bird", linear.largest_of_one_body, angular.largest_of_one_body);
     archive("errors", error.now, error.largest, linear.error.now, linear.error.largest, angular.error.now,
             angular.error.largest);
   }

@@ -115,6 +115,10 @@ namespace birdstrike
     Vector external_moment{};  ///< by loads and damping
     double impulse_scale = 0.; ///< sum of m |v| (N s): what momentum is small against
     double moment_scale  = 0.; ///< sum of m |x| |v| (N m s): what angular momentum is small against
+
+    // Of bodies whose momenta may cancel in the sum.
+    double largest_momentum         = 0.; ///< norm, of one body (N s)
+    double largest_angular_momentum = 0.; ///< N m s
   };
 
   struct MomentumKind
@@ -139,6 +143,8 @@ namespace birdstrike
     {&MomentumReport::external_moment, "external moment", true, Account::external, true},
   }};
   inline constexpr std::array momentum_scales{&MomentumReport::impulse_scale, &MomentumReport::moment_scale};
+  inline constexpr std::array largest_momenta{&MomentumReport::largest_momentum,
+                                              &MomentumReport::largest_angular_momentum};
 
   template <class Kinds>
   consteval bool are_distinct(const Kinds &kinds)
@@ -152,8 +158,8 @@ namespace birdstrike
 
   // A member that no table names would be doubled by no plane of symmetry and counted in no sum.
   static_assert(sizeof(EnergyReport) == sizeof(double) * energy_kinds.size() && are_distinct(energy_kinds));
-  static_assert(sizeof(MomentumReport) ==
-                  sizeof(MomentumReport::Vector) * momentum_kinds.size() + sizeof(double) * momentum_scales.size() &&
+  static_assert(sizeof(MomentumReport) == sizeof(MomentumReport::Vector) * momentum_kinds.size() +
+                                            sizeof(double) * (momentum_scales.size() + largest_momenta.size()) &&
                 are_distinct(momentum_kinds));
 
   /// Of several parts together.

@@ -55,6 +55,8 @@ namespace birdstrike
           a = {{0., 2. * a[1], 0.}};
       for (const auto scale : momentum_scales)
         momentum.*scale *= n;
+      for (const auto norm : largest_momenta)
+        momentum.*norm *= n;
       return momentum;
     }
 

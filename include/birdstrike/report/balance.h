@@ -15,9 +15,9 @@ namespace birdstrike
   /// against the works of its impulses; the rest is of the steps in time.
   ///
   /// Errors are relative to the scale of the run: initial energy plus |external work|, of a blade that turns the
-  /// strike as the hub sees it; largest of the initial momentum, the impulse through contact, the supports' and the
-  /// loads' (all as norms), or a hundredth of the sum of m |v| if that is more: a free vibration has none. Of angular
-  /// momentum the same with moments and the sum of m |x| |v|.
+  /// strike as the hub sees it; largest of the initial momentum, that of one bird, the impulse through contact, the
+  /// supports' and the loads' (all as norms), or a hundredth of the sum of m |v| if that is more: a free vibration has
+  /// none. Of angular momentum the same with moments and the sum of m |x| |v|.
   ///
   /// A run ends where the energy error passes its limit, where a kind that cannot be negative is below -1e-3 of the
   /// scale (they are sums of squares and of dissipation rates: 1e-6 of round-off in pairs of floats, up to 1e-4 of
@@ -71,10 +71,12 @@ namespace birdstrike
     struct Momentum
     {
       std::array<double, 3> reference{};
+      double                largest_of_one_body = 0.; ///< N s or N m s: birds from two sides may have none together
       RelativeError         error;
     };
 
-    void update(Momentum &momentum, bool is_axial, double MomentumReport::*smallest_scale);
+    void update(Momentum &momentum, bool is_axial, double MomentumReport::*smallest_scale,
+                double MomentumReport::*of_one_body);
     void check(double time, unsigned long step) const;
     /// J.
     double scale_of(const SystemState &state) const;

@@ -106,6 +106,35 @@ TEST(Balance, SeesLostAngularMomentumAndSetsSupportsAndLoadsAgainstIt)
   EXPECT_NEAR(balance.angular_momentum_error().largest, 0.25, 1e-14);
 }
 
+// Two birds from two sides have none together: what is lost counts against what one of them has, 2 N m s, not against
+// a hundredth of sums over particles (8 N m s).
+TEST(Balance, HoldsLossesAgainstOneOfSeveralBirds)
+{
+  Balance     balance(0.05);
+  SystemState state                 = before();
+  state.bird_momentum               = {};
+  state.bird_momentum.moment_scale  = 8.;
+  state.bird_momentum.impulse_scale = 6.;
+  MomentumReport one;
+  one.momentum                 = {0., 0., 1.5};
+  one.angular_momentum         = {0., -2., 0.};
+  one.largest_momentum         = 1.5;
+  one.largest_angular_momentum = 2.;
+  add(state.bird_momentum, one);
+  one.momentum[2] *= -1.;
+  one.angular_momentum[1] *= -1.;
+  add(state.bird_momentum, one);
+  EXPECT_EQ(state.bird_momentum.angular_momentum[1], 0.);
+  balance.update(state, 0., 0);
+  state.bird_momentum.angular_momentum = {0., 0.01, 0.};
+  state.bird_momentum.momentum         = {0., 0., 0.003};
+  // they go on, and have less each
+  state.bird_momentum.largest_momentum = state.bird_momentum.largest_angular_momentum = 0.5;
+  balance.update(state, 1e-4, 10);
+  EXPECT_NEAR(balance.angular_momentum_error().now, 0.01 / 2., 1e-14);
+  EXPECT_NEAR(balance.momentum_error().now, 0.003 / 1.5, 1e-14);
+}
+
 TEST(Balance, SeesLostMomentumAndEnergy)
 {
   Balance balance(0.05);
