@@ -87,7 +87,8 @@ namespace birdstrike
         if (!map)
           return {};
         const auto [span, chord] = map->shares(point);
-        return AimedSurface{to_array(map->normal(span, chord)), to_array(map->chord_direction(span)), span, chord};
+        return AimedSurface{to_array(map->normal(span, chord)), to_array(map->chord_direction(span)), span, chord,
+                            (map->position(span, chord) - point).norm()};
       }
 
     private:

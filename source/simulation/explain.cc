@@ -59,12 +59,16 @@ namespace birdstrike
                          along > 0. ? "leading" : "trailing");
     }
 
+    constexpr double least_distance = 1e-4; ///< m, of an aim point that is given with a few digits
+
     void add_aim(TextTable &table, const Projectile &projectile, const bool is_turning)
     {
       const StrikeAim &aim   = projectile.aim;
       std::string      where = vector_text(aim.point, "m");
       if (!std::isnan(aim.span))
         where += ": " + format_share(aim.span) + " of the span, " + format_share(aim.chord) + " of the chord";
+      if (const auto &surface = projectile.parameters.aimed_surface; surface && surface->distance > least_distance)
+        where += ", " + format_quantity(surface->distance, "m") + " off the mid-surface";
       table.add_heading("Strike");
       table.add("aim", where);
       table.add("velocity", vector_text(projectile.parameters.velocity, "m/s"));

@@ -71,6 +71,7 @@ check "nothing in the case" 2 "neither" -- run "$top/prm/bird-free.prm" --set "B
 check "a shell's element for a solid" 2 "no element of a solid" "B-bar" -- run "$top/prm/quickstart.prm" --set "Blade/Kind=solid" --set "Blade/Element/Formulation=physical"
 check "a brick for a shell" 2 "no element of a shell" "physical" -- run "$top/prm/quickstart.prm" --set "Blade/Element/Formulation=B-bar"
 check "a rotation of a solid" 2 "rotations" -- run "$top/prm/quickstart.prm" --set "Blade/Kind=solid" --set "Blade/Supports/Held=1: rx"
+check "an aim point off the surface" 0 "of the chord, 21 mm off the mid-surface" -- explain "$top/prm/quickstart.prm" --set "Bird/Aim point=0.2, 0.01, -0.021"
 check "an entry of the other kind is named" 0 "Blade/Element/Thinning is set" "Blade: solid" -- explain "$top/prm/quickstart.prm" --set "Blade/Kind=solid" --set "Blade/Element/Thinning=false"
 check "missing mesh" 2 "no-such.msh" -- run "$top/prm/quickstart.prm" --set "Blade/Mesh/Generator=file" --set "Blade/Mesh/File=no-such.msh"
 check "bricks for a shell" 2 "holds 224 hexahedra" "Blade/Kind = solid" -- run "$top/prm/quickstart.prm" --set "Blade/Mesh/Generator=file" --set "Blade/Mesh/File=$top/meshes/plate-28x8x1.msh"

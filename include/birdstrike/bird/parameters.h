@@ -65,6 +65,7 @@ namespace birdstrike
     std::array<double, 3> normal{}; ///< unit, of the undeformed mid-surface
     std::array<double, 3> chord{};  ///< unit, of the section there, from the leading to the trailing edge
     double                span_share = 0., chord_share = 0.;
+    double                distance = 0.; ///< m, of the aim point from the mid-surface
   };
 
   /// User entries of section "Bird", or "Bird 2" and so on; every default lives here and nowhere else.

@@ -90,6 +90,20 @@ TEST(Aim, SharesLieOnTheRealSurface)
   EXPECT_EQ(plate.bird.aim_point, (std::array<double, 3>{{0.7 * 0.3112, 0., 0.}}));
 }
 
+// Below a plate in z = 0, and beside its edge at y = -44.45 mm.
+TEST(Aim, SaysHowFarAnAimPointLiesOffTheMidSurface)
+{
+  const ScratchFolder scratch;
+  const auto          distance_of = [&](const std::string &point) {
+    CaseParameters plate;
+    plate.read(plain(scratch), {"Bird/Aim point=" + point});
+    return plate.bird.aimed_surface.value().distance;
+  };
+  EXPECT_NEAR(distance_of("0.2, 0.01, 0"), 0., 1e-12);
+  EXPECT_NEAR(distance_of("0.2, 0.01, -0.021"), 0.021, 1e-12);
+  EXPECT_NEAR(distance_of("0.2, -0.05, 0"), 0.05 - 0.0889 / 2., 1e-12);
+}
+
 TEST(Aim, TheOffsetFollowsTheChord)
 {
   const ScratchFolder scratch;
