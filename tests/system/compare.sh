@@ -73,6 +73,21 @@ wait $running
 code=$?
 require "a signal ends comparison and run" '[ $code -eq 143 ] && grep -q "Cases that are complete will be reused" out.txt && grep -q "stopped by a signal" stopped/quickstart/summary.json'
 
+# what was stopped goes on, as if nothing had happened; where 'resume' refuses, it is run anew
+long=(--set "Time/End time=240e-3" --set "Output/HDF5=false")
+"$program" compare "$a" "${fast[@]}" "${long[@]}" --output on >out.txt 2>&1 &
+running=$!
+for _ in $(seq 300); do [ -s on/quickstart/parameters.prm ] && break; sleep 0.1; done
+sleep 0.3
+kill -TERM $running
+wait $running
+cp -r on anew
+echo damaged >"$(ls anew/quickstart/checkpoints/*.h5 | tail -1)"
+ask "a stopped case goes on" 0 "Case 1 of 1 to run: quickstart, into .*, from its checkpoint at" "Going on from" -- "$a" "${fast[@]}" "${long[@]}" --output on
+ask "without a checkpoint it is run anew" 0 "Case 1 of 1 to run: quickstart, into .* \(a signal ended it\)" -- "$a" "${fast[@]}" "${long[@]}" --output anew
+"$program" run "$a" "${fast[@]}" "${long[@]}" --output through >/dev/null 2>&1
+require "the histories are those of a run without a stop" 'cmp on/quickstart/history.csv through/history.csv && cmp anew/quickstart/history.csv through/history.csv'
+
 # without gnuplot
 mkdir bin  # an empty path of programs
 

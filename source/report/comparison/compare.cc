@@ -6,6 +6,7 @@
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
+#include <birdstrike/report/text.h>
 
 #include <spdlog/logger.h>
 
@@ -16,7 +17,8 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr auto stopped = "The comparison was stopped. Cases that are complete will be reused.";
+    constexpr auto stopped =
+      "The comparison was stopped. Cases that are complete will be reused, one that was begun goes on.";
 
     /// A case that cannot be run is refused before any other has taken its hours.
     void validate(const PlannedCase &planned)
@@ -31,11 +33,16 @@ namespace birdstrike
         throw std::runtime_error("'" + planned.name + "' could not be checked:\n" + said);
     }
 
-    /// Returns the exit code of the run. What an earlier run has left goes first, lest it be taken for this one's.
-    int run(PlannedCase &planned, const std::size_t number, const std::size_t n_to_run)
+    int call(const std::vector<std::string> &arguments)
     {
-      log().info("Case {} of {} to run: {}, into {}{}", number, n_to_run, planned.name, planned.folder.string(),
-                 planned.why_run.empty() ? "" : " (" + planned.why_run + ")");
+      const ChildResult result = run_child({arguments, "", false, this_program});
+      end_if_stopped(result.stopped_by, stopped);
+      return result.exit_code;
+    }
+
+    /// What an earlier run has left goes first, lest it be taken for this one's.
+    int run_anew(const PlannedCase &planned)
+    {
       try
         {
           drop_results(planned.folder);
@@ -45,11 +52,24 @@ namespace birdstrike
           log().error("{}", error.what());
           return static_cast<int>(ExitCode::bad_input);
         }
-      const ChildResult result =
-        run_child({run_arguments(planned.prm_file, planned.overrides, planned.folder), "", false, this_program});
-      end_if_stopped(result.stopped_by, stopped);
+      return call(run_arguments(planned.prm_file, planned.overrides, planned.folder));
+    }
+
+    /// Returns the exit code of the run.
+    int run(PlannedCase &planned, const std::size_t number, const std::size_t n_to_run)
+    {
+      constexpr int refused = static_cast<int>(ExitCode::bad_input);
+      log().info("Case {} of {} to run: {}, into {}{}", number, n_to_run, planned.name, planned.folder.string(),
+                 planned.goes_on_from      ? ", from its checkpoint at " + format_quantity(*planned.goes_on_from, "s")
+                 : planned.why_run.empty() ? ""
+                                           : " (" + planned.why_run + ")");
+      int exit_code = planned.goes_on_from ? call({"birdstrike", "resume", planned.folder.string()}) : refused;
+      if (planned.goes_on_from && exit_code == refused)
+        log().info("{} is run anew, for it cannot be resumed.", planned.name);
+      if (exit_code == refused)
+        exit_code = run_anew(planned);
       planned.in_use = std::make_unique<RunFolderInUse>(planned.folder);
-      return result.exit_code;
+      return exit_code;
     }
 
     std::string make_report(const ComparisonTable &table, const std::vector<Figure> &figures,

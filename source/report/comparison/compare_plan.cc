@@ -1,6 +1,7 @@
 #include "report/comparison/compare_plan.h"
 
 #include "report/comparison/run_reuse.h"
+#include "report/comparison/way_on.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/report_folder.h>
 #include <birdstrike/io/telling_entries.h>
@@ -97,6 +98,8 @@ namespace birdstrike
       planned.is_reused = found.in_use != nullptr;
       planned.in_use    = std::move(found.in_use);
       planned.why_run   = found.why_not;
+      if (!planned.is_reused)
+        planned.goes_on_from = find_way_on(planned.folder, *planned.parameters);
     }
   } // namespace
 

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ namespace birdstrike
     bool                            is_reused = false;
     std::unique_ptr<RunFolderInUse> in_use;  ///< from when its run is complete until the comparison is written
     std::string                     why_run; ///< where a run of the same name was found that cannot be reused
+    std::optional<double>           goes_on_from = {}; ///< s, where a run of it that was stopped has a checkpoint
   };
 
   const ReportKind &comparison_kind();

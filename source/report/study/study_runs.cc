@@ -1,7 +1,7 @@
 #include "report/study/study_runs.h"
 #include "report/comparison/case_run.h"
 #include "report/comparison/run_reuse.h"
-#include "report/study/way_on.h"
+#include "report/comparison/way_on.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>

@@ -1,4 +1,4 @@
-#include "report/study/way_on.h"
+#include "report/comparison/way_on.h"
 #include "report/comparison/run_reuse.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/program.h>
