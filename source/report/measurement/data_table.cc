@@ -68,24 +68,30 @@ namespace birdstrike
       column.name = trim(column.name.substr(0, open));
     }
 
-    /// Units by names from comments "# 3: force [kN]".
-    void read_comment(const std::string &line, std::map<std::string, std::string> &units)
-    {
-      const auto colon = line.find(": ");
-      if (colon == std::string::npos || line.find_first_not_of("# 0123456789") != colon)
-        return;
-      TableColumn column{trim(line.substr(colon + 2)), "", {}};
-      take_unit(column);
-      units[column.name] = column.unit;
-    }
-
-    constexpr const char *nothing = " \t\r,;\"";
-
     struct Line
     {
       std::size_t number;
       std::string text;
     };
+
+    struct UnitAt
+    {
+      std::string unit;
+      std::size_t line;
+    };
+
+    /// Units by names from comments "# 3: force [kN]".
+    void read_comment(const Line &line, std::map<std::string, UnitAt> &units)
+    {
+      const auto colon = line.text.find(": ");
+      if (colon == std::string::npos || line.text.find_first_not_of("# 0123456789") != colon)
+        return;
+      TableColumn column{trim(line.text.substr(colon + 2)), "", {}};
+      take_unit(column);
+      units[column.name] = {column.unit, line.number};
+    }
+
+    constexpr const char *nothing = " \t\r,;\"";
 
     class Reader
     {
@@ -102,7 +108,7 @@ namespace birdstrike
             if (number == 1 && line.starts_with("\xEF\xBB\xBF")) // as spreadsheets begin UTF-8
               line.erase(0, 3);
             if (const auto first = line.find_first_not_of(" \t\r\""); first != std::string::npos && line[first] == '#')
-              read_comment(line, units);
+              read_comment({number, line}, units);
             else if (line.find_first_not_of(nothing) != std::string::npos) // spreadsheets end with rows of separators
               lines.push_back({number, line});
           }
@@ -124,9 +130,12 @@ namespace birdstrike
           {
             for (std::size_t k = 0; k < columns.size(); ++k)
               if (!fields[k].empty())
-                columns[k].unit = fields[k].starts_with('[') && fields[k].ends_with(']')
-                                    ? trim(fields[k].substr(1, fields[k].size() - 2))
-                                    : fields[k];
+                {
+                  columns[k].unit         = fields[k].starts_with('[') && fields[k].ends_with(']')
+                                              ? trim(fields[k].substr(1, fields[k].size() - 2))
+                                              : fields[k];
+                  columns[k].line_of_unit = lines[1].number;
+                }
             ++row;
           }
         for (; row < lines.size(); ++row)
@@ -138,10 +147,10 @@ namespace birdstrike
       }
 
     private:
-      std::filesystem::path              path;
-      std::map<std::string, std::string> units;
-      std::vector<Line>                  lines;
-      char                               separator = ',';
+      std::filesystem::path         path;
+      std::map<std::string, UnitAt> units;
+      std::vector<Line>             lines;
+      char                          separator = ',';
 
       std::string at(const std::size_t line, const std::string &why) const
       {
@@ -170,8 +179,12 @@ namespace birdstrike
         if (parse(name, number))
           refuse(lines[0].number, "'" + name + "' is no name: the first line that is no comment holds the names.");
         take_unit(column);
+        column.line_of_unit = lines[0].number;
         if (const auto found = units.find(column.name); column.unit.empty() && found != units.end())
-          column.unit = found->second;
+          {
+            column.unit         = found->second.unit;
+            column.line_of_unit = found->second.line;
+          }
         for (TableColumn &other : columns)
           if (other.name == column.name)
             other.fault = at(lines[0].number, "two columns are called '" + column.name + "'.");
@@ -203,7 +216,7 @@ namespace birdstrike
           return;
         const auto unit = parse_column_unit(column.unit);
         if (!unit)
-          column.fault = at(lines[0].number,
+          column.fault = at(column.line_of_unit,
                             "'" + column.unit + "' of column '" + column.name +
                               "' is no unit that is known here. prm/README.md lists those that are: mm, us, kN, MPa.");
         for (double &value : column.values)

@@ -12,9 +12,10 @@ namespace birdstrike
   struct TableColumn
   {
     std::string         name;
-    std::string         unit;       ///< as written; empty: none was, and the values are as they stand
-    std::vector<double> values;     ///< SI; NaN: the cell is empty
-    std::string         fault = {}; ///< why the column cannot be used; empty: it can
+    std::string         unit;              ///< as written; empty: none was, and the values are as they stand
+    std::vector<double> values;            ///< SI; NaN: the cell is empty
+    std::string         fault        = {}; ///< why the column cannot be used; empty: it can
+    std::size_t         line_of_unit = 1;  ///< of the file, from 1 on
   };
 
   /// As io/units.h, and what tables of test rigs have besides: a Greek mu for micro, microstrain, ue, µε.
