@@ -102,9 +102,9 @@ namespace birdstrike
         Patterns::Double(-180., 180.));
       prm.add_parameter(
         "Lattice shift", bird.lattice_shift,
-        "Shift of the lattice of particles across the bird's axis (of a slice along its planes), in two directions, in "
-        "edges of the lattice's cell (a spacing of the cubic packing); mass and shape stay. What an answer changes by "
-        "is its scatter: which rows an edge, or a facet, catches. [-]",
+        "Offset of the particle lattice across the bird's axis (of a slice along its planes), in two directions, in "
+        "edges of the lattice's cell (a spacing of the cubic packing); mass and shape stay. By how much results change "
+        "with it is the scatter of a single run: which rows an edge or a facet catches. [-]",
         Patterns::List(Patterns::Double(-1., 1.), 2, 2));
       prm.add_parameter(
         "Aim point", bird.aim_point,
@@ -128,10 +128,11 @@ namespace birdstrike
                         "Distance from the bird's centre to the aim point at the start; 0 chooses twice the radius of "
                         "the sphere around the bird, or more where the blade is in its way before. [m]",
                         not_negative);
-      prm.add_parameter("Arrival time", bird.arrival,
-                        "Time at which the bird touches the blade first, if that lies as at the start and turns with "
-                        "its hub; until something is near, the bird flies free and costs nothing. [s]",
-                        not_negative);
+      prm.add_parameter(
+        "Arrival time", bird.arrival,
+        "Time of the bird's first touch, for a blade that is not deformed but has turned with its hub until "
+        "then; before, the bird flies freely and costs nothing. [s]",
+        not_negative);
     }
 
     void declare_method(ParameterHandler &prm, BirdParameters &bird)
@@ -161,8 +162,9 @@ namespace birdstrike
       declare_choice(prm, "Reconstruction", bird.reconstruction, reconstructions,
                      "Velocity at the midpoint of a pair in the riemann formulation: none, or linear from the "
                      "velocity gradients. [-]");
-      prm.add_parameter("Tension cut-off", bird.tension_cutoff,
-                        "Whether pressure stops at zero in tension; volume goes on evolving. [-]");
+      prm.add_parameter(
+        "Tension cut-off", bird.tension_cutoff,
+        "Whether the pressure is cut off at zero in tension (no cohesion); the density is integrated on. [-]");
       prm.enter_subsection("Strength");
       prm.add_parameter("Shear modulus", bird.shear_modulus,
                         "Shear modulus G of a bird with strength; it shortens steps as sqrt(c^2 + 4 G/(3 rho)) does. "
@@ -181,11 +183,12 @@ namespace birdstrike
                         Patterns::Double(0.001, 1.));
       prm.add_parameter(
         "Retire", bird.retire,
-        "Whether loose particles that can no longer meet the blade are removed from the computation. [-]");
+        "Whether free particles that can no longer meet the blade are deactivated (deleted from the computation, their "
+        "mass, momentum and energy kept in the balance). [-]");
       prm.add_parameter(
         "Retirement margin", bird.retirement_margin,
-        "Distance by which the blade's box grows before the path of a particle that may be removed is said to miss it. "
-        "[m]",
+        "Margin around the blade's bounding box: particles are deactivated only if their straight path misses the box "
+        "with this margin. [m]",
         not_negative);
     }
   } // namespace

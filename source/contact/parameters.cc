@@ -25,8 +25,8 @@ namespace birdstrike
                       Patterns::Double(0.));
     prm.add_parameter(
       "Step stability share", stability_share,
-      "Largest stiffness of a full layer of particles on a light blade, in units of the blade's mass "
-      "over the square of the step with which the bird meets it; it softens contact with thin skins. [-]",
+      "Upper bound of the contact stiffness of a full layer of particles on a light (thin) blade, in units of blade "
+      "mass over the squared time step, so that contact does not limit the step (as SOFT = 1 of LS-DYNA). [-]",
       Patterns::Double(0., 2.));
     prm.add_parameter("Friction", friction, "Coefficient of Coulomb friction between bird and blade. [-]",
                       Patterns::Double(0.));

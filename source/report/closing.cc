@@ -74,7 +74,8 @@ namespace birdstrike
         if (std::isnan(value(key)) || value(key) == 0.)
           return;
         const bool has_time = !std::isnan(value(key + "_time"));
-        const auto doubt = time < run.time ? " (may be no peak: the bird still pushes)" : " (still rising at the end)";
+        const auto doubt =
+          time < run.time ? " (may be no peak: the bird still loads the blade)" : " (still rising at the end)";
         table.add(text, (has_time ? with_time(key) : shown(key)) + (summary.is_false(key + "_reached") ? doubt : ""));
       }
 

@@ -50,20 +50,22 @@ namespace birdstrike
     {
       const Observed &of = run.observed;
       std::string     passed;
-      for (const auto &[name, value, time] :
-           {std::tuple("tip deflection", of.tip_peak.value(), of.tip_peak.time()),
-            std::tuple("root normal stress", of.root_stress.value(), of.root_stress.time()),
-            std::tuple("root moment", of.root_moment.value(), of.root_moment.time())})
+      for (const auto &[name, value, time, may_rise] :
+           {std::tuple("tip deflection", of.tip_peak.value(), of.tip_peak.time(), run.may_deflect_further()),
+            std::tuple("root normal stress", of.root_stress.value(), of.root_stress.time(), run.is_pushed()),
+            std::tuple("root moment", of.root_moment.value(), of.root_moment.time(), run.is_pushed())})
         if (value != 0. && time >= run.time)
           warnings.push_back({"peak/not_reached", fmt::format("The largest {} is that at the end of the run, where it "
                                                               "still rises: no peak yet (Time/End time).",
                                                               name)});
-        else if (value != 0.)
+        else if (value != 0. && may_rise)
           passed += (passed.empty() ? "" : ", ") + std::string(name);
-      if (run.has_later_peaks() && !passed.empty())
-        warnings.push_back({"peak/not_reached", fmt::format("The largest values until the end of the run ({}) may be "
-                                                            "no peaks: the bird still pushes (Time/End time).",
-                                                            passed)});
+      if (!passed.empty())
+        warnings.push_back(
+          {"peak/not_reached", fmt::format("The maxima so far ({}) may not be the peaks: at the end of the run the "
+                                           "bird still loads the blade, or the tip has only swung back against it "
+                                           "(Time/End time).",
+                                           passed)});
     }
 
     struct BreakingStrain
@@ -94,10 +96,11 @@ namespace birdstrike
       const std::string reached = fmt::format("Equivalent plastic strain reaches {:.3g} at ({:.4g}, {:.4g}, {:.4g}) m",
                                               most.value, most.position[0], most.position[1], most.position[2]);
       if (most.value > breaking.value)
-        warnings.push_back({"metal/elongation",
-                            fmt::format("{}, beyond the metal's {} ({:.3g} true strain): it would tear there, and no "
-                                        "failure is set ({}Failure).",
-                                        reached, breaking.of, breaking.value, entry)});
+        warnings.push_back(
+          {"metal/elongation",
+           fmt::format("{}, beyond the metal's {} ({:.3g} true strain): it may tear there, and no failure is set "
+                       "({}Failure). At clamped edges the strain grows as the mesh is refined.",
+                       reached, breaking.of, breaking.value, entry)});
       else if (std::isinf(breaking.value) && most.value > much_strain)
         warnings.push_back(
           {"metal/no_elongation", fmt::format("{}. Whether the metal tears there cannot be told: it has neither an "
@@ -154,8 +157,9 @@ namespace birdstrike
     if (run.is_pushed())
       warnings.push_back(
         {unfinished_contact,
-         "The bird still pushes on the blade at the end of the run, with " + format_quantity(run.closing_force(), "N") +
-           " on the mean of the last 0.25 ms: impulse, momentum and all that follows are not final (Time/End time)."});
+         "The bird still loads the blade at the end of the run: the mean contact force of the last 0.25 ms is " +
+           format_quantity(run.closing_force(), "N") +
+           ". Impulse, momentum and what depends on them are not final (Time/End time)."});
     if (const double lost = run.contact ? run.contact->released_energy / run.balance.energy_scale() : 0.;
         lost > much_lost)
       warnings.push_back(

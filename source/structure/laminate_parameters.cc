@@ -55,7 +55,7 @@ namespace birdstrike
     namespace Patterns = dealii::Patterns;
     prm.add_parameter(
       "Plies", plies,
-      "Makes shells a laminate: angles of its plies in degrees from the bottom (the side that the normal leaves) to "
+      "Makes shells a laminate: angles of its plies in degrees from the bottom (the side opposite to the normal) to "
       "the top, with thicknesses, '0: 0.125 mm; 45: 0.25 mm', or equal ones by a stacking code, '[0/45/-45/90]2s', "
       "'[0_2/+-45]s'. Thicknesses count by their shares of the sum: how thick the blade is says Thickness, and tapered "
       "blades have tapered plies. A third part names the material of a ply (Material k/Name): '0: 0.125 mm: carbon; 0: "

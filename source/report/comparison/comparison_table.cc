@@ -173,7 +173,7 @@ namespace birdstrike
           remarks.push_back(quantity(key).text + " of " + rising + ": still rising at the end, no peak yet.");
         if (!pushed.empty())
           remarks.push_back(quantity(key).text + " of " + pushed +
-                            ": the bird still pushes at the end, it may be no peak yet.");
+                            ": the bird still loads the blade at the end, it may be no peak yet.");
       }
   }
 
@@ -218,7 +218,7 @@ namespace birdstrike
                         how + ").");
     if (!pushed.empty())
       remarks.push_back("Permanent deflection: none for " + pushed +
-                        ", where the bird still pushes on the blade at the end; a later Time/End time gives it.");
+                        ", where the bird still loads the blade at the end; a later Time/End time gives it.");
     if (!without.empty())
       remarks.push_back("Permanent deflection: none for " + without +
                         ", no whole period after the tip's peak; a later Time/End time gives it.");

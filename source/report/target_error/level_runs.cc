@@ -99,7 +99,7 @@ namespace birdstrike
       refuse(name + " is zero, or none, with " + point.name + ".");
     if (row.is_rising(0))
       refuse(name + " still rises at the end of " + point.name +
-             ", or the bird still pushes there: it may be no peak yet.\n  Action: a later Time/End time.");
+             ", or the bird still loads the blade there: it may be no peak yet.\n  Action: a later Time/End time.");
     return {point.at[0],
             row.values[0],
             record.summary().number("cost/wall"),

@@ -45,8 +45,9 @@ namespace birdstrike
       if (const std::size_t n = count_thick(facets, 2.); n > 0)
         warnings.push_back(
           {"blade/thick_shell",
-           fmt::format("{} of {} shell elements are thicker than twice their shortest side: they are no shells there, "
-                       "and contact on their faces loses couples. Take larger elements, or Blade/Kind = solid.",
+           fmt::format("{} of {} shell elements are thicker than twice their shortest side: shell theory does not "
+                       "hold there, and contact on their faces loses a part of its moment about the mid-surface. Take "
+                       "larger elements, or Blade/Kind = solid.",
                        n, facets.n_facets)});
     }
 
@@ -63,13 +64,14 @@ namespace birdstrike
       const BirdParameters &bird  = projectile.parameters;
       const double          share = projectile.first_touch.share_in_the_way;
       if (is_cut_by_edge(share))
-        warnings.push_back({"bird/cut_by_edge",
-                            fmt::format("An edge of the blade cuts the bird: impulse, deflection and plastic work come "
-                                        "near their values only with the first order of the particle spacing ({:.0f} "
-                                        "particles across section '{}'), mostly from above, and one run scatters with "
-                                        "the place of its lattice. Both are told by 'birdstrike converge FILE.prm "
-                                        "--vary particles --levels 5 --places 4'.",
-                                        count_particles_across(projectile), bird.section)});
+        warnings.push_back(
+          {"bird/cut_by_edge",
+           fmt::format("An edge of the blade cuts the bird: impulse, deflection and plastic work converge "
+                       "slowly with the particle spacing ({:.0f} particles across section '{}'), are "
+                       "mostly too large, and scatter with the offset of the particle lattice. Both are "
+                       "estimated by 'birdstrike converge FILE.prm --vary particles --levels 6 --finer 4 "
+                       "--ratio 1.2 --places 4'.",
+                       count_particles_across(projectile), bird.section)});
       if (share < 0.98)
         warnings.push_back({"bird/misses_in_part",
                             "Only " + format_share(share) + " of the mass of section '" + bird.section +

@@ -106,7 +106,8 @@ TEST_F(Comparison, ABladeThatIsStillPushedHasNoPermanentDeflection)
   EXPECT_NEAR(row.values[0], 0.05, 1e-6) << "as in PermanentDeflectionIsTheMeanOfTheLastPeriod";
   EXPECT_TRUE(std::isnan(row.values[1]));
   const std::string text = table.as_text();
-  EXPECT_NE(text.find("Permanent deflection: none for 'second', where the bird still pushes"), std::string::npos)
+  EXPECT_NE(text.find("Permanent deflection: none for 'second', where the bird still loads the blade"),
+            std::string::npos)
     << text;
   EXPECT_EQ(text.find("second: 10 ms"), std::string::npos) << text;
 }
