@@ -10,7 +10,7 @@ not in the asymptotic range where an edge cuts the bird), mesh (five 1.3 apart a
 the finest level adds to the case's own, and half the error bar of the finest level, both in percent of the value as shipped; "in x" instead
 of a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
 Where an edge cuts the bird each level of particles and of the mesh is the mean over four places of the lattice (`--places`): "places" is what
-that mean adds to the run as shipped, and the standard deviation of one run, of the mesh's ladder. Particles of fan-blade-composite have two.
+that mean adds to the run as shipped, and the standard deviation of one run, of the mesh's ladder.
 The last columns are what h -> 0 adds by fits of orders from 1 to 2, with what the 95 % confidence intervals of those span that the levels
 do not reject (`converge --order 1:2`); "no order" where they reject them all. Where particles resolve a thick edge (RESOLVED),
 the limit is that of the finest levels alone.
@@ -33,21 +33,19 @@ CASES = {"frontal": "shell solid", "oblique": "shell solid", "perforation": "she
          "certification/large-bird": "shell", "certification/medium-bird": "shell", "certification/flock": "shell"}
 
 # Levels of the particles, and how many of them are coarser than the case: more where an edge cuts the bird.
-PARTICLES = {"oblique": (8, 1), "sheath": (6, 0), "fan-blade": (7, 2), "fan-row": (6, 1), "fan-blade-composite": (8, 0),
-             "certification/large-bird": (7, 2), "certification/medium-bird": (8, 2), "certification/flock": (8, 2)}
+PARTICLES = {"oblique": (8, 1), "sheath": (6, 0), "fan-row": (6, 1)}
 PARTICLES_OF_KIND = {("oblique", "solid"): (7, 1), ("fan-row", "shell"): (7, 0)}
-# Where the edge that is struck is so thick that particles resolve it (5 mm of fan-row, 4.2 mm of the composite), ladders bend on the way there
-# and the limit is that of so many finest levels: those below 0.6 of the thickness.
-RESOLVED = {("fan-row", "shell"): 6, ("fan-blade-composite", "shell"): 5}
-PLACES_OF_CASE = {"fan-blade-composite": 2}  # of its particles, whose scatter is 0.2 %
-OTHER_PARTICLES = {"fan-blade-spin": (7, 2)}  # five levels, to 2.78 mm, have changes that grow
+# Where the edge that cuts the bird is so thick that particles resolve it (5 mm of fan-row), ladders bend on the way there and the limit is
+# that of so many finest levels: those below 0.6 of the thickness.
+RESOLVED = {("fan-row", "shell"): 6}
 PLACES = 4  # of the lattice, where an edge cuts the bird
 LADDERS = ("particles", "mesh", "step")
 # The same of the mesh. Where the blade is thick, a third of the shells would be thicker than twice their sides at 2.2 times finer; their levels
 # are 1.2 apart from 1.2 times coarser on, for still coarser ones turn away (tip of fan-blade, 1.3 apart: 151.3, 149.2, 147.4, 147.9, 148.3 mm),
 # as those of fan-row do on a coarser mesh than its own: 3 % off in the tip's peak, where finer ones change 1 %.
-THICK = ("fan-blade", "fan-blade-spin", "fan-blade-composite", "certification/large-bird", "certification/medium-bird", "certification/flock")
-MESHES = {case: (5, 1) for case in THICK} | {"fan-row": (5, 0)}
+FAN_BLADES = ("fan-blade", "fan-blade-spin", "fan-blade-composite", "certification/large-bird", "certification/medium-bird", "certification/flock")
+OTHER_PARTICLES = {case: (7, 2) for case in FAN_BLADES}  # five levels of fan-blade-spin, to 2.78 mm, have changes that grow
+MESHES = {case: (5, 1) for case in FAN_BLADES} | {"fan-row": (5, 0)}
 OTHER_MESHES = (5, 1)
 FITTED = ("particles", "mesh")  # of four levels and more
 ORDERS, SIGNIFICANCE = "1:2", 0.05
@@ -129,10 +127,9 @@ def ladder_of(case, kind, name, finest=None):
     if name == "step":
         return ("--levels", "4")
     n_levels, coarser = levels_of(case, kind, name)
-    ratio = "1.2" if name == "particles" or case in THICK else "1.3"
+    ratio = "1.2" if name == "particles" or case in FAN_BLADES else "1.3"
     levels = ("--levels", str(finest or n_levels), "--finer", str(n_levels - 1 - coarser), "--ratio", ratio)
-    places = PLACES_OF_CASE.get(case, PLACES) if name == "particles" else PLACES
-    return (levels + (("--places", str(places)) if case in PARTICLES else ()) + ("--order", ORDERS))
+    return levels + (("--places", str(PLACES)) if case in PARTICLES else ()) + ("--order", ORDERS)
 
 
 def level_of_case(case, kind, name):
