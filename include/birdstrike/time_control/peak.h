@@ -111,7 +111,8 @@ namespace birdstrike
     void archive(Archive &archive, const char *name)
     {
       const auto group = archive.group(name);
-      archive("start", has_started, start);
+      archive("has started", has_started);
+      archive("start", start);
       forward.archive(archive, "deflection");
       backward.archive(archive, "backward");
       since_backward.archive(archive, "since the largest backward");
