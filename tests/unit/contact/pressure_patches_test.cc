@@ -139,6 +139,7 @@ TEST(PressurePatches, FeelThePressureOfTheirPoints)
   parameters.patches           = "middle: 0.01 0.01 0 0.005; corner: 0.0 0.0 0.0 0.002; below: 0.01 0.01 -0.004 0.005";
   Contact    contact(parameters);
   ThreadPool pool;
+  contact.hold_patches(scene.facets());
   scene.compute_contact(contact, 1e-7, pool);
   for (auto &z : scene.x[2])
     z = 4e-4;
