@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The headline figures of every shipped strike on a blade, in shells and in bricks, with their error bars.
 
-    bash tests/studies/error_bars.sh                         # all, into build/error_bars; six hours on one core
+    bash tests/studies/error_bars.sh                         # all, into build/error_bars; hours on one core
     bash tests/studies/error_bars.sh fan-row sheath:solid    # these alone
 
 Of each case `birdstrike converge` climbs three ladders, one thread a run: particles (levels 1.2 apart, PARTICLES: far coarser ones are
@@ -9,8 +9,8 @@ not in the asymptotic range where an edge cuts the bird), mesh (five 1.3 apart a
 1.2 apart of thick blades: MESHES; three 1.5 apart cannot tell an order from scatter), time steps (four 1.5 apart, from the case's on). A cell is what
 the finest level adds to the case's own, and half the error bar of the finest level, both in percent of the value as shipped; "in x" instead
 of a bar where the ladder gives none: all that the three finest levels are apart. A plus behind a value: still rising at the end, no peak.
-Where an edge cuts the bird each level of particles and of the mesh is the mean over four places of the lattice (`--places`): "places" is what
-that mean adds to the run as shipped, and the standard deviation of one run, of the mesh's ladder.
+Where an edge cuts the bird each level of particles and of the mesh is the mean over four offsets of the lattice (`--places`): "offsets" is
+what that mean adds to the run as shipped, and the standard deviation of one run, of the mesh's ladder.
 The last columns are what h -> 0 adds by fits of orders from 1 to 2, with what the 95 % confidence intervals of those span that the levels
 do not reject (`converge --order 1:2`); "no order" where they reject them all. Where particles resolve a thick edge (RESOLVED),
 the limit is that of the finest levels alone.
@@ -211,11 +211,9 @@ def lines_of(case, kind, ladders):
 
 
 SUMMARY = ("Tip: peak (mid-chord)", "Root: peak bending moment", "Plasticity: plastic work", "Contact: impulse (norm)")
-HEADS = {"error_bars.md": ["case", "as shipped", "places", *LADDERS, "particles, h → 0", "mesh, h → 0"],
-         "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s",
-                        "mean over places ± scatter of a run", "finest particles (spacing, mm)",
-                        "mesh 2.2 times finer, fan-row 2.9, thick blades 1.7", "steps 0.30 times as long", "tip, h → 0 of the particles",
-                        "tip, h → 0 of the mesh"]}
+HEADS = {"error_bars.md": ["case", "as shipped", "offsets", *LADDERS, "particles, h → 0", "mesh, h → 0"],
+         "summary.md": ["case", "as shipped: tip, mm; root moment, N m; plastic work, J; impulse, N s", "offsets: mean, ± scatter of a run",
+                        "particles (finest, mm)", "mesh", "steps", "tip, h → 0 of the particles", "tip, h → 0 of the mesh"]}
 
 
 def summary_of(case, kind, ladders):
