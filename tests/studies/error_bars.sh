@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Error bars of the headline figures of every shipped strike, six hours on one core: error_bars.md in build/error_bars.
+# Error bars of the headline figures of every shipped strike, hours on one core: error_bars.md in build/error_bars.
 #   bash tests/studies/error_bars.sh [CASE[:KIND]...]     (see error_bars.py)
 # Installs and builds what is missing. Runs that are there are not made again.
 set -euo pipefail
