@@ -24,6 +24,8 @@ namespace birdstrike
       nodes.archive(row, n);
       std::copy(position + 3 * n, position + 3 * n + 3, nodes.records[n].position);
     });
+    if constexpr (requires { nodes.archive_folds(archive, position); })
+      nodes.archive_folds(archive, position);
     if constexpr (requires(Group & group) { group.take_up_positions(); })
       if (archive.is_reading())
         for (Group &group : groups)

@@ -27,6 +27,11 @@ namespace birdstrike
     struct Block
     {
       std::uint32_t chunk_begin, chunk_end, entering_begin, entering_end, leaving_begin, leaving_end, sum_begin;
+
+      std::size_t number() const
+      {
+        return chunk_begin / chunks_per_block;
+      }
     };
 
     /// `corners`: the nodes of the elements one after the other, as many of each; `chunk` of every element.

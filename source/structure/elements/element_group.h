@@ -67,10 +67,17 @@ namespace birdstrike
       std::vector<std::uint32_t> number; ///< [n_elements], in the mesh
       std::vector<std::int64_t>  label;  ///< by which users know them
       std::vector<Cell>          cells;  ///< of these
-      const Record              *records;
-      Row_                      *corner_force;
-      std::size_t                n_nodes;
-      std::uint32_t              spare_row; ///< of the group alone: what fills up its last batch writes there
+      std::vector<Cell>
+                    record_cells; ///< the same of the records of their corners; none where they are those of the nodes
+      const Record *records;
+      Row_         *corner_force;
+      std::size_t   n_nodes;
+      std::uint32_t spare_row; ///< of the group alone: what fills up its last batch writes there
+
+      std::uint32_t record_of(const std::size_t element, const std::size_t corner) const
+      {
+        return record_cells.empty() ? cells[element][corner] : record_cells[element][corner];
+      }
     };
 
     ElementGroup(Place place, const ElementBlocks &blocks)
@@ -84,7 +91,7 @@ namespace birdstrike
             Batch            &batch = batches[slot / n_lanes];
             const std::size_t k = slot % n_lanes, e = element_of(slot);
             batch.owned[k]     = slot == e ? 1. : 0.;
-            batch.record[i][k] = this->place.cells[e][i] * (sizeof(Record) / sizeof(double));
+            batch.record[i][k] = this->place.record_of(e, i) * (sizeof(Record) / sizeof(double));
             batch.corner[i][k] =
               slot == e ? blocks.corner_row[n_corners * this->place.number[e] + i] : this->place.spare_row;
           }
@@ -193,8 +200,8 @@ namespace birdstrike
 
     std::size_t bytes_of_group() const
     {
-      return bytes_of(place.number) + bytes_of(place.cells) + bytes_of(mass) + bytes_of(batches) + bytes_of(chunks) +
-             (erosion ? erosion->bytes() : 0);
+      return bytes_of(place.number) + bytes_of(place.cells) + bytes_of(place.record_cells) + bytes_of(mass) +
+             bytes_of(batches) + bytes_of(chunks) + (erosion ? erosion->bytes() : 0);
     }
 
     Place                       place;

@@ -89,6 +89,7 @@ namespace birdstrike
         typename Group::Place of_group{{},
                                        {},
                                        {},
+                                       {},
                                        nodes.records.data(),
                                        corner_force.data(),
                                        n_nodes,
@@ -100,6 +101,9 @@ namespace birdstrike
               of_group.number.push_back(e);
               of_group.label.push_back(sections.labels.empty() ? e : sections.labels[e]);
               of_group.cells.push_back(cells[e]);
+              if constexpr (requires { nodes.sheets; })
+                if (!nodes.sheets.records_of_corners.empty())
+                  of_group.record_cells.push_back(nodes.sheets.records_of_corners[e]);
               of_elements.push_back(extra[e]);
             }
         groups.emplace_back(sections.all[group], std::move(of_group), of_elements, blocks);

@@ -79,8 +79,8 @@ namespace birdstrike
     for (int i = 0; i < 4; ++i)
       for (int c = 0; c < 3; ++c)
         {
-          x[i][c] = place.records[place.cells[element][i]].position[c];
-          n[i][c] = place.records[place.cells[element][i]].normal[c];
+          x[i][c] = place.records[place.record_of(element, i)].position[c];
+          n[i][c] = place.records[place.record_of(element, i)].normal[c];
         }
   }
 
