@@ -198,7 +198,10 @@ namespace archive_width
           const std::uint32_t a = i + (nx + 1) * j;
           cells.push_back({a, a + 1, a + nx + 2, a + nx + 1});
         }
-    const auto          nodes = make_layer(0.);
+    auto nodes = make_layer(0.);
+    for (Point3 &x : nodes) // folded at right angles: a director for each sheet
+      if (const double past = x[0] - nodes[nx / 2][0]; past > 0.)
+        x += past * Point3(-1., 0., 1.);
     std::vector<double> thickness(cells.size(), 0.003);
     return std::make_unique<Pulled<ShellElements, 6>>(
       name, nodes, ShellElements(nodes, cells, thickness, make_sections(section), pool));

@@ -32,6 +32,12 @@ namespace shell_folds_test
       });
     }
 
+    void hold(std::vector<bool> &held, const std::size_t node)
+    {
+      for (std::size_t d = 0; d < 6; ++d)
+        held[6 * node + d] = true;
+    }
+
     /// Deflection (m) of the end of the strip, held at its beginning, across its second leg under a force of 1 N there.
     double deflection(const unsigned int n, const double angle, const ShellFormulation formulation)
     {
@@ -44,7 +50,7 @@ namespace shell_folds_test
       for (unsigned int j = 0; j < 3; ++j)
         {
           load.segment<3>(end(j)) = (j == 1 ? 0.5 : 0.25) * across;
-          std::fill_n(held.begin() + 6 * (2 * n + 1) * j, 6, true);
+          hold(held, (2 * n + 1) * j);
         }
       const Eigen::VectorXd u = model.solve(load, held);
       for (unsigned int j = 0; j < 3; ++j)
@@ -75,8 +81,8 @@ namespace shell_folds_test
           const double angle = degrees * std::numbers::pi / 180., exact = frame(angle);
           const double coarse = deflection(5, angle, formulation) / exact,
                        fine   = deflection(40, angle, formulation) / exact;
-          test::record("deflection / beams, 20 mm", coarse);
-          test::record("deflection / beams, 2.5 mm", fine);
+          record("deflection / beams, 20 mm", coarse);
+          record("deflection / beams, 2.5 mm", fine);
           EXPECT_NEAR(coarse, 1., 0.01);
           EXPECT_NEAR(fine, 1., 3e-4);
           EXPECT_NEAR(deflection(80, angle, formulation) / exact, 1., 2e-4);
@@ -140,7 +146,7 @@ namespace shell_folds_test
         // after a radian; directors left behind would be 2 mm N/mm at every fold. What is left is of third order of a
         // step: the strain of chords, 0.02^3/24 E t L.
         const double scale = young * thickness * 2.5e-3;
-        test::record("force / E t L", force.cwiseAbs().maxCoeff() / scale);
+        record("force / E t L", force.cwiseAbs().maxCoeff() / scale);
         EXPECT_LT(force.cwiseAbs().maxCoeff(), 1e-6 * scale);
       }
   }
@@ -165,11 +171,11 @@ namespace shell_folds_test
           const std::uint32_t middle = ridge + (n + 1) * j, foot = n + (n + 1) * j;
           plane.push_back(middle);
           load[6 * middle + 2] = is_half ? -0.5 : -1.;
-          std::fill_n(held.begin() + 6 * foot, 6, true);
+          hold(held, foot);
           if (is_half)
             held[6 * middle] = held[6 * middle + 4] = held[6 * middle + 5] = true;
           else
-            std::fill_n(held.begin() + 6 * (n + 1) * j, 6, true);
+            hold(held, (n + 1) * j);
         }
       if (is_half)
         model.elements.add_symmetry_plane(plane, Point3(1., 0., 0.));

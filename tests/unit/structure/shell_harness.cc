@@ -126,9 +126,17 @@ namespace shell_harness
         largest = std::max(largest, K(d, d));
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
       {
-        auto                                                 block = K.block<3, 3>(6 * n + 3, 6 * n + 3);
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(0.5 * (block + block.transpose()));
-        if (modes.eigenvalues()[0] < 1e-6 * modes.eigenvalues()[2]) // else in a fold, where no rotation is free
+        auto            block = K.block<3, 3>(6 * n + 3, 6 * n + 3);
+        Eigen::Matrix3d left  = 0.5 * (block + block.transpose()); // of the rotations that are not held
+        for (int c = 0; c < 3; ++c)
+          if (held[6 * n + 3 + c])
+            {
+              left.row(c).setZero();
+              left.col(c).setZero();
+              left(c, c) = largest;
+            }
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(left);
+        if (modes.eigenvalues()[0] < 1e-6 * largest) // else in a fold, where no rotation is free
           block += largest * modes.eigenvectors().col(0) * modes.eigenvectors().col(0).transpose();
       }
     test::Entries   entries;
