@@ -19,7 +19,8 @@ namespace birdstrike
     if (!flight_direction.empty() && (flight_direction.size() != 3 ||
                                       std::hypot(flight_direction[0], flight_direction[1], flight_direction[2]) == 0.))
       refuse("Flight direction", "it is no direction.", "Give three numbers that are not all zero.");
-    if (aim_span_fraction.empty() != aim_chord_fraction.empty())
+    if (aim_span_fraction.empty() != aim_chord_fraction.empty() &&
+        !(slice_blades > 0 && aim_chord_fraction.empty())) // then it follows
       refuse(aim_span_fraction.empty() ? "Aim span fraction" : "Aim chord fraction", "it is not given, its partner is.",
              "Give both shares, or none and Aim point.");
     const auto n_periodic = std::count(is_periodic.begin(), is_periodic.end(), true);
@@ -81,13 +82,15 @@ namespace birdstrike
 
   void BirdParameters::check_slice() const
   {
-    if (!is_slice())
+    if (!is_slice() && slice_blades == 0)
       {
         if (!slice_normal.empty())
           refuse("Slice/Normal", "it is given, and no Between: the bird is whole.", "Give both, or leave it out.");
         return;
       }
-    if (slice_between.size() != 2 || !(slice_between[0] < slice_between[1]))
+    if (slice_blades == 1)
+      refuse("Slice/Number of blades", "one blade has none before it.", "Give 2 or more, or 0.");
+    if (is_slice() && (slice_between.size() != 2 || !(slice_between[0] < slice_between[1])))
       refuse("Slice/Between", "it is no interval.", "Give two distances, in m, the smaller one first.");
     if (!slice_normal.empty() &&
         (slice_normal.size() != 3 || std::hypot(slice_normal[0], slice_normal[1], slice_normal[2]) == 0.))

@@ -63,6 +63,12 @@ namespace birdstrike
                         "Normal of the planes of the slice, in fixed axes, of any length; empty: the bird's own axis, "
                         "which points ahead. [-]",
                         Patterns::List(Patterns::Double(), 0, 3));
+      prm.add_parameter(
+        "Number of blades", bird.slice_blades,
+        "Of the row, of which one turns here (Blade/Spin): Between and Normal follow, as the paths of the leading "
+        "edges of this blade and of the one before it, at the aim point. Without Aim chord fraction the near plane "
+        "lies at the leading edge, and the bird aims between them. 0: they are as given. [-]",
+        Patterns::Integer(0));
       prm.leave_subsection();
     }
 

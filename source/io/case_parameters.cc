@@ -1,4 +1,4 @@
-#include "io/aim.h"
+#include "io/aim/aim.h"
 #include "io/parameter_tree.h"
 #include "io/scene_size.h"
 #include "io/symmetry_check.h"
@@ -113,7 +113,8 @@ namespace birdstrike
     ParameterFile::Inheritance as_first_bird(const std::string &section)
     {
       const std::string velocity = "Velocity", speed = "Speed", angle = "Angle to surface", flight = "Flight direction",
-                        aim = "Aim point", span = "Aim span fraction", chord = "Aim chord fraction";
+                        aim = "Aim point", span = "Aim span fraction", chord = "Aim chord fraction",
+                        between = "Slice/Between", normal = "Slice/Normal", blades = "Slice/Number of blades";
       return {section,
               "Bird",
               "Enabled",
@@ -122,7 +123,9 @@ namespace birdstrike
                {{angle}, {flight}},
                {{flight}, {angle}},
                {{aim}, {span, chord}},
-               {{span, chord}, {aim}}},
+               {{span, chord}, {aim}},
+               {{blades}, {between, normal}},
+               {{between, normal}, {blades}}},
               {"Arrival time"}};
     }
 

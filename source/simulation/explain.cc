@@ -33,6 +33,12 @@ namespace birdstrike
                   fmt::format("{:.5g} of {:.5g} kg, {} thick, its faces as large as circles of {} at most",
                               shape.volume() * parameters.density, parameters.mass,
                               format_quantity(shape.length(), "m"), format_quantity(shape.diameter(), "m")));
+      if (parameters.slice_blades > 0)
+        {
+          const auto &n = parameters.slice_normal;
+          table.add("its planes", fmt::format("paths of the edges of two of {} blades, normal ({:.4g}, {:.4g}, {:.4g})",
+                                              parameters.slice_blades, n[0], n[1], n[2]));
+        }
       table.add("packing", bird.summary());
       table.add("liquid", liquid);
       if (parameters.has_strength())

@@ -2,6 +2,7 @@
 #include "structure/histories/watched_blade.h"
 #include "structure/implicit/modes.h"
 #include "structure/implicit/static_solve.h"
+#include <birdstrike/core/closest_point.h>
 #include <birdstrike/core/numerical_failure.h>
 
 #include <fmt/format.h>
@@ -158,6 +159,28 @@ namespace birdstrike
     view.plane      = plane;
     surface.offer(view);
     return view;
+  }
+
+  template <class Kind>
+  Point3 DeformableBlade<Kind>::displacement_of(const Point3 &place) const
+  {
+    const FacetsView view    = facets();
+    double           nearest = INFINITY;
+    Point3           result  = Point3::Zero();
+    for (std::size_t f = 0; f < view.n_facets; ++f)
+      {
+        std::array<Point3, 4> rest;
+        for (unsigned int k = 0; k < 4; ++k)
+          rest[k] = mesh.node(view.nodes[f][k]);
+        const auto closest = compute_closest_point(place, rest);
+        if (!(closest.distance_squared < nearest))
+          continue;
+        nearest = closest.distance_squared;
+        result.setZero();
+        for (unsigned int k = 0; k < 4; ++k)
+          result += closest.weights[k] * Point3(motion.displacements() + Kind::n_unknowns * view.nodes[f][k]);
+      }
+    return result;
   }
 
   template class DeformableBlade<ShellKind>;

@@ -60,6 +60,7 @@ namespace birdstrike
     }
     void       archive(Archive &archive) override;
     FacetsView facets() const override;
+    Point3     displacement_of(const Point3 &place) const override;
 
     std::vector<std::uint32_t> blades_of_facets() const override
     {

@@ -89,6 +89,7 @@ namespace birdstrike
     std::array<double, 3> aim_point{{0.21784, 0., 0.}}; ///< m; 70 % of a 311.2 mm span
     std::vector<double>   slice_normal;                 ///< three numbers, fixed axes; empty: the bird's axis
     std::vector<double>   slice_between;            ///< two numbers, m along it from the centre; empty: the whole bird
+    unsigned int          slice_blades        = 0;  ///< of the row that cuts the bird; 0: none
     double                chordwise_offset    = 0.; ///< m
     double                stand_off           = 0.; ///< m; 0 is automatic
     double                arrival             = 0.; ///< s, of the first touch
@@ -119,6 +120,9 @@ namespace birdstrike
 
     /// Set by the case where there is such a surface and it is asked for; without it the chord is y.
     std::optional<AimedSurface> aimed_surface;
+    /// Set by the case: the place of the undeformed edge (m) beside which the bird aims, wherever spin and steady loads
+    /// have moved it.
+    std::optional<std::array<double, 3>> aimed_edge;
 
     /// Unit, from the root of the blade to its tip, about which the bird yaws; the scene knows it.
     std::array<double, 3> span{{1., 0., 0.}};

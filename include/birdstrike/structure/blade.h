@@ -59,6 +59,12 @@ namespace birdstrike
     /// The surface offered to contact; valid for the life of the blade.
     virtual FacetsView facets() const = 0;
 
+    /// At present (m), of the place of the surface that undeformed lies nearest to this one.
+    virtual Point3 displacement_of(const Point3 &) const
+    {
+      return Point3::Zero();
+    }
+
     /// Of each undeformed facet of a row of blades which it is of, 0 the one that is described; empty: one blade.
     virtual std::vector<std::uint32_t> blades_of_facets() const
     {

@@ -189,9 +189,11 @@ namespace birdstrike
 
   FirstTouch place_at_first_touch(Bird &bird, Blade &blade, const BirdParameters &parameters)
   {
-    const FacetsView             at_start = blade.facets();
-    const Rotor *const           rotor    = blade.rotor();
-    Point3                       aim(parameters.target().data());
+    const FacetsView   at_start = blade.facets();
+    const Rotor *const rotor    = blade.rotor();
+    Point3             aim(parameters.target().data());
+    if (parameters.aimed_edge)
+      aim += blade.displacement_of(Point3(parameters.aimed_edge->data()));
     std::optional<TurnedSurface> turned;
     if (rotor != nullptr && parameters.arrival > 0.)
       {

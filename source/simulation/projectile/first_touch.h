@@ -35,6 +35,8 @@ namespace birdstrike
   /// taken as straight in that frame; the bird then comes through the aim point as the blade sees it, whose place in
   /// the mesh is that of the first touch.
   ///
+  /// Beside an edge (BirdParameters::aimed_edge) the aim point has gone with it, as spin and steady loads moved it.
+  ///
   /// A bird that arrives later meets the blade as it lies at the start then, of a blade that turns after as much of its
   /// rotation, and is taken back along its path by that time.
   ///

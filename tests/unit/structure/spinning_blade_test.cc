@@ -298,4 +298,21 @@ namespace birdstrike::spinning_blade_test
         EXPECT_NE(std::string(failure.what()).find(" rpm' would be "), std::string::npos) << failure.what();
       }
   }
+  // A bar of 311.2 mm stretches by rho w^2/E (L^2 x/2 - x^3/6).
+  TEST(SpinningBlade, SaysWhereAPlaceOfItsSurfaceHasGone)
+  {
+    ThreadPool pool(1);
+    for (const auto &formulation : {formulations[0], formulations[4]})
+      {
+        SCOPED_TRACE(formulation.name);
+        const BladeParameters p     = bar(formulation, 20);
+        const auto            blade = make_blade(p, pool);
+        for (const double x : {0.1, 0.1234, 0.3112})
+          {
+            const double exact = density * 600. * 600. / young * (length * length * x / 2. - x * x * x / 6.);
+            // beside the surface; between nodes the exact parabola lies over the elements' line by (h/L)^2/8
+            EXPECT_NEAR(blade->displacement_of(Point3(x, 0.01, 0.02))[0] / exact, 1., 1e-3) << x;
+          }
+      }
+  }
 } // namespace birdstrike::spinning_blade_test

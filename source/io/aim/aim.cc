@@ -1,4 +1,5 @@
-#include "io/aim.h"
+#include "io/aim/aim.h"
+#include "io/aim/row_slice.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/structure/rotor.h>
@@ -23,16 +24,15 @@ namespace birdstrike
       return {{a[0], a[1], a[2]}};
     }
 
+    std::string text_of(const double value) ///< to the last bit
+    {
+      std::array<char, 32> number;
+      return {number.data(), std::to_chars(number.data(), number.data() + number.size(), value).ptr};
+    }
+
     std::string text_of(const Point3 &a)
     {
-      std::string text;
-      for (int d = 0; d < 3; ++d)
-        {
-          std::array<char, 32> number;
-          text += (d > 0 ? ", " : "") +
-                  std::string(number.data(), std::to_chars(number.data(), number.data() + number.size(), a[d]).ptr);
-        }
-      return text;
+      return text_of(a[0]) + ", " + text_of(a[1]) + ", " + text_of(a[2]);
     }
 
     std::string shown(const Point3 &a)
@@ -44,7 +44,7 @@ namespace birdstrike
                                         const std::string &other, const std::string &there)
     {
       throw InputError(fmt::format("{0}/{1} = {2} contradicts {0}/{3}, by which it is {4}.\nLeave one of the two out "
-                                   "(of a file: --set \"{0}/Velocity=default\", or Aim point), or correct it.",
+                                   "(what a file says is taken back by --set \"{0}/...=default\"), or correct it.",
                                    bird.section, entry, found, other, there));
     }
 
@@ -67,19 +67,41 @@ namespace birdstrike
             "instead.");
       }
 
-      Point3 find_point(const bool is_given) const
+      /// `row` is what one blade takes of a bird that a row cuts.
+      Point3 find_point(const bool is_given, const std::optional<RowSlice> &row) const
       {
         const Point3 given(bird.aim_point.data());
         if (bird.aim_span_fraction.empty())
           return given;
-        const double span = bird.aim_span_fraction[0], chord = bird.aim_chord_fraction[0];
-        const Point3 point = map->position(span, chord);
+        const double span  = bird.aim_span_fraction[0];
+        const Point3 point = is_by_edge() ? row->middle : map->position(span, bird.aim_chord_fraction[0]);
         if (!is_given)
           return point;
         if ((point - given).norm() > tolerance * (map->position(span, 1.) - map->position(span, 0.)).norm())
-          refuse_difference(bird, "Aim point", shown(given) + " m", "Aim span fraction and Aim chord fraction",
+          refuse_difference(bird, "Aim point", shown(given) + " m",
+                            is_by_edge() ? "Aim span fraction and Slice/Number of blades"
+                                         : "Aim span fraction and Aim chord fraction",
                             shown(point) + " m");
         return given;
+      }
+
+      /// At the edge that meets the bird first, or where it aims.
+      std::optional<RowSlice> find_row(const Point3 &velocity) const
+      {
+        if (bird.slice_blades == 0)
+          return {};
+        if (is_by_edge())
+          return RowSlice(bird, blade, edge(velocity), edge_direction(velocity), velocity);
+        const Point3 place = bird.aim_span_fraction.empty()
+                               ? Point3(bird.aim_point.data())
+                               : map->position(bird.aim_span_fraction[0], bird.aim_chord_fraction[0]);
+        return RowSlice(bird, blade, place, Point3::Zero(), velocity);
+      }
+
+      /// Beside which the bird flies by, if it does.
+      std::optional<std::array<double, 3>> find_edge(const Point3 &velocity) const
+      {
+        return is_by_edge() ? std::optional(to_array(edge(velocity))) : std::nullopt;
       }
 
       std::optional<AimedSurface> find_surface(const Point3 &point) const
@@ -92,6 +114,28 @@ namespace birdstrike
       }
 
     private:
+      bool is_by_edge() const
+      {
+        return bird.slice_blades > 0 && !bird.aim_span_fraction.empty() && bird.aim_chord_fraction.empty();
+      }
+      /// Share of the chord, 0 or 1, of the edge that meets the bird first.
+      double edge_share(const Point3 &velocity) const
+      {
+        const double span    = bird.aim_span_fraction[0];
+        const Point3 leading = map->position(span, 0.), chord = map->position(span, 1.) - leading;
+        return RowSlice(bird, blade, leading, Point3::Zero(), velocity).relative.dot(chord) > 0. ? 0. : 1.;
+      }
+      Point3 edge(const Point3 &velocity) const
+      {
+        return map->position(bird.aim_span_fraction[0], edge_share(velocity));
+      }
+      Point3 edge_direction(const Point3 &velocity) const
+      {
+        constexpr double step = 0.01; // of the span
+        const double     span = bird.aim_span_fraction[0], share = edge_share(velocity);
+        return map->position(std::min(span + step, 1.), share) - map->position(std::max(span - step, 0.), share);
+      }
+
       const BirdParameters             &bird;
       const BladeParameters            &blade;
       std::unique_ptr<const SurfaceMap> map;
@@ -177,28 +221,56 @@ namespace birdstrike
 
   namespace
   {
-    void resolve(BirdParameters &bird, const BladeParameters &blade, ParameterFile &file)
+    /// The planes of the slice that a blade takes, into `found` where the file does not give them.
+    void add_planes(const BirdParameters &bird, const RowSlice &row, const bool is_normal_given,
+                    const bool is_between_given, std::vector<std::string> &found)
     {
-      const auto   is_given = [&](const char *entry) { return file.is_given(bird.section + "/" + entry); };
-      const Aim    aim(bird, blade);
-      const Point3 point                = aim.find_point(is_given("Aim point"));
-      bird.aimed_surface                = aim.find_surface(point);
-      const Point3             velocity = find_velocity(bird, blade, is_given("Velocity"));
-      std::vector<std::string> found;
+      const char *const there = "Slice/Number of blades";
+      if (!is_normal_given)
+        found.push_back(bird.section + "/Slice/Normal=" + text_of(row.normal));
+      else if (const Point3 given(bird.slice_normal.data()); (given.normalized() - row.normal).norm() > tolerance)
+        refuse_difference(bird, "Slice/Normal", shown(given), there, "along " + shown(row.normal));
+      if (!is_between_given)
+        found.push_back(bird.section + "/Slice/Between=" + text_of(-row.half) + ", " + text_of(row.half));
+      else if (const auto &given = bird.slice_between;
+               std::max(std::abs(given[0] + row.half), std::abs(given[1] - row.half)) > tolerance * row.half)
+        refuse_difference(bird, "Slice/Between", fmt::format("{:.6g}, {:.6g} m", given[0], given[1]), there,
+                          fmt::format("{:.6g}, {:.6g} m", -row.half, row.half));
+    }
+
+    /// What follows, "Section/Entry=value", into `found`.
+    void resolve(BirdParameters &bird, const BladeParameters &blade, const ParameterFile &file,
+                 std::vector<std::string> &found)
+    {
+      const auto              is_given = [&](const char *entry) { return file.is_given(bird.section + "/" + entry); };
+      const Aim               aim(bird, blade);
+      const auto              velocity = [&] { return find_velocity(bird, blade, is_given("Velocity")); };
+      std::optional<RowSlice> row;
+      if (bird.slice_blades > 0)
+        {
+          require_turning_row(bird, blade); // to whose surface no angle is given
+          const Point3 v  = velocity();
+          row             = aim.find_row(v);
+          bird.aimed_edge = aim.find_edge(v);
+          add_planes(bird, *row, is_given("Slice/Normal"), is_given("Slice/Between"), found);
+        }
+      const Point3 point = aim.find_point(is_given("Aim point"), row);
+      bird.aimed_surface = aim.find_surface(point);
       if (to_array(point) != bird.aim_point)
         found.push_back(bird.section + "/Aim point=" + text_of(point));
-      if (to_array(velocity) != bird.velocity)
-        found.push_back(bird.section + "/Velocity=" + text_of(velocity));
-      file.set(found);
+      if (const Point3 v = velocity(); to_array(v) != bird.velocity)
+        found.push_back(bird.section + "/Velocity=" + text_of(v));
     }
   } // namespace
 
   void resolve_aim(CaseParameters &parameters)
   {
+    std::vector<std::string> found;
     if (parameters.bird.enabled)
-      resolve(parameters.bird, parameters.blade, parameters.file);
+      resolve(parameters.bird, parameters.blade, parameters.file, found);
     for (CaseParameters::FurtherBird &each : parameters.further_birds)
       if (each.bird.enabled)
-        resolve(each.bird, parameters.blade, parameters.file);
+        resolve(each.bird, parameters.blade, parameters.file, found);
+    parameters.file.set(found);
   }
 } // namespace birdstrike

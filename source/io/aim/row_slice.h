@@ -1,0 +1,34 @@
+#pragma once
+
+#include <birdstrike/bird/parameters.h>
+#include <birdstrike/structure/parameters.h>
+
+namespace birdstrike
+{
+  /// The part of a bird that one blade of a turning row takes: what lies between the path of its own edge and that of
+  /// the blade before it, as seen from the blade, there where the edge is at `edge`.
+  ///
+  /// With n blades, r the vector from the axis to the edge, v - w x r the velocity of the bird relative to the blade
+  /// and e the direction of the edge, the paths lie in planes along that velocity and e; the blade before it is 2 pi
+  /// r/n ahead along the unit vector t of the rotation:
+  ///   normal m = +- e x (v - w x r)/|...|, ahead of the blade: m . t > 0;   thickness 2 pi r/n (m . t).
+  /// Paths are helices, of blades whose planes are turned by a pitch: of the slices of a fan blade 1 to 2 % of the mass
+  /// lie beyond either path (fan-blade.prm, 40 to 90 % of the span), as much as lies between the paths and is left out.
+  struct RowSlice
+  {
+    /// `edge` (m) and its direction `along` (of any length; zero: that of the radius) as the blade lies at the start;
+    /// the bird meets it at its arrival time, with `velocity` (m/s) in fixed axes. @throws InputError for a bird of
+    /// which nothing lies between two blades.
+    RowSlice(const BirdParameters &bird, const BladeParameters &blade, const Point3 &edge, const Point3 &along,
+             const Point3 &velocity);
+
+    Point3 normal; ///< unit, fixed axes, at the arrival time
+    double half;   ///< m, of the thickness
+    /// As the blade lies at the start: m, halfway between the planes with `edge` in the near one; m/s, of the bird
+    /// relative to it.
+    Point3 middle, relative;
+  };
+
+  /// @throws InputError for a blade that does not turn, or is a row of its own.
+  void require_turning_row(const BirdParameters &bird, const BladeParameters &blade);
+} // namespace birdstrike
