@@ -207,3 +207,28 @@ TEST(Placement, ATurningBladeIsMetAsFastAsItMovesWhereTheBirdAims)
           EXPECT_LT((closing - (velocity - omega.cross(Point3(aim - centre)))).norm(), 1e-9) << kind << ", " << n;
         }
 }
+
+// Spin untwists the blade of fan-blade-spin.prm, by 11 mm across the planes of its slice at 70 % of the span: the near
+// plane lies at the edge that the bird meets, not at that of the mesh.
+TEST(Placement, ASliceBetweenBladesLiesAtTheEdgeAsSpinHasMovedIt)
+{
+  for (const char *kind : {"shell", "solid"})
+    {
+      SCOPED_TRACE(kind);
+      CaseParameters parameters;
+      parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/fan-blade-spin.prm",
+                      {"Blade/Kind=" + std::string(kind), "Blade/Mesh/Elements along span=22",
+                       "Blade/Mesh/Elements along chord=9", "Bird/Particle spacing=0.008"});
+      const Scene      scene(parameters);
+      const PointsView points = scene.birds.front().bird->points();
+      const Point3     normal(parameters.bird.slice_normal.data()), edge(parameters.bird.aimed_edge->data());
+      const Point3     moved  = scene.blade->displacement_of(edge);
+      double           middle = 0.;
+      for (std::size_t p = 0; p < points.n; ++p)
+        middle += normal.dot(Point3(points.position[0][p], points.position[1][p], points.position[2][p])) /
+                  static_cast<double>(points.n);
+      EXPECT_LT(normal.dot(moved), -0.008);
+      // flown along the planes; 0.3 mm: they are those at the edge, the flight that at the aim point, 1 degree apart
+      EXPECT_NEAR(middle - parameters.bird.slice_between[1], normal.dot(Point3(edge + moved)), 3e-4);
+    }
+}

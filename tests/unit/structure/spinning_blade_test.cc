@@ -310,8 +310,9 @@ namespace birdstrike::spinning_blade_test
         for (const double x : {0.1, 0.1234, 0.3112})
           {
             const double exact = density * 600. * 600. / young * (length * length * x / 2. - x * x * x / 6.);
-            // beside the surface; between nodes the exact parabola lies over the elements' line by (h/L)^2/8
-            EXPECT_NEAR(blade->displacement_of(Point3(x, 0.01, 0.02))[0] / exact, 1., 1e-3) << x;
+            // beside the surface, also between nodes, the nearest of which is up to 4 % off; strains are finite, of the
+            // order rho w^2 L^2/E = 1.4e-3
+            EXPECT_NEAR(blade->displacement_of(Point3(x, 0.01, 0.02))[0] / exact, 1., 3e-3) << x;
           }
       }
   }
