@@ -124,7 +124,7 @@ namespace birdstrike
                {{flight}, {angle}},
                {{aim}, {span, chord}},
                {{span, chord}, {aim}},
-               {{blades}, {between, normal}},
+               {{blades}, {between, normal, chord}},
                {{between, normal}, {blades}}},
               {"Arrival time"}};
     }

@@ -91,11 +91,11 @@ namespace birdstrike
         if (bird.slice_blades == 0)
           return {};
         if (is_by_edge())
-          return RowSlice(bird, blade, edge(velocity), edge_direction(velocity), velocity);
+          return RowSlice(bird, blade, edge(velocity), edge_direction(velocity), chord_from_edge(velocity), velocity);
         const Point3 place = bird.aim_span_fraction.empty()
                                ? Point3(bird.aim_point.data())
                                : map->position(bird.aim_span_fraction[0], bird.aim_chord_fraction[0]);
-        return RowSlice(bird, blade, place, Point3::Zero(), velocity);
+        return RowSlice(bird, blade, place, Point3::Zero(), Point3::Zero(), velocity);
       }
 
       /// Beside which the bird flies by, if it does.
@@ -123,11 +123,16 @@ namespace birdstrike
       {
         const double span    = bird.aim_span_fraction[0];
         const Point3 leading = map->position(span, 0.), chord = map->position(span, 1.) - leading;
-        return RowSlice(bird, blade, leading, Point3::Zero(), velocity).relative.dot(chord) > 0. ? 0. : 1.;
+        return RowSlice(bird, blade, leading, Point3::Zero(), chord, velocity).relative.dot(chord) > 0. ? 0. : 1.;
       }
       Point3 edge(const Point3 &velocity) const
       {
         return map->position(bird.aim_span_fraction[0], edge_share(velocity));
+      }
+      Point3 chord_from_edge(const Point3 &velocity) const
+      {
+        const double span = bird.aim_span_fraction[0], share = edge_share(velocity);
+        return map->position(span, 1. - share) - map->position(span, share);
       }
       Point3 edge_direction(const Point3 &velocity) const
       {

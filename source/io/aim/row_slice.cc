@@ -20,7 +20,7 @@ namespace birdstrike
 
   void require_turning_row(const BirdParameters &bird, const BladeParameters &blade)
   {
-    if (!Rotor(blade.spin).turns())
+    if (blade.kind == BladeKind::none || !Rotor(blade.spin).turns())
       refuse(bird, "the blade does not turn, so that no blade before it cuts the bird.",
              "Give Blade/Spin/Speed, or the planes by Slice/Between and Normal.");
     if (blade.mesh.row.n_blades > 1)
@@ -29,7 +29,7 @@ namespace birdstrike
   }
 
   RowSlice::RowSlice(const BirdParameters &bird, const BladeParameters &blade, const Point3 &edge, const Point3 &along,
-                     const Point3 &velocity)
+                     const Point3 &chord, const Point3 &velocity)
   {
     const Rotor     rotor(blade.spin);
     const Turn      turn  = rotor.turn(bird.arrival);
@@ -49,7 +49,7 @@ namespace birdstrike
       refuse(bird, "the bird does not come through the row: nothing of it lies between the paths of two blades.",
              "Give it a velocity along the axis of the hub (Blade/Spin/Axis).");
     half     = std::numbers::pi * radius.norm() / bird.slice_blades * std::abs(share);
-    middle   = edge + half * turn.back(normal);
+    middle   = edge + (turn.back(normal).dot(chord) < 0. ? -half : half) * turn.back(normal);
     relative = turn.back(flow);
   }
 } // namespace birdstrike

@@ -104,7 +104,7 @@ namespace birdstrike
         {"bird/uncut", fmt::format("{}/Slice/Between, {:.4g} m wide, cuts nothing off a bird that is {:.4g} m long "
                                    "across its planes: the whole bird strikes.{}",
                                    bird.section, between, length,
-                                   1e-3 * between < length
+                                   bird.slice_blades == 0 && 1e-3 * between < length
                                      ? fmt::format(" Was it meant in mm? That would be {:.4g} m.", 1e-3 * between)
                                      : "")});
     }

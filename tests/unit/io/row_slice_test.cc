@@ -131,6 +131,20 @@ TEST(RowSlice, HasTheThicknessOfTheTriangleOfVelocities)
   EXPECT_EQ(parameters.bird.aim_point, (std::array<double, 3>{{0.515, 0., 0.}})) << "stays as it is given";
 }
 
+// The flow comes from the other side of the chord: what the blade's back meets, before the blade after it does.
+TEST(RowSlice, OfABladeBehindThePathOfItsEdgeLiesBehindIt)
+{
+  for (const auto &[speed, side] : {std::pair("600", 1.), std::pair("200", -1.)})
+    {
+      CaseParameters parameters;
+      parameters.read(spin, {"Blade/Spin/Speed=" + std::string(speed)});
+      const BirdParameters &bird = parameters.bird;
+      EXPECT_NEAR(point(bird.slice_normal).dot(point(bird.aim_point) - point(*bird.aimed_edge)),
+                  side * bird.slice_between[1], 1e-12)
+        << speed;
+    }
+}
+
 // By 600 rad/s 1.5 ms: the second bird of the flock meets a blade that has turned.
 TEST(RowSlice, OfALaterBirdIsTurnedWithTheBlade)
 {
@@ -163,7 +177,9 @@ TEST(RowSlice, ThePrintedFileRunsToTheSameBits)
 
 TEST(RowSlice, AnotherBirdMayBeWholeOrHaveItsOwnPlanes)
 {
-  CaseParameters whole, planes;
+  CaseParameters whole, planes, by_edge;
+  by_edge.read(flock, {"Bird/Aim chord fraction=0.3", "Bird 2/Slice/Number of blades=22"});
+  EXPECT_TRUE(by_edge.further_birds[0].bird.aimed_edge && !by_edge.bird.aimed_edge) << "a chord is not inherited then";
   whole.read(flock, {"Bird 2/Slice/Number of blades=0", "Bird 2/Aim chord fraction=0.3"});
   EXPECT_FALSE(whole.further_birds[0].bird.is_slice());
   EXPECT_TRUE(whole.bird.is_slice());
@@ -179,6 +195,8 @@ TEST(RowSlice, WhatContradictsOrCutsNothingIsRefused)
   expect_parts(refusal(spin, {"Bird/Slice/Normal=0, 1, 0"}), {"Bird/Slice/Normal", "Number of blades"});
   expect_parts(refusal(spin, {"Bird/Aim point=0.515, 0, 0"}), {"Bird/Aim point", "Slice/Number of blades"});
   expect_parts(refusal(spin, {"Blade/Spin/Speed=0"}), {"Number of blades", "does not turn", "Blade/Spin/Speed"});
+  expect_parts(refusal(spin, {"Blade/Kind=none", "Bird/Aim span fraction=default"}),
+               {"Number of blades", "does not turn"});
   expect_parts(refusal(spin, {"Blade/Mesh/Row/Blades=2"}), {"Number of blades", "Blade/Mesh/Row"});
   expect_parts(refusal(spin, {"Bird/Slice/Number of blades=1"}), {"Number of blades", "one blade has none before it"});
   expect_parts(refusal(spin, {"Bird/Velocity=0, 0, 50"}), {"Number of blades", "along the axis"});

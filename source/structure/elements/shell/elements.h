@@ -55,10 +55,9 @@ namespace birdstrike
     double elastic_energy() const; ///< J
     double hourglass_energy() const;
 
-    /// Unit vector about which the node may turn without force; zero in a fold, where there is none.
-    Point3 director(const std::uint32_t node) const
+    Point3 director(const std::uint32_t node) const ///< ShellNodes::director
     {
-      return nodes.is_folded(node) ? Point3(Point3::Zero()) : Point3(nodes.records[node].normal);
+      return nodes.director(node);
     }
 
     ShellState state(std::size_t element) const;

@@ -140,13 +140,15 @@ namespace birdstrike
       const Point3 in     = sums[record] - part;
       const double cosine = in.squaredNorm() - part.squaredNorm(); // to the mirror image, times the square of the sum
       if (cosine <= ShellSheets::least_cosine * sums[record].squaredNorm())
-        return; // a fold
+        return false; // a fold
       sums[record] = in;
       set_director(records[record], in);
+      return true;
     };
     for (const auto node : nodes)
       {
-        enclose(node);
+        if (!enclose(node))
+          folded_on_plane.insert(std::lower_bound(folded_on_plane.begin(), folded_on_plane.end(), node), node);
         const auto [begin, end] = std::equal_range(sheets.nodes.begin(), sheets.nodes.end(), node);
         for (auto other = begin; other != end; ++other)
           enclose(first_fold() + static_cast<std::size_t>(other - sheets.nodes.begin()));
@@ -164,14 +166,24 @@ namespace birdstrike
     });
   }
 
-  bool ShellNodes::is_folded(const std::uint32_t node) const
+  Point3 ShellNodes::director(const std::uint32_t node) const
   {
-    return std::binary_search(sheets.nodes.begin(), sheets.nodes.end(), node);
+    constexpr double same = 0.9999; // cosine: from there on what turns about one of two hardly bends the other
+    const Point3     first(records[node].normal);
+    if (std::binary_search(folded_on_plane.begin(), folded_on_plane.end(), node))
+      return Point3::Zero();
+    const auto [begin, end] = std::equal_range(sheets.nodes.begin(), sheets.nodes.end(), node);
+    for (auto other = begin; other != end; ++other)
+      if (std::abs(first.dot(
+            Point3(records[first_fold() + static_cast<std::size_t>(other - sheets.nodes.begin())].normal))) < same)
+        return Point3::Zero();
+    return first;
   }
 
   std::size_t ShellNodes::bytes() const
   {
     return bytes_of(records) + bytes_of(entering) + bytes_of(sums) + bytes_of(sheets.records_of_corners) +
-           bytes_of(sheets.nodes) + bytes_of(folds) + bytes_of(folded) + bytes_of(folds_begin);
+           bytes_of(sheets.nodes) + bytes_of(folds) + bytes_of(folded) + bytes_of(folds_begin) +
+           bytes_of(folded_on_plane);
   }
 } // namespace birdstrike

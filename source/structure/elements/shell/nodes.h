@@ -58,7 +58,8 @@ namespace birdstrike
     /// Records of the nodes that enter with the block, from positions [n_nodes][3] and increments [n_nodes][6].
     void update(const ElementBlocks::Block &block, const double *position, const double *increment);
 
-    /// The directors of these are in the plane, before the first step.
+    /// The directors of these are in the plane, before the first step; those of sheets that meet their mirror images in
+    /// a fold stay their own.
     void add_symmetry_plane(std::span<const std::uint32_t> nodes, const Point3 &plane_normal);
 
     /// Of one node, besides its position.
@@ -69,7 +70,9 @@ namespace birdstrike
     /// Of the other sheets of folds, with positions [n_nodes][3].
     void archive_folds(Archive &archive, const double *position);
 
-    bool is_folded(std::uint32_t node) const; ///< whether it has several sheets
+    /// Unit vector about which the node may turn without effect; zero in a fold, where there is none unless its sheets
+    /// lie on one another.
+    Point3 director(std::uint32_t node) const;
 
     std::size_t bytes() const;
 
@@ -90,6 +93,7 @@ namespace birdstrike
     std::vector<std::uint32_t> entering; ///< nodes by block
     /// The same of other sheets' records, and their nodes; [n_blocks + 1] where those of a block begin, none without.
     std::vector<std::uint32_t> folds, folded, folds_begin;
+    std::vector<std::uint32_t> folded_on_plane; ///< nodes, ascending
     std::vector<Point3>        sums; ///< by record, of the area vectors of a sheet's elements at the node at rest, m^2
   };
 } // namespace birdstrike
