@@ -74,7 +74,7 @@ namespace
     const auto              map = make_surface_map(parameters.blade);
     const Eigen::AngleAxisd back(-turned, Point3::UnitY());
     const Point3            normal = back * point(bird.slice_normal).normalized();
-    const double            step = 0.005, R = 0.5 * whole.whole_diameter(), L = 0.5 * whole.whole_length();
+    const double            step = 0.003, R = 0.5 * whole.whole_diameter(), L = 0.5 * whole.whole_length();
     double                  n_slice = 0., n_own = 0., n_other = 0., n_out = 0.;
     for (double x = -R + 0.5 * step; x < R; x += step)
       for (double z = -R + 0.5 * step; z < R; z += step)
