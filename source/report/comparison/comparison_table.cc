@@ -7,6 +7,7 @@
 #include <birdstrike/structure/choices.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -76,6 +77,16 @@ namespace birdstrike
         if (const double energy = run.summary().number(part); !std::isnan(energy))
           final += energy;
       return final - initial;
+    }
+
+    /// Whether nothing of the blade has flowed or failed since the start, as far as the history tells.
+    bool is_elastic(const RunRecord &run)
+    {
+      constexpr std::array<const char *, 2> losses{{"blade_plastic", "blade_eroded"}};
+      return std::ranges::all_of(losses, [&](const char *name) {
+        const auto &column = run.column(name);
+        return !column.empty() && column.back() == column.front();
+      });
     }
   } // namespace
 
@@ -194,12 +205,18 @@ namespace birdstrike
   void ComparisonTable::add_permanent_deflection(const std::vector<ComparedRun> &runs)
   {
     ComparisonRow row{"Tip", "permanent deflection", "m", {}, {}};
-    std::string   how, pushed, without;
+    std::string   how, pushed, elastic, without;
     for (const ComparedRun &run : runs)
       {
         const RunRecord &record  = run.record;
         const bool       has_tip = record.is_complete() && !record.column("tip_mid_chord").empty() && !is_rigid(record),
                    is_pushed     = has_tip && has_warning(record, unfinished_contact);
+        if (has_tip && !is_pushed && is_elastic(record))
+          {
+            row.values.push_back(0.);
+            add_name(elastic, run.name);
+            continue;
+          }
         const auto mean =
           has_tip && !is_pushed
             ? compute_mean_over_last_period(record.column("time"), change_of(record.column("tip_mid_chord")))
@@ -216,6 +233,8 @@ namespace birdstrike
       remarks.push_back("Permanent deflection: mean over the last whole period of the tip after its peak, less the "
                         "deflection before the strike (" +
                         how + ").");
+    if (!elastic.empty())
+      remarks.push_back("Permanent deflection: zero for " + elastic + ", where nothing has yielded or failed.");
     if (!pushed.empty())
       remarks.push_back("Permanent deflection: none for " + pushed +
                         ", where the bird still loads the blade at the end; a later Time/End time gives it.");

@@ -156,11 +156,12 @@ namespace birdstrike
     [[noreturn]] void refuse_miss(const FacetsView &facets, const BirdParameters &parameters)
     {
       const Box blade = extent_of(facets);
-      throw InputError(fmt::format("The bird misses the blade: no particle meets it along {0}/Velocity.\n"
-                                   "The blade lies between {1} and {2} m.\n"
-                                   "Change {0}/Aim point, {0}/Chordwise offset or {0}/Velocity, or Blade/Mesh/File "
-                                   "scale of a mesh in another unit than m.",
-                                   parameters.section, text_of(blade.low), text_of(blade.high)));
+      throw InputError(fmt::format(
+        "The bird misses the blade: no particle meets it along {0}/Velocity.\n"
+        "The blade lies between {1} and {2} m.\n"
+        "Change {0}/Aim point or Aim span fraction, {0}/Chordwise offset or {0}/Velocity, or Blade/Mesh/File "
+        "scale of a mesh in another unit than m.",
+        parameters.section, text_of(blade.low), text_of(blade.high)));
     }
 
     /// To the first touch of this surface, part of which moves with the velocity `frame`.

@@ -112,6 +112,23 @@ TEST_F(Comparison, ABladeThatIsStillPushedHasNoPermanentDeflection)
   EXPECT_EQ(text.find("second: 10 ms"), std::string::npos) << text;
 }
 
+// Its tip swings about where it was: the mean over a period, of modes that no whole period fits, is their beat.
+TEST_F(Comparison, ABladeThatHasNotYieldedHasNoPermanentDeflection)
+{
+  for (const auto &[work, expected] :
+       {std::pair(std::vector<double>{3., 3.}, 0.), std::pair(std::vector<double>{3., 3.1}, 0.05)})
+    {
+      RecordedRun run;
+      run.plastic_work = work; // what spin had made flow before the strike does not count
+      run.write(scratch.path() / "first", scratch.write("plate.prm", ""));
+      runs[0].record = RunRecord(scratch.path() / "first");
+      const ComparisonTable table(runs);
+      EXPECT_NEAR(find(table, "permanent deflection").values[0], expected, 1e-6);
+      EXPECT_EQ(table.as_text().find("zero for 'first', where nothing has yielded") != std::string::npos,
+                expected == 0.);
+    }
+}
+
 TEST_F(Comparison, SaysWhichRunsWarnOfWhat)
 {
   RecordedRun torn;

@@ -34,6 +34,7 @@ struct RecordedRun
   std::map<std::string, double> metals = {}; ///< their yield stresses, Pa
   std::vector<std::string>      warnings;    ///< their codes
   std::string                   channel_class = "CFC 1000";
+  std::vector<double>           plastic_work; ///< J, at the start and since; empty: the history does not have it
 
   birdstrike::Summary make_summary(const std::string &name) const
   {
@@ -67,6 +68,12 @@ struct RecordedRun
     history.add_column({"tip_mid_chord", "m"}, [&] { return stays - (peak - stays) * std::cos(phase()); });
     history.add_column({"root_bending_moment", "N m"}, [&] { return 400. * std::sin(phase()); });
     history.add_column({"blade_kinetic", "J"}, [&] { return t == 0. ? 2.5 : 1.; });
+    if (!plastic_work.empty())
+      {
+        history.add_column({"blade_plastic", "J"},
+                           [&] { return t == 0. ? plastic_work.front() : plastic_work.back(); });
+        history.add_column({"blade_eroded", "J"}, [] { return 0.; });
+      }
     for (const std::string axis : {"x", "y", "z"})
       history.add_column({"contact_force_" + axis, "N"}, [] { return 1000.; });
     history.add_column({"contact_force_peak", "N"}, [] { return 1000. * std::sqrt(3.); });
