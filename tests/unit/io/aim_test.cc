@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "expect_parts.h"
+#include "refusal.h"
 #include "scratch_folder.h"
 
 using namespace birdstrike;
@@ -18,19 +19,6 @@ namespace
   std::string plain(const ScratchFolder &scratch)
   {
     return scratch.write("plain.prm", "");
-  }
-
-  std::string refusal(const std::string &file, const std::vector<std::string> &entries)
-  {
-    try
-      {
-        CaseParameters().read(file, entries);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "accepted";
   }
 } // namespace
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "expect_parts.h"
+#include "refusal.h"
 #include "scratch_folder.h"
 
 using namespace birdstrike;
@@ -26,19 +27,6 @@ namespace
   Point3 point(const Numbers &x)
   {
     return Point3(x.data());
-  }
-
-  std::string refusal(const std::string &file, const std::vector<std::string> &entries)
-  {
-    try
-      {
-        CaseParameters().read(file, entries);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "accepted";
   }
 
   /// Of a place about the axis y: its radius, and how far it is ahead in the rotation (rad).
