@@ -66,8 +66,8 @@ namespace birdstrike
       prm.add_parameter(
         "Number of blades", bird.slice_blades,
         "Of the row, of which one turns here (Blade/Spin): Between and Normal follow, as the paths of the leading "
-        "edges of this blade and of the one before it, at the aim point. Without Aim chord fraction the near plane "
-        "lies at the leading edge, and the bird aims between them. 0: they are as given. [-]",
+        "edges of this blade and of the one before it. With Aim span fraction alone the bird aims between these, as "
+        "spin and steady loads have moved the edge; else the slice is centred at the aim. 0: they are as given. [-]",
         Patterns::Integer(0));
       prm.leave_subsection();
     }

@@ -90,18 +90,25 @@ namespace birdstrike
       {
         if (bird.slice_blades == 0)
           return {};
-        if (is_by_edge())
-          return RowSlice(bird, blade, edge(velocity), edge_direction(velocity), chord_from_edge(velocity), velocity);
-        const Point3 place = bird.aim_span_fraction.empty()
-                               ? Point3(bird.aim_point.data())
-                               : map->position(bird.aim_span_fraction[0], bird.aim_chord_fraction[0]);
-        return RowSlice(bird, blade, place, Point3::Zero(), Point3::Zero(), velocity);
+        const Point3 none = Point3::Zero();
+        if (bird.aim_span_fraction.empty())
+          return RowSlice(bird, blade, Point3(bird.aim_point.data()), none, none, velocity);
+        const double span = bird.aim_span_fraction[0];
+        if (!is_by_edge())
+          return RowSlice(bird, blade, map->position(span, bird.aim_chord_fraction[0]), none, none, velocity);
+        constexpr double step    = 0.01; // of the span
+        const Point3     leading = map->position(span, 0.), chord = map->position(span, 1.) - leading;
+        const bool       is_leading = RowSlice(bird, blade, leading, none, chord, velocity).relative.dot(chord) > 0.;
+        const double     share      = is_leading ? 0. : 1.;
+        const Point3     along =
+          map->position(std::min(span + step, 1.), share) - map->position(std::max(span - step, 0.), share);
+        return RowSlice(bird, blade, map->position(span, share), along, is_leading ? chord : Point3(-chord), velocity);
       }
 
-      /// Beside which the bird flies by, if it does.
-      std::optional<std::array<double, 3>> find_edge(const Point3 &velocity) const
+      /// Whether it aims beside the edge that cuts it, wherever that has gone by then.
+      bool is_by_edge() const
       {
-        return is_by_edge() ? std::optional(to_array(edge(velocity))) : std::nullopt;
+        return bird.slice_blades > 0 && !bird.aim_span_fraction.empty() && bird.aim_chord_fraction.empty();
       }
 
       std::optional<AimedSurface> find_surface(const Point3 &point) const
@@ -114,33 +121,6 @@ namespace birdstrike
       }
 
     private:
-      bool is_by_edge() const
-      {
-        return bird.slice_blades > 0 && !bird.aim_span_fraction.empty() && bird.aim_chord_fraction.empty();
-      }
-      /// Share of the chord, 0 or 1, of the edge that meets the bird first.
-      double edge_share(const Point3 &velocity) const
-      {
-        const double span    = bird.aim_span_fraction[0];
-        const Point3 leading = map->position(span, 0.), chord = map->position(span, 1.) - leading;
-        return RowSlice(bird, blade, leading, Point3::Zero(), chord, velocity).relative.dot(chord) > 0. ? 0. : 1.;
-      }
-      Point3 edge(const Point3 &velocity) const
-      {
-        return map->position(bird.aim_span_fraction[0], edge_share(velocity));
-      }
-      Point3 chord_from_edge(const Point3 &velocity) const
-      {
-        const double span = bird.aim_span_fraction[0], share = edge_share(velocity);
-        return map->position(span, 1. - share) - map->position(span, share);
-      }
-      Point3 edge_direction(const Point3 &velocity) const
-      {
-        constexpr double step = 0.01; // of the span
-        const double     span = bird.aim_span_fraction[0], share = edge_share(velocity);
-        return map->position(std::min(span + step, 1.), share) - map->position(std::max(span - step, 0.), share);
-      }
-
       const BirdParameters             &bird;
       const BladeParameters            &blade;
       std::unique_ptr<const SurfaceMap> map;
@@ -254,9 +234,9 @@ namespace birdstrike
       if (bird.slice_blades > 0)
         {
           require_turning_row(bird, blade); // to whose surface no angle is given
-          const Point3 v  = velocity();
-          row             = aim.find_row(v);
-          bird.aimed_edge = aim.find_edge(v);
+          row = aim.find_row(velocity());
+          if (aim.is_by_edge())
+            bird.aimed_edge = to_array(row->edge);
           add_planes(bird, *row, is_given("Slice/Normal"), is_given("Slice/Between"), found);
         }
       const Point3 point = aim.find_point(is_given("Aim point"), row);

@@ -30,6 +30,7 @@ namespace birdstrike
 
   RowSlice::RowSlice(const BirdParameters &bird, const BladeParameters &blade, const Point3 &edge, const Point3 &along,
                      const Point3 &chord, const Point3 &velocity)
+    : edge(edge)
   {
     const Rotor     rotor(blade.spin);
     const Turn      turn  = rotor.turn(bird.arrival);

@@ -24,6 +24,7 @@ namespace birdstrike
     RowSlice(const BirdParameters &bird, const BladeParameters &blade, const Point3 &edge, const Point3 &along,
              const Point3 &chord, const Point3 &velocity);
 
+    Point3 edge;   ///< as given
     Point3 normal; ///< unit, fixed axes, at the arrival time
     double half;   ///< m, of the thickness
     /// As the blade lies at the start: m, halfway between the planes, `edge` in one of them; m/s, of the bird
