@@ -120,7 +120,7 @@ namespace birdstrike
       prm.add_parameter(
         "Aim span fraction", bird.aim_span_fraction,
         "Share of the span, 0 at the root and 1 at the tip, at which the bird aims on the blade's surface, "
-        "with Aim chord fraction; empty: Aim point. [-]",
+        "with Aim chord fraction, as spin and steady loads have moved it; empty: Aim point. [-]",
         Patterns::List(Patterns::Double(0., 1.), 0, 1));
       prm.add_parameter("Aim chord fraction", bird.aim_chord_fraction,
                         "Share of the chord of that section, 0 at the leading and 1 at the trailing edge. [-]",

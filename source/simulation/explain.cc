@@ -77,6 +77,8 @@ namespace birdstrike
         where += ", " + format_quantity(surface->distance, "m") + " off the mid-surface";
       table.add_heading("Strike");
       table.add("aim", where);
+      if (const auto &moved = projectile.first_touch.moved_by; Point3(moved.data()).norm() > least_distance)
+        table.add("moved by spin and steady loads", vector_text(moved, "m"));
       table.add("velocity", vector_text(projectile.parameters.velocity, "m/s"));
       if (projectile.parameters.arrival > 0.)
         table.add("arrival", projectile.parameters.arrival, "s");

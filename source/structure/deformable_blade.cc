@@ -162,23 +162,29 @@ namespace birdstrike
   }
 
   template <class Kind>
-  Point3 DeformableBlade<Kind>::displacement_of(const Point3 &place) const
+  SurfaceMotion DeformableBlade<Kind>::motion_of(const Point3 &place) const
   {
     const FacetsView view    = facets();
     double           nearest = INFINITY;
-    Point3           result  = Point3::Zero();
+    SurfaceMotion    result;
+    const auto       normal = [](const std::array<Point3, 4> &x) -> Point3 { return (x[2] - x[0]).cross(x[3] - x[1]); };
     for (std::size_t f = 0; f < view.n_facets; ++f)
       {
-        std::array<Point3, 4> rest;
+        std::array<Point3, 4> rest, present;
         for (unsigned int k = 0; k < 4; ++k)
           rest[k] = mesh.node(view.nodes[f][k]);
         const auto closest = compute_closest_point(place, rest);
         if (!(closest.distance_squared < nearest))
           continue;
         nearest = closest.distance_squared;
-        result.setZero();
+        result.displacement.setZero();
         for (unsigned int k = 0; k < 4; ++k)
-          result += closest.weights[k] * Point3(motion.displacements() + Kind::n_unknowns * view.nodes[f][k]);
+          {
+            const Point3 moved(motion.displacements() + Kind::n_unknowns * view.nodes[f][k]);
+            result.displacement += closest.weights[k] * moved;
+            present[k] = rest[k] + moved;
+          }
+        result.rotation = Eigen::Quaterniond::FromTwoVectors(normal(rest), normal(present));
       }
     return result;
   }

@@ -58,9 +58,9 @@ namespace birdstrike
     {
       return motion.clear_contact_forces();
     }
-    void       archive(Archive &archive) override;
-    FacetsView facets() const override;
-    Point3     displacement_of(const Point3 &place) const override;
+    void          archive(Archive &archive) override;
+    FacetsView    facets() const override;
+    SurfaceMotion motion_of(const Point3 &place) const override;
 
     std::vector<std::uint32_t> blades_of_facets() const override
     {

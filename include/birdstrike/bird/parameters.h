@@ -120,9 +120,9 @@ namespace birdstrike
 
     /// Set by the case where there is such a surface and it is asked for; without it the chord is y.
     std::optional<AimedSurface> aimed_surface;
-    /// Set by the case: the place of the undeformed edge (m) beside which the bird aims, wherever spin and steady loads
-    /// have moved it.
-    std::optional<std::array<double, 3>> aimed_edge;
+    /// Set by the case that aims by shares of span and chord: the place of the undeformed surface (m) that the bird
+    /// aims at, or the edge beside which it aims; the aim goes with it where spin and steady loads move it.
+    std::optional<std::array<double, 3>> aimed_place;
 
     /// Unit, from the root of the blade to its tip, about which the bird yaws; the scene knows it.
     std::array<double, 3> span{{1., 0., 0.}};

@@ -13,6 +13,8 @@
 #include <birdstrike/structure/reports.h>
 #include <birdstrike/structure/rotor.h>
 
+#include <Eigen/Geometry>
+
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -21,6 +23,13 @@
 
 namespace birdstrike
 {
+  /// How a place of the surface lies, against the undeformed blade.
+  struct SurfaceMotion
+  {
+    Point3             displacement = Point3::Zero();                 ///< m
+    Eigen::Quaterniond rotation     = Eigen::Quaterniond::Identity(); ///< of its normal, the smallest
+  };
+
   /// The struck part, in the verbs of velocity-Verlet. State is synchronous between steps: x^n, v^n, f^n.
   ///
   /// One step dt:  kick(dt/2, first), drift(dt), compute_internal_forces(), kick(dt/2, second), where a kick is
@@ -59,10 +68,10 @@ namespace birdstrike
     /// The surface offered to contact; valid for the life of the blade.
     virtual FacetsView facets() const = 0;
 
-    /// At present (m), of the place of the surface that undeformed lies nearest to this one.
-    virtual Point3 displacement_of(const Point3 &) const
+    /// At present, of the place of the surface that undeformed lies nearest to this one.
+    virtual SurfaceMotion motion_of(const Point3 &) const
     {
-      return Point3::Zero();
+      return {};
     }
 
     /// Of each undeformed facet of a row of blades which it is of, 0 the one that is described; empty: one blade.

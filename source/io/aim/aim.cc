@@ -235,11 +235,11 @@ namespace birdstrike
         {
           require_turning_row(bird, blade); // to whose surface no angle is given
           row = aim.find_row(velocity());
-          if (aim.is_by_edge())
-            bird.aimed_edge = to_array(row->edge);
           add_planes(bird, *row, is_given("Slice/Normal"), is_given("Slice/Between"), found);
         }
       const Point3 point = aim.find_point(is_given("Aim point"), row);
+      if (!bird.aim_span_fraction.empty())
+        bird.aimed_place = to_array(aim.is_by_edge() ? row->edge : point);
       bird.aimed_surface = aim.find_surface(point);
       if (to_array(point) != bird.aim_point)
         found.push_back(bird.section + "/Aim point=" + text_of(point));

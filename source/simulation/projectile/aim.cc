@@ -13,15 +13,16 @@ namespace birdstrike
 {
   namespace
   {
-    /// Unit normal of the surface where the bird aims: of the blade's mid-surface, or of the facet nearest to that
-    /// point.
-    Point3 find_normal(const BirdParameters &bird, const FacetsView &facets)
+    /// Unit normal of the surface where the bird aims, as spin and steady loads have turned it: of the blade's
+    /// mid-surface, or of the facet nearest to that point.
+    Point3 find_normal(const BirdParameters &bird, const Blade &blade)
     {
-      if (bird.aimed_surface)
-        return Point3(bird.aimed_surface->normal.data());
       const Point3 aim(bird.target().data());
-      Point3       normal  = Point3::Zero();
-      double       nearest = INFINITY;
+      if (bird.aimed_surface)
+        return blade.motion_of(aim).rotation * Point3(bird.aimed_surface->normal.data());
+      const FacetsView facets  = blade.facets();
+      Point3           normal  = Point3::Zero();
+      double           nearest = INFINITY;
       for (std::size_t f = 0; f < facets.n_facets; ++f)
         {
           std::array<Point3, 4> x;
@@ -55,14 +56,16 @@ namespace birdstrike
     StrikeAim             aim;
     const BirdParameters &bird = projectile.parameters;
     const Point3          velocity(projectile.first_touch.closing_velocity.data());
-    aim.point                = bird.target();
-    aim.velocity             = projectile.first_touch.closing_velocity;
-    aim.speed                = velocity.norm();
-    const Rotor *const rotor = blade.rotor(); // which has turned the surface by then
-    const Point3 normal = (rotor != nullptr ? rotor->turn(bird.arrival) : Turn())(find_normal(bird, blade.facets()));
-    const double sine   = std::min(1., std::abs(velocity.dot(normal)) / aim.speed);
-    aim.normal_speed    = aim.speed * sine;
-    aim.angle           = std::asin(sine) * 180. / M_PI;
+    aim.point = bird.target();
+    for (unsigned int d = 0; d < 3; ++d)
+      aim.point[d] += projectile.first_touch.moved_by[d];
+    aim.velocity              = projectile.first_touch.closing_velocity;
+    aim.speed                 = velocity.norm();
+    const Rotor *const rotor  = blade.rotor(); // which has turned the surface by then
+    const Point3       normal = (rotor != nullptr ? rotor->turn(bird.arrival) : Turn())(find_normal(bird, blade));
+    const double       sine   = std::min(1., std::abs(velocity.dot(normal)) / aim.speed);
+    aim.normal_speed          = aim.speed * sine;
+    aim.angle                 = std::asin(sine) * 180. / M_PI;
     if (const auto &surface = bird.aimed_surface; surface && bird.chordwise_offset == 0.)
       {
         aim.span  = surface->span_share;

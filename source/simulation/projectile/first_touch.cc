@@ -190,11 +190,16 @@ namespace birdstrike
 
   FirstTouch place_at_first_touch(Bird &bird, Blade &blade, const BirdParameters &parameters)
   {
-    const FacetsView   at_start = blade.facets();
-    const Rotor *const rotor    = blade.rotor();
-    Point3             aim(parameters.target().data());
-    if (parameters.aimed_edge)
-      aim += blade.displacement_of(Point3(parameters.aimed_edge->data()));
+    const FacetsView      at_start = blade.facets();
+    const Rotor *const    rotor    = blade.rotor();
+    Point3                aim(parameters.target().data());
+    std::array<double, 3> moved_by{};
+    if (parameters.aimed_place)
+      {
+        const Point3 displacement = blade.motion_of(Point3(parameters.aimed_place->data())).displacement;
+        moved_by                  = {{displacement[0], displacement[1], displacement[2]}};
+        aim += displacement;
+      }
     std::optional<TurnedSurface> turned;
     if (rotor != nullptr && parameters.arrival > 0.)
       {
@@ -213,6 +218,7 @@ namespace birdstrike
     if (rotor != nullptr)
       aim_in_fixed_axes(bird, parameters, aim, frame);
     FirstTouch touch       = fly_to(bird, facets, parameters, frame);
+    touch.moved_by         = moved_by;
     touch.share_in_the_way = compute_share_in_the_way(bird.points(), facets, Point3(touch.closing_velocity.data()));
     if (parameters.arrival == 0.)
       return touch;

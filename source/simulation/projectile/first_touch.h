@@ -15,6 +15,7 @@ namespace birdstrike
     double closing_speed = 0.; ///< m/s, of the bird relative to the blade where it aims
 
     std::array<double, 3> closing_velocity{}; ///< likewise
+    std::array<double, 3> moved_by{};         ///< m, of the aim: what spin and steady loads have done to its place
 
     double share_in_the_way = 0.; ///< of the bird's mass, by straight paths from there (contact/mass_in_the_way.h)
   };
@@ -35,7 +36,8 @@ namespace birdstrike
   /// taken as straight in that frame; the bird then comes through the aim point as the blade sees it, whose place in
   /// the mesh is that of the first touch.
   ///
-  /// Beside an edge (BirdParameters::aimed_edge) the aim point has gone with it, as spin and steady loads moved it.
+  /// An aim by shares of span and chord (BirdParameters::aimed_place) has gone with that place of the surface, as spin
+  /// and steady loads moved it.
   ///
   /// A bird that arrives later meets the blade as it lies at the start then, of a blade that turns after as much of its
   /// rotation, and is taken back along its path by that time.

@@ -127,7 +127,7 @@ TEST(RowSlice, OfABladeBehindThePathOfItsEdgeLiesBehindIt)
       CaseParameters parameters;
       parameters.read(spin, {"Blade/Spin/Speed=" + std::string(speed)});
       const BirdParameters &bird = parameters.bird;
-      EXPECT_NEAR(point(bird.slice_normal).dot(point(bird.aim_point) - point(*bird.aimed_edge)),
+      EXPECT_NEAR(point(bird.slice_normal).dot(point(bird.aim_point) - point(*bird.aimed_place)),
                   side * bird.slice_between[1], 1e-12)
         << speed;
     }
@@ -159,7 +159,7 @@ TEST(RowSlice, ThePrintedFileRunsToTheSameBits)
       EXPECT_EQ(one->slice_normal, other->slice_normal);
       EXPECT_EQ(one->slice_between, other->slice_between);
       EXPECT_EQ(one->aim_point, other->aim_point);
-      EXPECT_EQ(one->aimed_edge, other->aimed_edge);
+      EXPECT_EQ(one->aimed_place, other->aimed_place);
     }
 }
 
@@ -167,7 +167,8 @@ TEST(RowSlice, AnotherBirdMayBeWholeOrHaveItsOwnPlanes)
 {
   CaseParameters whole, planes, by_edge;
   by_edge.read(flock, {"Bird/Aim chord fraction=0.3", "Bird 2/Slice/Number of blades=22"});
-  EXPECT_TRUE(by_edge.further_birds[0].bird.aimed_edge && !by_edge.bird.aimed_edge) << "a chord is not inherited then";
+  EXPECT_TRUE(by_edge.further_birds[0].bird.aimed_place && !by_edge.bird.aimed_place)
+    << "a chord is not inherited then";
   whole.read(flock, {"Bird 2/Slice/Number of blades=0", "Bird 2/Aim chord fraction=0.3"});
   EXPECT_FALSE(whole.further_birds[0].bird.is_slice());
   EXPECT_TRUE(whole.bird.is_slice());

@@ -3,6 +3,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/flight.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/structure/surface_map.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -221,8 +222,8 @@ TEST(Placement, ASliceBetweenBladesLiesAtTheEdgeAsSpinHasMovedIt)
                        "Blade/Mesh/Elements along chord=9", "Bird/Particle spacing=0.008"});
       const Scene      scene(parameters);
       const PointsView points = scene.birds.front().bird->points();
-      const Point3     normal(parameters.bird.slice_normal.data()), edge(parameters.bird.aimed_edge->data());
-      const Point3     moved  = scene.blade->displacement_of(edge);
+      const Point3     normal(parameters.bird.slice_normal.data()), edge(parameters.bird.aimed_place->data());
+      const Point3     moved  = scene.blade->motion_of(edge).displacement;
       double           middle = 0.;
       for (std::size_t p = 0; p < points.n; ++p)
         middle += normal.dot(Point3(points.position[0][p], points.position[1][p], points.position[2][p])) /
@@ -230,5 +231,47 @@ TEST(Placement, ASliceBetweenBladesLiesAtTheEdgeAsSpinHasMovedIt)
       EXPECT_LT(normal.dot(moved), -0.008);
       // flown along the planes; 0.3 mm: they are those at the edge, the flight that at the aim point, 1 degree apart
       EXPECT_NEAR(middle - parameters.bird.slice_between[1], normal.dot(Point3(edge + moved)), 3e-4);
+    }
+}
+
+// An aim by shares of span and chord is a place of the blade, wherever spin has moved it: of fan-blade-spin.prm by some
+// 12 mm at mid-chord. The angle at which they meet is that to the surface there, which has turned.
+TEST(Placement, AnAimBySharesGoesWithTheBladeThatSpinHasMoved)
+{
+  for (const char *kind : {"shell", "solid"})
+    {
+      SCOPED_TRACE(kind);
+      CaseParameters parameters;
+      parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/fan-blade-spin.prm",
+                      {"Blade/Kind=" + std::string(kind), "Blade/Mesh/Elements along span=22",
+                       "Blade/Mesh/Elements along chord=9", "Bird/Particle spacing=0.008",
+                       "Bird/Slice/Number of blades=0", "Bird/Aim chord fraction=0.4"});
+      const Scene       scene(parameters);
+      const auto        surface = make_surface_map(parameters.blade);
+      const Projectile &bird    = scene.birds.front();
+      const auto        now     = [&](const double span, const double chord) -> Point3 {
+        const Point3 place = surface->position(span, chord);
+        return place + scene.blade->motion_of(place).displacement;
+      };
+      const Point3 place = surface->position(0.7, 0.4), aim = now(0.7, 0.4);
+      EXPECT_GT((aim - place).norm(), 0.008);
+      EXPECT_LT((aim - Point3(bird.aim.point.data())).norm(), 1e-9);
+
+      const Point3 closing(bird.first_touch.closing_velocity.data());
+      EXPECT_LT((closing - (Point3(0., 102.9, 0.) - 600. * Point3(0., 1., 0.).cross(aim))).norm(), 1e-9);
+      // its middle flies through the aim
+      const PointsView points = bird.bird->points();
+      Point3           middle = Point3::Zero();
+      for (std::size_t p = 0; p < points.n; ++p)
+        middle += Point3(points.position[0][p], points.position[1][p], points.position[2][p]) / points.n;
+      EXPECT_LT(closing.normalized().cross(middle - aim).norm(), 1e-6);
+
+      const auto angle = [&](const Point3 &normal) {
+        return std::asin(std::abs(closing.normalized().dot(normal.normalized()))) * 180. / M_PI;
+      };
+      constexpr double d = 0.05;
+      EXPECT_NEAR(bird.aim.angle,
+                  angle((now(0.7 + d, 0.4) - now(0.7 - d, 0.4)).cross(now(0.7, 0.4 + d) - now(0.7, 0.4 - d))), 0.3);
+      EXPECT_GT(std::abs(bird.aim.angle - angle(surface->normal(0.7, 0.4))), 1.);
     }
 }
