@@ -11,8 +11,9 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr double never = std::numeric_limits<double>::infinity();
-    constexpr double tie   = 1e-9; // relative difference of equal distances
+    constexpr double      never            = std::numeric_limits<double>::infinity();
+    constexpr double      tie              = 1e-9; // relative difference of equal distances
+    constexpr std::size_t facets_per_group = 16;   // that follow one another in the mesh, and so lie together
 
     struct Ray
     {
@@ -58,6 +59,9 @@ namespace birdstrike
               boxes[f].add(facets.position + 3 * node);
               all.add(facets.position + 3 * node);
             }
+        groups.resize((facets.n_facets + facets_per_group - 1) / facets_per_group);
+        for (std::size_t f = 0; f < facets.n_facets; ++f)
+          groups[f / facets_per_group].add(boxes[f]);
       }
 
       /// g - distance to one facet, m; `normal` points from the facet to p.
@@ -95,34 +99,31 @@ namespace birdstrike
         clear = margin;
         EdgeTouch result;
         result.overlap = -margin;
-        for (std::uint32_t f = 0; f < facets.n_facets; ++f)
-          {
-            if (resting.passage(boxes[f].widened(2. * margin)).is_empty())
-              continue;
-            const auto   x        = facet_nodes(facets, f);
-            const auto   closest  = compute_closest_point(p, x);
-            const double distance = std::sqrt(closest.distance_squared),
-                         height   = std::abs(closest.offset.dot(compute_area_vector(x).normalized()));
-            if (distance > smallest * (1. + tie) || (distance >= smallest * (1. - tie) && height <= highest))
-              continue;
-            smallest         = std::min(smallest, distance);
-            highest          = height;
-            double thickness = 0.;
-            for (unsigned int k = 0; k < 4; ++k)
-              thickness += closest.weights[k] * topology.half_thickness(facets.nodes[f][k]);
-            const Point3 outward = distance > 0. ? Point3(closest.offset / distance) : Point3::Zero();
-            clear                = distance - half_size - thickness;
-            result               = {closest.offset,
-                                    distance,
-                                    thickness,
-                                    2. * half_size,
-                                    topology.is_on_rim(facets, f, closest.weights),
-                                    false,
-                                    half_size + thickness - distance,
-                                    outward};
-            if (topology.sharp_edges().are_near(f))
-              topology.sharp_edges().cut(facets, f, p - closest.offset, result);
-          }
+        for_each_in_the_way(resting, 2. * margin, never, [&](const std::size_t f, const TimeSpan &) {
+          const auto   x        = facet_nodes(facets, f);
+          const auto   closest  = compute_closest_point(p, x);
+          const double distance = std::sqrt(closest.distance_squared),
+                       height   = std::abs(closest.offset.dot(compute_area_vector(x).normalized()));
+          if (distance > smallest * (1. + tie) || (distance >= smallest * (1. - tie) && height <= highest))
+            return;
+          smallest         = std::min(smallest, distance);
+          highest          = height;
+          double thickness = 0.;
+          for (unsigned int k = 0; k < 4; ++k)
+            thickness += closest.weights[k] * topology.half_thickness(facets.nodes[f][k]);
+          const Point3 outward = distance > 0. ? Point3(closest.offset / distance) : Point3::Zero();
+          clear                = distance - half_size - thickness;
+          result               = {closest.offset,
+                                  distance,
+                                  thickness,
+                                  2. * half_size,
+                                  topology.is_on_rim(facets, f, closest.weights),
+                                  false,
+                                  half_size + thickness - distance,
+                                  outward};
+          if (topology.sharp_edges().are_near(f))
+            topology.sharp_edges().cut(facets, f, p - closest.offset, result);
+        });
         normal = result.limit < result.overlap ? result.limit_normal : result.normal;
         return std::min(result.limit, result.overlap);
       }
@@ -175,13 +176,9 @@ namespace birdstrike
         if (whole.first > std::min(whole.last, limit))
           return limit;
         double first = limit;
-        for (std::size_t f = 0; f < facets.n_facets; ++f)
-          {
-            TimeSpan interval = ray.passage(boxes[f].widened(margin));
-            interval.last     = std::min(interval.last * (1. + 1e-12), first);
-            if (interval.first <= interval.last)
-              first = std::min(first, touch(ray, f, interval));
-          }
+        for_each_in_the_way(ray, margin, first, [&](const std::size_t f, const TimeSpan &interval) {
+          first = std::min(first, touch(ray, f, interval));
+        });
         const auto beside_edges = [&](const Point3 &p, Point3 &normal, double &clear) {
           return depth(p, ray.half_size, normal, clear);
         };
@@ -202,9 +199,25 @@ namespace birdstrike
       }
 
     private:
+      /// Visits the facets, in their order, whose boxes widened by the margin the ray passes before `limit`, which a
+      /// visit may lower, and when.
+      template <class Visit>
+      void for_each_in_the_way(const Ray &ray, const double margin, const double &limit, const Visit &visit) const
+      {
+        const auto passage = [&](const Box &box) {
+          const TimeSpan inside = ray.passage(box.widened(margin));
+          return TimeSpan{inside.first, std::min(inside.last * (1. + 1e-12), limit)};
+        };
+        for (std::size_t g = 0; g < groups.size(); ++g)
+          if (!passage(groups[g]).is_empty())
+            for (std::size_t f = g * facets_per_group; f < std::min((g + 1) * facets_per_group, boxes.size()); ++f)
+              if (const TimeSpan interval = passage(boxes[f]); !interval.is_empty())
+                visit(f, interval);
+      }
+
       const FacetsView &facets;
       SurfaceTopology   topology;
-      std::vector<Box>  boxes;
+      std::vector<Box>  boxes, groups;
       std::vector<bool> is_flat; // and so convex: a warped facet is four triangles
       Box               all;
     };

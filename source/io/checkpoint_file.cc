@@ -1,6 +1,6 @@
+#include "io/hdf5_in_memory.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/checkpoint_file.h>
-#include <birdstrike/io/hdf5_handle.h>
 #include <birdstrike/io/whole_file.h>
 
 #include <fmt/format.h>
@@ -11,8 +11,6 @@
 #include <limits>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
-#include <type_traits>
 #include <zlib.h>
 
 namespace birdstrike
@@ -20,9 +18,12 @@ namespace birdstrike
   namespace
   {
     namespace fs = std::filesystem;
-    using Bytes  = std::string;
+    using hdf5_in_memory::Reader;
+    using hdf5_in_memory::require;
+    using hdf5_in_memory::Writer;
+    using Bytes = std::string;
 
-    constexpr int         version     = 3;
+    constexpr int         version     = 4;
     constexpr std::size_t n_head      = 512; ///< bytes: the smallest user block of HDF5
     constexpr const char *head_format = "birdstrike checkpoint %d, %llu bytes, CRC-32 %08lx\n";
 
@@ -30,144 +31,6 @@ namespace birdstrike
     {
       return crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef *>(begin), n);
     }
-
-    void require(const bool is_well, const char *what)
-    {
-      if (!is_well)
-        throw std::runtime_error(std::string("HDF5 refuses to ") + what + ": is the memory exhausted?");
-    }
-
-    template <class T>
-    hid_t native()
-    {
-      return std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_UINT64;
-    }
-    template <class T>
-    hid_t stored()
-    {
-      return std::is_same_v<T, double> ? H5T_IEEE_F64LE : H5T_STD_U64LE;
-    }
-
-    /// HDF5 in memory: a disk that is full is not its business.
-    class Writer
-    {
-    public:
-      Writer() : access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), file(create(access), H5Fclose)
-      {
-        require(file >= 0, "make a file in memory");
-      }
-
-      template <class T>
-      void write(const std::string &path, const std::vector<T> &values)
-      {
-        const hsize_t    n = values.size();
-        const Hdf5Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose), make(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-        H5Pset_create_intermediate_group(make, 1);
-        const Hdf5Handle data(H5Dcreate2(file, path.c_str(), stored<T>(), space, make, H5P_DEFAULT, H5P_DEFAULT),
-                              H5Dclose);
-        require(data >= 0 && (n == 0 || H5Dwrite(data, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0),
-                "take values");
-      }
-
-      void write(const std::string &path, const std::string &text)
-      {
-        write(path, std::vector<std::uint64_t>(text.begin(), text.end()));
-      }
-
-      Bytes image()
-      {
-        require(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, "end a file in memory");
-        const ssize_t n = H5Fget_file_image(file, nullptr, 0);
-        Bytes         bytes(n > 0 ? static_cast<std::size_t>(n) : 0, '\0');
-        require(n > 0 && H5Fget_file_image(file, bytes.data(), bytes.size()) == n, "hand over a file in memory");
-        return bytes;
-      }
-
-    private:
-      static hid_t create(const hid_t access)
-      {
-        constexpr std::size_t increment = 1 << 22;
-        H5Pset_fapl_core(access, increment, false);
-        return H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access);
-      }
-
-      QuietHdf5  quiet;
-      Hdf5Handle access, file;
-    };
-
-    /// Of a file whose checksum is right: what is missing was written by another version.
-    class Reader
-    {
-    public:
-      Reader(const fs::path &name, Bytes &&bytes)
-        : name(name)
-        , bytes(std::move(bytes))
-        , access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose)
-        , file(open(access, this->bytes), H5Fclose)
-      {
-        if (file < 0)
-          refuse("/");
-      }
-
-      template <class T>
-      std::vector<T> read(const std::string &path) const
-      {
-        const Hdf5Handle data(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
-        const Hdf5Handle space(data < 0 ? -1 : H5Dget_space(data), H5Sclose);
-        const auto       n = space < 0 ? -1 : H5Sget_simple_extent_npoints(space);
-        if (n < 0 || static_cast<std::size_t>(n) > bytes.size() / sizeof(T))
-          refuse(path);
-        std::vector<T> values(static_cast<std::size_t>(n));
-        if (n > 0 && H5Dread(data, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
-          refuse(path);
-        return values;
-      }
-
-      std::string text(const std::string &path) const
-      {
-        const auto letters = read<std::uint64_t>(path);
-        return {letters.begin(), letters.end()};
-      }
-
-      bool has(const std::string &path) const
-      {
-        return H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0;
-      }
-
-      /// Names of what is below a group, groups and data sets, "a/b/values".
-      std::vector<std::string> names_below(const std::string &group) const
-      {
-        std::vector<std::string> names;
-        const Hdf5Handle         below(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose);
-        const auto               keep = [](hid_t, const char *link, const H5L_info_t *, void *to) -> herr_t {
-          static_cast<std::vector<std::string> *>(to)->emplace_back(link);
-          return 0;
-        };
-        if (below < 0 || H5Lvisit(below, H5_INDEX_NAME, H5_ITER_INC, keep, &names) < 0)
-          refuse(group);
-        return names;
-      }
-
-      [[noreturn]] void refuse(const std::string &path) const
-      {
-        throw InputError("The checkpoint " + name.string() + " has no '" + path +
-                         "' that this program can read: it was written by another version.");
-      }
-
-    private:
-      static hid_t open(const hid_t access, Bytes &bytes)
-      {
-        constexpr std::size_t increment = 1 << 16;
-        H5Pset_fapl_core(access, increment, false);
-        H5Pset_file_image(access, bytes.data(), bytes.size());
-        return H5Fopen("checkpoint", H5F_ACC_RDONLY, access);
-      }
-
-      QuietHdf5  quiet;
-      fs::path   name;
-      Bytes      bytes;
-      Hdf5Handle access, file;
-    };
 
     /// The HDF5 part of a file that is whole.
     Bytes read_body(const fs::path &file)
@@ -201,7 +64,71 @@ namespace birdstrike
       return lines;
     }
 
-    constexpr const char *of_values = "/values", *of_lengths = "/lengths", *of_shape = "/shape";
+    using Wholes                         = std::vector<std::uint64_t>;
+    constexpr const char *names_of_state = "state/names", *shapes_of_state = "state/shapes", *real_state = "state/real",
+                         *whole_state = "state/whole", *lengths_of_state = "state/lengths";
+    constexpr std::size_t n_of_shape = 4; // components, whether real, values, lengths
+
+    /// A run has hundreds of quantities, most of them of a few numbers: a data set of its own each would take ten times
+    /// as long.
+    void write_state(Writer &writer, const ArchivedState &state)
+    {
+      Bytes       names;
+      Wholes      shapes;
+      std::size_t n_real = 0, n_whole = 0, n_lengths = 0;
+      for (const auto &[name, quantity] : state)
+        {
+          names += name + '\0';
+          shapes.insert(shapes.end(),
+                        {quantity.n_components, quantity.is_real, quantity.size(), quantity.lengths.size()});
+          (quantity.is_real ? n_real : n_whole) += quantity.size();
+          n_lengths += quantity.lengths.size();
+        }
+      writer.write(names_of_state, names);
+      writer.write(shapes_of_state, shapes);
+      auto real    = writer.column<double>(real_state, n_real);
+      auto whole   = writer.column<std::uint64_t>(whole_state, n_whole);
+      auto lengths = writer.column<std::uint64_t>(lengths_of_state, n_lengths);
+      require(real.is_open() && whole.is_open() && lengths.is_open(), "make data sets");
+      for (const auto &[name, quantity] : state)
+        require((quantity.is_real ? real.write(quantity.real.data(), quantity.real.size())
+                                  : whole.write(quantity.whole.data(), quantity.whole.size())) &&
+                  lengths.write(quantity.lengths.data(), quantity.lengths.size()),
+                "take values");
+    }
+
+    ArchivedState read_state(const Reader &reader)
+    {
+      const auto names   = reader.read<Bytes>(names_of_state);
+      const auto shapes  = reader.read<Wholes>(shapes_of_state);
+      auto       real    = reader.column<double>(real_state);
+      auto       whole   = reader.column<std::uint64_t>(whole_state);
+      auto       lengths = reader.column<std::uint64_t>(lengths_of_state);
+      const auto take    = [](auto &from, auto &values, const std::uint64_t n) {
+        if (n > from.left())
+          return false;
+        values.resize(n);
+        return from.read(values.data(), n);
+      };
+      ArchivedState state;
+      std::size_t   s = 0;
+      for (std::size_t begin = 0; begin < names.size(); begin = names.find('\0', begin) + 1, s += n_of_shape)
+        {
+          const std::string name = names.c_str() + begin;
+          if (s + n_of_shape > shapes.size())
+            reader.refuse(name);
+          ArchivedQuantity &quantity = state[name];
+          quantity.n_components      = shapes[s];
+          quantity.is_real           = shapes[s + 1] != 0;
+          if (!(quantity.is_real ? take(real, quantity.real, shapes[s + 2])
+                                 : take(whole, quantity.whole, shapes[s + 2])) ||
+              !take(lengths, quantity.lengths, shapes[s + 3]))
+            reader.refuse(name);
+        }
+      if (s != shapes.size() || real.left() + whole.left() + lengths.left() > 0)
+        reader.refuse("state");
+      return state;
+    }
   } // namespace
 
   void write_checkpoint(const fs::path &file, const Checkpoint &checkpoint)
@@ -211,7 +138,7 @@ namespace birdstrike
     writer.write("parameters", checkpoint.parameters);
     writer.write("program", checkpoint.program);
     writer.write("time", std::vector<double>{checkpoint.time});
-    writer.write("step", std::vector<std::uint64_t>{checkpoint.step});
+    writer.write("step", Wholes{checkpoint.step});
     std::string inputs;
     for (const InputFile &input : checkpoint.inputs)
       inputs += input.fingerprint + ' ' + input.name + '\n';
@@ -221,17 +148,7 @@ namespace birdstrike
       changes += change + '\n';
     if (!changes.empty())
       writer.write("changes", changes);
-    for (const auto &[name, quantity] : checkpoint.state)
-      {
-        const std::string path = "state/" + name;
-        if (quantity.is_real)
-          writer.write(path + of_values, quantity.real);
-        else
-          writer.write(path + of_values, quantity.whole);
-        writer.write(path + of_shape, std::vector<std::uint64_t>{quantity.n_components, quantity.is_real});
-        if (!quantity.lengths.empty())
-          writer.write(path + of_lengths, quantity.lengths);
-      }
+    write_state(writer, checkpoint.state);
     const Bytes body = writer.image();
     in_memory.reset();
     Bytes head(n_head, '\0');
@@ -257,39 +174,22 @@ namespace birdstrike
   {
     const Reader reader(file, read_body(file));
     Checkpoint   checkpoint;
-    checkpoint.parameters = reader.text("parameters");
-    checkpoint.program    = reader.text("program");
-    const auto time       = reader.read<double>("time");
-    const auto step       = reader.read<std::uint64_t>("step");
+    checkpoint.parameters = reader.read<Bytes>("parameters");
+    checkpoint.program    = reader.read<Bytes>("program");
+    const auto time       = reader.read<std::vector<double>>("time");
+    const auto step       = reader.read<Wholes>("step");
     if (time.size() != 1 || step.size() != 1)
       reader.refuse("time");
     checkpoint.time = time[0];
     checkpoint.step = step[0];
-    for (const std::string &line : lines_of(reader.text("inputs")))
+    for (const std::string &line : lines_of(reader.read<Bytes>("inputs")))
       {
         const std::size_t blank = line.find(' ');
         checkpoint.inputs.push_back({line.substr(blank + 1), line.substr(0, blank)});
       }
     if (reader.has("changes"))
-      checkpoint.changes = lines_of(reader.text("changes"));
-    for (const std::string &link : reader.names_below("state"))
-      {
-        if (!link.ends_with(of_values))
-          continue;
-        const std::string name = link.substr(0, link.size() - std::string(of_values).size()), path = "state/" + name;
-        const auto        shape = reader.read<std::uint64_t>(path + of_shape);
-        if (shape.size() != 2)
-          reader.refuse(path);
-        ArchivedQuantity &quantity = checkpoint.state[name];
-        quantity.n_components      = shape[0];
-        quantity.is_real           = shape[1] != 0;
-        if (quantity.is_real)
-          quantity.real = reader.read<double>(path + of_values);
-        else
-          quantity.whole = reader.read<std::uint64_t>(path + of_values);
-        if (reader.has(path + of_lengths))
-          quantity.lengths = reader.read<std::uint64_t>(path + of_lengths);
-      }
+      checkpoint.changes = lines_of(reader.read<Bytes>("changes"));
+    checkpoint.state = read_state(reader);
     return checkpoint;
   }
 } // namespace birdstrike

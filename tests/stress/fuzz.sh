@@ -38,7 +38,7 @@ for mesh in "$top"/tests/data/gmsh/*.{msh,inp,key,vtk} "$top"/meshes/*.msh; do
 done
 printf 'i26 2 0 0 0\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n1 5 quad 1 2 5 4\n2 1 line 1 4\n' >"$seeds/mesh_file/ucd"
 printf 't20 0 0 0.01\n0.1, 0.05, 0, 1e-3 # a comment\n' >"$seeds/mesh_file/table"
-for kind in s f r; do printf '%sbirdstrike checkpoint 3, 10 bytes, CRC-32 00000000\n' "$kind" >"$seeds/checkpoint/$kind"; done
+for kind in s f r; do printf '%sbirdstrike checkpoint 4, 10 bytes, CRC-32 00000000\n' "$kind" >"$seeds/checkpoint/$kind"; done
 cp "$top"/tests/fuzz/seeds/run_folder/* "$seeds/run_folder"
 # Their dictionary: the words of the readers' sources.
 export LC_ALL=C

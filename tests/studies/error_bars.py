@@ -37,14 +37,14 @@ PARTICLES = {"oblique": (8, 1), "sheath": (6, 0), "fan-row": (6, 1)}
 PARTICLES_OF_KIND = {("oblique", "solid"): (7, 1), ("fan-row", "shell"): (7, 0)}
 # Where the edge that the bird meets is so thick that particles resolve it (5 mm of fan-row and of the composite), ladders bend on the
 # way there and the limit is that of so many finest levels: those below 0.6 of the thickness.
-RESOLVED = {("fan-row", "shell"): 6, ("fan-blade-composite", "shell"): 5}
+RESOLVED = {("fan-row", "shell"): 6, ("fan-blade-composite", "shell"): 7}
 PLACES = 4  # of the lattice, where an edge cuts the bird
 LADDERS = ("particles", "mesh", "step")
 # The same of the mesh. Where the blade is thick, a third of the shells would be thicker than twice their sides at 2.2 times finer; their levels
 # are 1.2 apart from 1.2 times coarser on, for still coarser ones turn away (tip of fan-blade, 1.3 apart: 151.3, 149.2, 147.4, 147.9, 148.3 mm),
 # as those of fan-row do on a coarser mesh than its own: 3 % off in the tip's peak, where finer ones change 1 %.
 FAN_BLADES = ("fan-blade", "fan-blade-spin", "fan-blade-composite", "certification/large-bird", "certification/medium-bird", "certification/flock")
-OTHER_PARTICLES = {case: (7, 2) for case in FAN_BLADES} | {"fan-blade-composite": (7, 0)}  # five of fan-blade-spin have changes that grow
+OTHER_PARTICLES = {case: (7, 2) for case in FAN_BLADES} | {"fan-blade-composite": (9, 0)}  # five of fan-blade-spin have changes that grow
 MESHES = {case: (5, 1) for case in FAN_BLADES} | {"fan-row": (5, 0)}
 OTHER_MESHES = (5, 1)
 FITTED = ("particles", "mesh")  # of four levels and more

@@ -169,7 +169,7 @@ class Resume(unittest.TestCase):
         files = checkpoints(run)
         newest = files[-1].read_bytes()
         for damage, said in ((newest[:len(newest) // 2], "is cut off"), (newest[:5000] + b"?" + newest[5001:], "is damaged"),
-                             (b"", "is no checkpoint"), (newest.replace(b"checkpoint 3,", b"checkpoint 7,"), "is of format 7")):
+                             (b"", "is no checkpoint"), (newest.replace(b"checkpoint 4,", b"checkpoint 7,"), "is of format 7")):
             files[-1].write_bytes(damage)
             text = self.program("resume", "run")
             self.assertIn(said, text)

@@ -83,7 +83,7 @@ TEST(CheckpointFile, IsHdf5BehindALineOfText)
   const auto          file = scratch.path() / "checkpoint.h5";
   write_checkpoint(file, some_checkpoint());
   const std::string bytes = read_whole_file(file);
-  EXPECT_TRUE(bytes.starts_with("birdstrike checkpoint 3, ")) << bytes.substr(0, 60);
+  EXPECT_TRUE(bytes.starts_with("birdstrike checkpoint 4, ")) << bytes.substr(0, 60);
   EXPECT_EQ(bytes.substr(512, 8), "\x89HDF\r\n\x1a\n") << "HDF5's signature where its user block ends";
 }
 
@@ -97,8 +97,8 @@ TEST(CheckpointFile, OfAnotherKindIsRefusedInASentence)
   const auto file = scratch.path() / "checkpoint.h5";
   write_checkpoint(file, some_checkpoint());
   std::string bytes = read_whole_file(file);
-  bytes.replace(bytes.find("checkpoint 3"), 12, "checkpoint 9");
-  EXPECT_NE(said_of(scratch.write("later.h5", bytes)).find("is of format 9, this program reads 3"), std::string::npos);
+  bytes.replace(bytes.find("checkpoint 4"), 12, "checkpoint 9");
+  EXPECT_NE(said_of(scratch.write("later.h5", bytes)).find("is of format 9, this program reads 4"), std::string::npos);
 }
 
 TEST(CheckpointFile, ThatIsCutOffOrDamagedIsRefusedBeforeHdf5SeesIt)
