@@ -8,7 +8,7 @@
     --from X Y Z     where the camera looks from, by default tip, leading edge (-y) and struck side are seen
     --size W H       of the pictures, default 1280 800
 
-Needs ParaView 5.9 or newer (Debian: paraview, python3-paraview).
+Needs ParaView 5.9 or newer and numpy (Debian: paraview, python3-paraview, python3-numpy).
 """
 
 import argparse
@@ -68,6 +68,19 @@ def unit_of(run, field):
     return found.group(1) if found else "-"
 
 
+def fast_speed(bird, time):
+    """What 99 % of the particles stay below, m/s: a jet is faster than all else."""
+    import numpy
+    from paraview import servermanager
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    bird.UpdatePipeline(time)
+    if "velocity" not in bird.PointData.keys():
+        return 0.
+    velocities = vtk_to_numpy(servermanager.Fetch(bird).GetPointData().GetArray("velocity"))
+    return float(numpy.quantile(numpy.linalg.norm(velocities, axis=1), 0.99))
+
+
 def look_at(view, bounds, direction):
     """All that moves is in sight at every time."""
     focus = [0.5 * (bounds[2 * d] + bounds[2 * d + 1]) for d in range(3)]
@@ -117,11 +130,7 @@ def show(options):
     particles.GaussianRadius = particle_radius(options.run, bird.PointData["density"].GetRange()[0])
     bounds = join(bounds, bird.GetDataInformation().GetBounds())
     flight = [sum(bird.PointData["velocity"].GetRange(d)) for d in range(3)]  # twice the velocity
-    fastest = 0.
-    for time in bird.TimestepValues:  # particles speed up, and further birds come
-        bird.UpdatePipeline(time)
-        if "velocity" in bird.PointData.keys():
-            fastest = max(fastest, bird.PointData["velocity"].GetRange(-1)[1])
+    fastest = max(fast_speed(bird, time) for time in bird.TimestepValues)  # particles speed up, and further birds come
     bar = colour(view, particles, "POINTS", "velocity", (0., fastest), "speed of the bird, m/s", simple)
     bar.WindowLocation = "Upper Right Corner"
     simple.GetColorTransferFunction("velocity").ApplyPreset("Viridis (matplotlib)", True)
