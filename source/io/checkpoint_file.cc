@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <zlib.h>
 
@@ -133,8 +132,11 @@ namespace birdstrike
 
   void write_checkpoint(const fs::path &file, const Checkpoint &checkpoint)
   {
-    std::optional<Writer> in_memory(std::in_place); // ends before the disk is asked
-    Writer               &writer = *in_memory;
+    constexpr std::size_t n_frame = 1 << 16; // HDF5's own, and texts
+    std::size_t           n_bytes = n_frame + checkpoint.parameters.size();
+    for (const auto &[name, quantity] : checkpoint.state)
+      n_bytes += 8 * (quantity.size() + quantity.lengths.size() + n_of_shape) + name.size();
+    Writer writer(n_bytes);
     writer.write("parameters", checkpoint.parameters);
     writer.write("program", checkpoint.program);
     writer.write("time", std::vector<double>{checkpoint.time});
@@ -149,9 +151,8 @@ namespace birdstrike
     if (!changes.empty())
       writer.write("changes", changes);
     write_state(writer, checkpoint.state);
-    const Bytes body = writer.image();
-    in_memory.reset();
-    Bytes head(n_head, '\0');
+    const std::string_view body = writer.image();
+    Bytes                  head(n_head, '\0');
     std::snprintf(head.data(), head.size(), head_format, version, static_cast<unsigned long long>(body.size()),
                   checksum(body.data(), body.size()));
     write_whole_file(file, {head, body});

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -87,7 +88,9 @@ namespace birdstrike::hdf5_in_memory
   class Writer
   {
   public:
-    Writer() : access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), file(create(access), H5Fclose)
+    /// Memory is taken for so many bytes, and as many again whenever they do not suffice.
+    explicit Writer(const std::size_t n_bytes)
+      : access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), file(create(access, n_bytes), H5Fclose)
     {
       require(file >= 0, "make a file in memory");
     }
@@ -107,20 +110,21 @@ namespace birdstrike::hdf5_in_memory
       require(to.is_open() && to.write(values.data(), values.size()), "take values");
     }
 
-    std::string image()
+    /// The whole file, while this lives and nothing more is written.
+    std::string_view image()
     {
+      void **memory = nullptr; // of the core driver: the address of its address
       require(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, "end a file in memory");
       const ssize_t n = H5Fget_file_image(file, nullptr, 0);
-      std::string   bytes(n > 0 ? static_cast<std::size_t>(n) : 0, '\0');
-      require(n > 0 && H5Fget_file_image(file, bytes.data(), bytes.size()) == n, "hand over a file in memory");
-      return bytes;
+      require(n > 0 && H5Fget_vfd_handle(file, H5P_DEFAULT, reinterpret_cast<void **>(&memory)) >= 0,
+              "hand over a file in memory");
+      return {static_cast<const char *>(*memory), static_cast<std::size_t>(n)};
     }
 
   private:
-    static hid_t create(const hid_t access)
+    static hid_t create(const hid_t access, const std::size_t n_bytes)
     {
-      constexpr std::size_t increment = 1 << 22;
-      H5Pset_fapl_core(access, increment, false);
+      H5Pset_fapl_core(access, n_bytes, false);
       return H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access);
     }
 
