@@ -48,7 +48,7 @@ namespace birdstrike
     {
       CLI::App *ladder = app.add_subcommand("converge", "Run a case on a ladder of refinements: orders and error bars");
       ladder->add_option("FILE", request.prm_file, "Parameter file: the finest level")->required();
-      ladder->add_option("--levels", request.n_levels, "Number of levels, 3 to 8")->capture_default_str();
+      ladder->add_option("--levels", request.n_levels, "Number of levels, 3 to 12")->capture_default_str();
       ladder
         ->add_option(
           "--vary", request.refinement,

@@ -12,7 +12,7 @@ namespace birdstrike
 {
   namespace
   {
-    constexpr std::size_t fewest_levels = 3, most_levels = 8;
+    constexpr std::size_t fewest_levels = 3, most_levels = 12;
     constexpr double      highest_order  = 4.;
     constexpr double      smallest_ratio = 1.05; ///< below, changes drown in what has no order; Celik et al.: 1.3
 
