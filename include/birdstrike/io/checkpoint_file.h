@@ -27,10 +27,10 @@ namespace birdstrike
   };
 
   /// One file: a line of text, padded to 512 bytes, that says format, length and CRC-32 of the rest; then HDF5 (any
-  /// reader of HDF5 opens the whole, the line is its user block). /state holds the quantities one behind the other: their
-  /// `names` (each ends with a zero byte) and `shapes` (four numbers each: components, 1 for doubles and 0 for 64-bit
-  /// integers, how many values, how many lengths of lists), then all values, `real` and `whole`, and all `lengths`.
-  /// /parameters and /inputs are texts.
+  /// reader of HDF5 opens the whole, the line is its user block). /state holds the quantities one behind the other:
+  /// their `names` (each ends with a zero byte) and `shapes` (four numbers each: components, 1 for doubles and 0 for
+  /// 64-bit integers, how many values, how many lengths of lists), then all values, `real` and `whole`, and all
+  /// `lengths`. /parameters and /inputs are texts.
   ///
   /// It is made in memory, written aside, flushed to the disk and renamed: under its name a file is complete, whatever
   /// happens to the process. Throws std::runtime_error where the disk refuses; nothing is left behind then.
