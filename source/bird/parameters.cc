@@ -115,7 +115,7 @@ namespace birdstrike
       prm.add_parameter(
         "Aim point", bird.aim_point,
         "Point that the bird's centre would fly through if nothing stood in its way; of a slice the centre of the "
-        "whole bird. [m]",
+        "whole bird. Beside Aim span fraction it is that of the blade as it is built, and goes with it. [m]",
         three_numbers);
       prm.add_parameter(
         "Aim span fraction", bird.aim_span_fraction,

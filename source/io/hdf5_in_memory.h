@@ -152,7 +152,7 @@ namespace birdstrike::hdf5_in_memory
       const hid_t      id = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
       const Hdf5Handle space(id < 0 ? -1 : H5Dget_space(id), H5Sclose);
       const auto       n = space < 0 ? -1 : H5Sget_simple_extent_npoints(space);
-      if (n < 0 || static_cast<std::size_t>(n) > bytes.size() / sizeof(T))
+      if (n < 0 || H5Sget_simple_extent_ndims(space) != 1 || static_cast<std::size_t>(n) > bytes.size() / sizeof(T))
         {
           H5Dclose(id);
           refuse(path);

@@ -67,14 +67,18 @@ namespace birdstrike
 
     constexpr double least_distance = 1e-4; ///< m, of an aim point that is given with a few digits
 
-    void add_aim(TextTable &table, const Projectile &projectile, const bool is_turning)
+    void add_aim(TextTable &table, const Projectile &projectile, const Blade &blade)
     {
-      const StrikeAim &aim   = projectile.aim;
-      std::string      where = vector_text(aim.point, "m");
+      const bool       is_turning = blade.rotor() != nullptr;
+      const StrikeAim &aim        = projectile.aim;
+      std::string      where      = vector_text(aim.point, "m");
       if (!std::isnan(aim.span))
         where += ": " + format_share(aim.span) + " of the span, " + format_share(aim.chord) + " of the chord";
       if (const auto &surface = projectile.parameters.aimed_surface; surface && surface->distance > least_distance)
         where += ", " + format_quantity(surface->distance, "m") + " off the mid-surface";
+      if (const Point3 place(aim.point.data());
+          !projectile.parameters.aimed_place && blade.motion_of(place).displacement.norm() > least_distance)
+        where += ", of the blade as it is built";
       table.add_heading("Strike");
       table.add("aim", where);
       if (const auto &moved = projectile.first_touch.moved_by; Point3(moved.data()).norm() > least_distance)
@@ -198,7 +202,7 @@ namespace birdstrike
         add_bird(table, *each.bird, each.parameters,
                  EquationOfState(each.liquid, each.parameters.density).summary(speed));
         if (each.contact)
-          add_aim(table, each, scene.blade->rotor() != nullptr);
+          add_aim(table, each, *scene.blade);
         if (each.contact)
           add_mass_in_the_way(table, each.first_touch.share_in_the_way, each.parameters);
       }

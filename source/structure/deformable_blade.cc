@@ -2,7 +2,7 @@
 #include "structure/histories/watched_blade.h"
 #include "structure/implicit/modes.h"
 #include "structure/implicit/static_solve.h"
-#include <birdstrike/core/closest_point.h>
+#include "structure/surface/surface_motion.h"
 #include <birdstrike/core/numerical_failure.h>
 
 #include <fmt/format.h>
@@ -164,29 +164,9 @@ namespace birdstrike
   template <class Kind>
   SurfaceMotion DeformableBlade<Kind>::motion_of(const Point3 &place) const
   {
-    const FacetsView view    = facets();
-    double           nearest = INFINITY;
-    SurfaceMotion    result;
-    const auto       normal = [](const std::array<Point3, 4> &x) -> Point3 { return (x[2] - x[0]).cross(x[3] - x[1]); };
-    for (std::size_t f = 0; f < view.n_facets; ++f)
-      {
-        std::array<Point3, 4> rest, present;
-        for (unsigned int k = 0; k < 4; ++k)
-          rest[k] = mesh.node(view.nodes[f][k]);
-        const auto closest = compute_closest_point(place, rest);
-        if (!(closest.distance_squared < nearest))
-          continue;
-        nearest = closest.distance_squared;
-        result.displacement.setZero();
-        for (unsigned int k = 0; k < 4; ++k)
-          {
-            const Point3 moved(motion.displacements() + Kind::n_unknowns * view.nodes[f][k]);
-            result.displacement += closest.weights[k] * moved;
-            present[k] = rest[k] + moved;
-          }
-        result.rotation = Eigen::Quaterniond::FromTwoVectors(normal(rest), normal(present));
-      }
-    return result;
+    return compute_surface_motion(
+      facets(), place, [&](const std::uint32_t n) -> Point3 { return mesh.node(n); },
+      [&](const std::uint32_t n) { return Point3(motion.displacements() + Kind::n_unknowns * n); });
   }
 
   template class DeformableBlade<ShellKind>;

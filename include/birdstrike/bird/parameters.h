@@ -127,7 +127,7 @@ namespace birdstrike
     /// Unit, from the root of the blade to its tip, about which the bird yaws; the scene knows it.
     std::array<double, 3> span{{1., 0., 0.}};
 
-    /// Where the centre would fly through: the aim point shifted along the chord, m.
+    /// Where the centre would fly through, had nothing moved `aimed_place`: the aim point shifted along the chord, m.
     std::array<double, 3> target() const;
 
     /// Only the half y > 0 is computed, mirrored at y = 0; set by the case, not by an entry of this section.

@@ -13,8 +13,6 @@
 #include <birdstrike/structure/reports.h>
 #include <birdstrike/structure/rotor.h>
 
-#include <Eigen/Geometry>
-
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -26,8 +24,8 @@ namespace birdstrike
   /// How a place of the surface lies, against the undeformed blade.
   struct SurfaceMotion
   {
-    Point3             displacement = Point3::Zero();                 ///< m
-    Eigen::Quaterniond rotation     = Eigen::Quaterniond::Identity(); ///< of its normal, the smallest
+    Point3          displacement = Point3::Zero();              ///< m
+    Matrix3<double> rotation     = Matrix3<double>::Identity(); ///< of the surface there
   };
 
   /// The struck part, in the verbs of velocity-Verlet. State is synchronous between steps: x^n, v^n, f^n.

@@ -196,9 +196,11 @@ namespace birdstrike
     std::array<double, 3> moved_by{};
     if (parameters.aimed_place)
       {
-        const Point3 displacement = blade.motion_of(Point3(parameters.aimed_place->data())).displacement;
-        moved_by                  = {{displacement[0], displacement[1], displacement[2]}};
-        aim += displacement;
+        const SurfaceMotion motion = blade.motion_of(Point3(parameters.aimed_place->data()));
+        const Point3        shift  = aim - Point3(parameters.aim_point.data()); // along the chord, which turns
+        const Point3        way    = motion.displacement + (motion.rotation * shift - shift);
+        moved_by                   = {{way[0], way[1], way[2]}};
+        aim += way;
       }
     std::optional<TurnedSurface> turned;
     if (rotor != nullptr && parameters.arrival > 0.)

@@ -167,8 +167,9 @@ TEST(RowSlice, AnotherBirdMayBeWholeOrHaveItsOwnPlanes)
 {
   CaseParameters whole, planes, by_edge;
   by_edge.read(flock, {"Bird/Aim chord fraction=0.3", "Bird 2/Slice/Number of blades=22"});
-  EXPECT_TRUE(by_edge.further_birds[0].bird.aimed_place && !by_edge.bird.aimed_place)
-    << "a chord is not inherited then";
+  EXPECT_EQ(by_edge.bird.aimed_place, by_edge.bird.aim_point) << "on the surface";
+  EXPECT_NE(by_edge.further_birds[0].bird.aimed_place, by_edge.further_birds[0].bird.aim_point)
+    << "beside the edge: a chord is not inherited then";
   whole.read(flock, {"Bird 2/Slice/Number of blades=0", "Bird 2/Aim chord fraction=0.3"});
   EXPECT_FALSE(whole.further_birds[0].bird.is_slice());
   EXPECT_TRUE(whole.bird.is_slice());

@@ -8,7 +8,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 using namespace birdstrike;
 
@@ -234,44 +236,95 @@ TEST(Placement, ASliceBetweenBladesLiesAtTheEdgeAsSpinHasMovedIt)
     }
 }
 
-// An aim by shares of span and chord is a place of the blade, wherever spin has moved it: of fan-blade-spin.prm by some
-// 12 mm at mid-chord. The angle at which they meet is that to the surface there, which has turned.
+namespace
+{
+  const std::vector<std::string> whole_bird_on_spinning_blade{
+    "Blade/Mesh/Elements along span=22", "Blade/Mesh/Elements along chord=9", "Bird/Particle spacing=0.008",
+    "Bird/Slice/Number of blades=0"};
+
+  /// The scene of fan-blade-spin.prm, and where spin has moved places of its mid-surface.
+  struct SpinningBlade
+  {
+    explicit SpinningBlade(std::vector<std::string> entries)
+    {
+      entries.insert(entries.begin(), whole_bird_on_spinning_blade.begin(), whole_bird_on_spinning_blade.end());
+      parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/fan-blade-spin.prm", entries);
+      scene.emplace(parameters);
+      surface = make_surface_map(parameters.blade);
+    }
+
+    Point3 now(const double span, const double chord) const
+    {
+      const Point3 place = surface->position(span, chord);
+      return place + scene->blade->motion_of(place).displacement;
+    }
+    /// Between the direction and the tangents of the surface by differences, degrees.
+    double angle_to_surface(const Point3 &direction, const double span, const double chord) const
+    {
+      constexpr double d      = 0.05;
+      const auto       inside = [](const double share) { return std::clamp(share, 0., 1.); };
+      const Point3     along  = now(inside(span + d), chord) - now(inside(span - d), chord),
+                   across     = now(span, inside(chord + d)) - now(span, inside(chord - d));
+      return std::asin(std::abs(direction.normalized().dot(along.cross(across).normalized()))) * 180. / M_PI;
+    }
+
+    CaseParameters                    parameters;
+    std::optional<Scene>              scene;
+    std::unique_ptr<const SurfaceMap> surface;
+  };
+} // namespace
+
+// An aim by shares of span and chord is a place of the blade, wherever spin has moved it: of fan-blade-spin.prm by 12
+// mm at 40 % of the chord.
 TEST(Placement, AnAimBySharesGoesWithTheBladeThatSpinHasMoved)
 {
-  for (const char *kind : {"shell", "solid"})
+  for (const std::string kind : {"shell", "solid"})
     {
       SCOPED_TRACE(kind);
-      CaseParameters parameters;
-      parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/fan-blade-spin.prm",
-                      {"Blade/Kind=" + std::string(kind), "Blade/Mesh/Elements along span=22",
-                       "Blade/Mesh/Elements along chord=9", "Bird/Particle spacing=0.008",
-                       "Bird/Slice/Number of blades=0", "Bird/Aim chord fraction=0.4"});
-      const Scene       scene(parameters);
-      const auto        surface = make_surface_map(parameters.blade);
-      const Projectile &bird    = scene.birds.front();
-      const auto        now     = [&](const double span, const double chord) -> Point3 {
-        const Point3 place = surface->position(span, chord);
-        return place + scene.blade->motion_of(place).displacement;
-      };
-      const Point3 place = surface->position(0.7, 0.4), aim = now(0.7, 0.4);
-      EXPECT_GT((aim - place).norm(), 0.008);
+      const SpinningBlade of({"Blade/Kind=" + kind, "Bird/Aim chord fraction=0.4"});
+      const Projectile   &bird = of.scene->birds.front();
+      const Point3        aim  = of.now(0.7, 0.4);
+      EXPECT_GT((aim - of.surface->position(0.7, 0.4)).norm(), 0.01);
       EXPECT_LT((aim - Point3(bird.aim.point.data())).norm(), 1e-9);
 
       const Point3 closing(bird.first_touch.closing_velocity.data());
       EXPECT_LT((closing - (Point3(0., 102.9, 0.) - 600. * Point3(0., 1., 0.).cross(aim))).norm(), 1e-9);
-      // its middle flies through the aim
-      const PointsView points = bird.bird->points();
+      const PointsView points = bird.bird->points(); // whose middle flies through the aim
       Point3           middle = Point3::Zero();
       for (std::size_t p = 0; p < points.n; ++p)
         middle += Point3(points.position[0][p], points.position[1][p], points.position[2][p]) / points.n;
       EXPECT_LT(closing.normalized().cross(middle - aim).norm(), 1e-6);
+    }
+}
 
-      const auto angle = [&](const Point3 &normal) {
-        return std::asin(std::abs(closing.normalized().dot(normal.normalized()))) * 180. / M_PI;
-      };
-      constexpr double d = 0.05;
-      EXPECT_NEAR(bird.aim.angle,
-                  angle((now(0.7 + d, 0.4) - now(0.7 - d, 0.4)).cross(now(0.7, 0.4 + d) - now(0.7, 0.4 - d))), 0.3);
-      EXPECT_GT(std::abs(bird.aim.angle - angle(surface->normal(0.7, 0.4))), 1.);
+// At the tip the nearest facet of a solid is one of its end, whose normal lies along the blade: it turns with the
+// blade.
+TEST(Placement, TheAngleIsThatToTheSurfaceAsSpinHasTurnedIt)
+{
+  for (const std::string kind : {"shell", "solid"})
+    for (const auto &[span, chord] : {std::pair(0.7, 0.4), std::pair(1., 0.4), std::pair(0.7, 0.)})
+      {
+        SCOPED_TRACE(kind + " at " + std::to_string(span) + ", " + std::to_string(chord));
+        const SpinningBlade of({"Blade/Kind=" + kind, "Bird/Aim span fraction=" + std::to_string(span),
+                                "Bird/Aim chord fraction=" + std::to_string(chord)});
+        const Projectile   &bird = of.scene->birds.front();
+        const Point3        closing(bird.first_touch.closing_velocity.data()), rest = of.surface->normal(span, chord);
+        const double        undeformed = std::asin(std::abs(closing.normalized().dot(rest))) * 180. / M_PI;
+        EXPECT_NEAR(bird.aim.angle, of.angle_to_surface(closing, span, chord), 0.5);
+        EXPECT_GT(std::abs(bird.aim.angle - undeformed), 1.5);
+      }
+}
+
+// Half a chord of 185 mm from its middle lies as far from the leading edge as it did before spin turned the section.
+TEST(Placement, AChordwiseOffsetGoesAlongTheChordAsSpinHasTurnedIt)
+{
+  for (const std::string kind : {"shell", "solid"})
+    {
+      SCOPED_TRACE(kind);
+      const SpinningBlade of({"Blade/Kind=" + kind, "Bird/Aim chord fraction=0.5", "Bird/Chordwise offset=-0.0925"});
+      const Projectile   &bird   = of.scene->birds.front();
+      const Point3        before = Point3(of.parameters.bird.target().data()) - of.surface->position(0.7, 0.);
+      const Point3        after  = Point3(bird.aim.point.data()) - of.now(0.7, 0.);
+      EXPECT_NEAR(after.norm(), before.norm(), 5e-4);
     }
 }
