@@ -68,8 +68,8 @@ namespace birdstrike
                          *whole_state = "state/whole", *lengths_of_state = "state/lengths";
     constexpr std::size_t n_of_shape = 4; // components, whether real, values, lengths
 
-    /// A run has hundreds of quantities, most of them of a few numbers: a data set of its own each would take ten times
-    /// as long.
+    /// A run has hundreds of quantities, most of them of a few numbers: a data set of its own each took most of the
+    /// time of a checkpoint.
     void write_state(Writer &writer, const ArchivedState &state)
     {
       Bytes       names;

@@ -19,6 +19,7 @@ namespace birdstrike::hdf5_in_memory
       throw std::runtime_error(std::string("HDF5 refuses to ") + what + ": is the memory exhausted?");
   }
 
+  /// As the machine has it: HDF5 writes down which, and converts for a reader that has it otherwise.
   template <class T>
   hid_t native()
   {
@@ -26,14 +27,6 @@ namespace birdstrike::hdf5_in_memory
       return H5T_NATIVE_UINT8;
     else
       return std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_UINT64;
-  }
-  template <class T>
-  hid_t stored()
-  {
-    if constexpr (std::is_same_v<T, char>)
-      return H5T_STD_U8LE;
-    else
-      return std::is_same_v<T, double> ? H5T_IEEE_F64LE : H5T_STD_U64LE;
   }
 
   /// A data set with a place in it, for arrays that lie one behind the other.
@@ -100,7 +93,7 @@ namespace birdstrike::hdf5_in_memory
     {
       const Hdf5Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose), make(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
       H5Pset_create_intermediate_group(make, 1);
-      return {H5Dcreate2(file, path.c_str(), stored<T>(), space, make, H5P_DEFAULT, H5P_DEFAULT), n};
+      return {H5Dcreate2(file, path.c_str(), native<T>(), space, make, H5P_DEFAULT, H5P_DEFAULT), n};
     }
 
     template <class Values> // a vector or a text

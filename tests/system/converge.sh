@@ -34,6 +34,7 @@ ask "a lost level" 3 "lost: The energy balance" "Lost: 'Step scale=" -- "${strik
 refuse "no file" "FILE" --
 refuse "what is to be refined" "mesh\|particles\|both\|step\|points" -- "${strike[@]}" --vary time
 refuse "two levels" "3 to 12" -- "${strike[@]}" --levels 2
+refuse "thirteen levels" "3 to 12" -- "${strike[@]}" --levels 13
 refuse "an interval of three levels" "4 to 8" -- "${strike[@]}" --order 1
 refuse "an order of none" "above 0" -- "${strike[@]}" --levels 4 --order 0
 refuse "bounds the wrong way round" "bounds as 1:2" -- "${strike[@]}" --levels 4 --order 2:1
