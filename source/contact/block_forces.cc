@@ -1,5 +1,6 @@
 #include "contact/block_forces.h"
 #include "contact/couple.h"
+#include <birdstrike/core/simd/larger.h>
 
 #include <algorithm>
 
@@ -133,7 +134,7 @@ namespace birdstrike
           }
         report.stored_energy += stored[t];
         touch.dissipative = Point3(dissipative[0][t], dissipative[1][t], dissipative[2][t]);
-        if (touch.penetration > report.penetration)
+        if (exceeds(touch.penetration, report.penetration))
           {
             report.penetration   = touch.penetration;
             report.deepest_point = i;
@@ -141,7 +142,7 @@ namespace birdstrike
           }
 
         stiffness = tangent[t] + (t > 0 && target.touches[t - 1].point == i ? stiffness : 0.);
-        if (const double squared = stiffness / points.mass[i]; squared > report.largest_point.value)
+        if (const double squared = stiffness / points.mass[i]; exceeds(squared, report.largest_point.value))
           report.largest_point = {squared, i};
         if (has_friction || touch.is_oblique)
           add_couple(target, touch, has_friction, Point3(force[0], force[1], force[2]));

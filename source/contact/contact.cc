@@ -2,6 +2,7 @@
 #include "contact/block_forces.h"
 #include "contact/touch_records.h"
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/core/simd/larger.h>
 
 #include <algorithm>
 #include <cmath>
@@ -239,12 +240,12 @@ namespace birdstrike
   {
     BlockReport::LargestPoint most;
     for (const BlockReport &report : block_reports)
-      if (report.largest_point.value > most.value)
+      if (exceeds(report.largest_point.value, most.value))
         most = report.largest_point;
     last.largest_frequency = std::sqrt(most.value + nodes.value);
     limit.value            = std::sqrt(largest_squared_phase / (most.value + 2. * nodes.value));
     limit.reason           = step_limit_reason;
-    if (most.value >= nodes.value)
+    if (!exceeds(nodes.value, most.value))
       limit.where = {
         "particle",
         points.id[most.index],

@@ -1,4 +1,5 @@
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/core/simd/larger.h>
 
 #include <algorithm>
 
@@ -16,7 +17,7 @@ namespace birdstrike
           last.force[d] += block.force[d];
         last.stored_energy += block.stored_energy;
         last.dissipation_power += block.dissipation_power;
-        if (block.penetration > last.penetration)
+        if (exceeds(block.penetration, last.penetration))
           {
             last.penetration   = block.penetration;
             last.deepest_point = block.deepest_point;
@@ -47,12 +48,12 @@ namespace birdstrike
   void Contact::update_peaks(const double spacing)
   {
     const double norm = Point3(last.force[0], last.force[1], last.force[2]).norm();
-    if (norm > last.peak_force)
+    if (exceeds(norm, last.peak_force))
       {
         last.peak_force      = norm;
         last.peak_force_time = clock;
       }
-    last.max_penetration              = std::max(last.max_penetration, last.penetration);
+    last.max_penetration              = larger(last.max_penetration, last.penetration);
     last.max_penetration_over_spacing = spacing > 0. ? last.max_penetration / spacing : 0.;
   }
 } // namespace birdstrike

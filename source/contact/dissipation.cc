@@ -1,6 +1,5 @@
 #include <birdstrike/contact/dissipation.h>
-
-#include <algorithm>
+#include <birdstrike/core/simd/larger.h>
 
 namespace birdstrike
 {
@@ -41,17 +40,17 @@ namespace birdstrike
     past.clear();
     past_couples.clear();
     under_way    = 0.;
-    most         = std::max(most, booked);
-    largest_fall = std::max(largest_fall, most - booked);
-    reported     = std::max(reported, booked);
+    most         = larger(most, booked);
+    largest_fall = larger(largest_fall, most - booked);
+    reported     = larger(reported, booked);
   }
 
   void Dissipation::add_released(const double energy)
   {
     booked += energy;
     lost += energy;
-    most     = std::max(most, booked);
-    reported = std::max(reported, booked);
+    most     = larger(most, booked);
+    reported = larger(reported, booked);
   }
 
   void Dissipation::add(const PointsView &points, const FacetsView &facets, const std::vector<TouchRecord> &touches,
@@ -63,7 +62,7 @@ namespace birdstrike
           const auto  &nodes = facets.nodes[touch.facet];
           const double taken = -0.5 * step * touch.dissipative.dot(touch.velocity);
           under_way += taken;
-          reported       = std::max(reported, booked + under_way);
+          reported       = larger(reported, booked + under_way);
           Past &now      = past.emplace_back();
           now.id         = points.id[touch.point];
           now.nodes      = nodes;

@@ -1,4 +1,5 @@
 #include <birdstrike/contact/node_sums.h>
+#include <birdstrike/core/simd/larger.h>
 
 #include <algorithm>
 #include <functional>
@@ -88,14 +89,14 @@ namespace birdstrike
           for (unsigned int d = 0; d < 3; ++d)
             forces.of(nodes[n])[d] += total[d];
           Largest &most = largest[n / grain];
-          if (const double value = total[3] * facets.inverse_mass[nodes[n]]; value > most.value)
+          if (const double value = total[3] * facets.inverse_mass[nodes[n]]; exceeds(value, most.value))
             most = {value, nodes[n]};
         }
     };
     pool.parallel_for(largest.size(), 1, std::ref(add));
     Largest most;
     for (const Largest &of_chunk : largest)
-      if (of_chunk.value > most.value)
+      if (exceeds(of_chunk.value, most.value))
         most = of_chunk;
     return most;
   }

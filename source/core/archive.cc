@@ -30,6 +30,40 @@ namespace birdstrike
         }
       return "";
     }
+
+    /// Rows that are described before their values are handed over: enough to hide the cost of a piece, few enough that
+    /// all quantities of a row together take a megabyte or two.
+    constexpr std::size_t rows_of_a_piece = 4096;
+
+    template <class Values>
+    void append(Values &all, const Values &some)
+    {
+      all.insert(all.end(), some.begin(), some.end());
+    }
+
+    class StateCollector : public StateSink
+    {
+    public:
+      explicit StateCollector(ArchivedState &state) : state(state)
+      {
+      }
+
+      void take(const std::string &name, const ArchivedQuantity &piece) override
+      {
+        ArchivedQuantity &quantity = state[name];
+        if (begun.insert(name).second)
+          quantity = {};
+        quantity.is_real      = piece.is_real;
+        quantity.n_components = piece.n_components;
+        append(quantity.real, piece.real);
+        append(quantity.whole, piece.whole);
+        append(quantity.lengths, piece.lengths);
+      }
+
+    private:
+      ArchivedState        &state;
+      std::set<std::string> begun; ///< of this archive: what the state had before goes
+    };
   } // namespace
 
   std::string find_difference(const ArchivedState &one, const ArchivedState &other)
@@ -48,14 +82,30 @@ namespace birdstrike
     return "";
   }
 
+  void StateInventory::take(const std::string &name, const ArchivedQuantity &piece)
+  {
+    Shape &shape       = all[name];
+    shape.is_real      = piece.is_real;
+    shape.n_components = piece.n_components;
+    shape.n_values += piece.size();
+    shape.n_lengths += piece.lengths.size();
+  }
+
   Archive Archive::writing(ArchivedState &to)
   {
-    return Archive(&to, nullptr);
+    auto       collector = std::make_unique<StateCollector>(to);
+    StateSink *sink      = collector.get();
+    return Archive(std::move(collector), sink, nullptr);
+  }
+
+  Archive Archive::writing(StateSink &to)
+  {
+    return Archive(nullptr, &to, nullptr);
   }
 
   Archive Archive::reading(const ArchivedState &from)
   {
-    return Archive(nullptr, &from);
+    return Archive(nullptr, nullptr, &from);
   }
 
   Archive::Group::Group(Archive &archive, const std::string &name)
@@ -78,11 +128,11 @@ namespace birdstrike
     Column column;
     if (target)
       {
-        column.to               = &(*target)[full];
-        *column.to              = ArchivedQuantity();
-        column.to->is_real      = is_real;
-        column.to->n_components = n_components;
-        (is_real ? column.to->real.reserve(n_components * n_rows) : column.to->whole.reserve(n_components * n_rows));
+        const std::size_t n       = n_components * std::min(n_rows, rows_of_a_piece);
+        column.full_name          = full;
+        column.piece.is_real      = is_real;
+        column.piece.n_components = n_components;
+        is_real ? column.piece.real.reserve(n) : column.piece.whole.reserve(n);
         return column;
       }
     const auto found = source->find(full);
@@ -114,9 +164,9 @@ namespace birdstrike
 
   std::size_t Archive::Row::exchange_length(Column &column, const std::size_t length)
   {
-    if (column.to)
+    if (!column.from)
       {
-        column.to->lengths.push_back(length);
+        column.piece.lengths.push_back(length);
         return length;
       }
     const std::size_t archived = column.from->lengths[row];
@@ -126,6 +176,19 @@ namespace birdstrike
     return archived;
   }
 
+  void Archive::Row::hand_over()
+  {
+    if (archive.is_reading())
+      return;
+    for (Column &column : columns)
+      {
+        archive.target->take(column.full_name, column.piece);
+        column.piece.real.clear();
+        column.piece.whole.clear();
+        column.piece.lengths.clear();
+      }
+  }
+
   void Archive::rows(const std::string &name, const std::size_t n, const Describe describe)
   {
     Row row(*this, name, n);
@@ -133,13 +196,17 @@ namespace birdstrike
       {
         row.field = 0;
         describe(row, row.row);
+        if ((row.row + 1) % rows_of_a_piece == 0)
+          row.hand_over();
       }
+    row.hand_over();
   }
 
   void Archive::population(const std::string &name, std::vector<std::uint64_t> &ids)
   {
     Row row(*this, "", 1);
     row.list(name.c_str(), ids);
+    row.hand_over();
   }
 
   void Archive::population(const std::string &name, std::size_t &n)

@@ -9,7 +9,7 @@
 /// Which children are there, for a signal handler: atomics without locks.
 namespace birdstrike
 {
-  inline constexpr std::array<int, 2> handed_on{{SIGINT, SIGTERM}};
+  inline constexpr std::array<int, 3> handed_on{{SIGINT, SIGTERM, SIGHUP}};
 
   extern std::array<std::atomic<int>, most_children> children; ///< process numbers, 0 where a place is free
   extern std::atomic<int>                            received; ///< the latest signal handed on

@@ -1,4 +1,5 @@
 #include <birdstrike/core/energy_report.h>
+#include <birdstrike/core/simd/larger.h>
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ namespace birdstrike
     for (const auto scale : momentum_scales)
       sum.*scale += one.*scale;
     for (const auto norm : largest_momenta)
-      sum.*norm = std::max(sum.*norm, one.*norm);
+      sum.*norm = larger(sum.*norm, one.*norm);
   }
 
   void archive(Archive &archive, const char *name, EnergyReport &energy)

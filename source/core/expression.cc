@@ -1,8 +1,7 @@
 #include "core/parsed_formula.h"
 
 #include <birdstrike/core/expression.h>
-
-#include <deal.II/base/utilities.h>
+#include <birdstrike/core/text/number_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,9 +37,8 @@ namespace birdstrike
     parser->function.set_time(time);
     const double value = parser->function.value(dealii::Point<3>(position[0], position[1], position[2]), component);
     if (!std::isfinite(value))
-      throw InputError("Blade/" + parser->entry + ": '" + parser->text + "' is not finite at (" +
-                       std::to_string(position[0]) + ", " + std::to_string(position[1]) + ", " +
-                       std::to_string(position[2]) + "), t = " + std::to_string(time) + " s.");
+      throw InputError("Blade/" + parser->entry + ": '" + parser->text + "' is not finite at " + point_text(position) +
+                       ", t = " + number_text(time) + " s.");
     return value;
   }
 
@@ -68,8 +66,8 @@ namespace birdstrike
   {
     const double value = parser->function.value(dealii::Point<1>(time));
     if (!std::isfinite(value))
-      throw InputError("Blade/" + parser->entry + ": '" + parser->text +
-                       "' is not finite at t = " + dealii::Utilities::to_string(time) + " s.");
+      throw InputError("Blade/" + parser->entry + ": '" + parser->text + "' is not finite at t = " + number_text(time) +
+                       " s.");
     return value;
   }
 
@@ -97,12 +95,11 @@ namespace birdstrike
 
   double SpanLaw::operator()(const double s) const
   {
-    const auto   number = [](const double x) { return dealii::Utilities::to_string(x); };
-    const double value  = parser->function.value(dealii::Point<1>(s));
+    const double value = parser->function.value(dealii::Point<1>(s));
     if (!(value >= parser->smallest && value <= parser->largest))
-      throw InputError("Blade/" + parser->entry + ": '" + parser->text + "' is " + number(value) +
-                       " at s = " + number(s) + ".\nAllowed: " + number(parser->smallest) + " to " +
-                       number(parser->largest) + " for 0 <= s <= 1.");
+      throw InputError("Blade/" + parser->entry + ": '" + parser->text + "' is " + number_text(value) +
+                       " at s = " + number_text(s) + ".\nAllowed: " + number_text(parser->smallest) + " to " +
+                       number_text(parser->largest) + " for 0 <= s <= 1.");
     return value;
   }
 

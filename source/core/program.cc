@@ -1,5 +1,11 @@
 #include <birdstrike/core/program.h>
 
+#include <deal.II/base/config.h>
+
+#include <Eigen/Core>
+#include <fmt/format.h>
+
+#include <H5public.h>
 #include <link.h>
 
 #include <cstdlib>
@@ -59,6 +65,24 @@ namespace birdstrike
       return made;
     }();
     return identity;
+  }
+
+  std::string describe_program()
+  {
+    const std::string commit = BIRDSTRIKE_COMMIT;
+    return fmt::format("birdstrike {}\n"
+                       "commit    {}\n"
+                       "build     {}\n"
+                       "compiler  {}\n"
+                       "flags     {}\n"
+                       "deal.II   {}\n"
+                       "Trilinos  {}.{}.{}\n"
+                       "HDF5      {}.{}.{}\n"
+                       "Eigen     {}.{}.{}",
+                       BIRDSTRIKE_VERSION, commit.empty() ? "not known" : commit, program_identity().build,
+                       BIRDSTRIKE_COMPILER, BIRDSTRIKE_FLAGS, DEAL_II_PACKAGE_VERSION, DEAL_II_TRILINOS_VERSION_MAJOR,
+                       DEAL_II_TRILINOS_VERSION_MINOR, DEAL_II_TRILINOS_VERSION_SUBMINOR, H5_VERS_MAJOR, H5_VERS_MINOR,
+                       H5_VERS_RELEASE, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
   }
 
   bool is_started_by_launcher()

@@ -1,4 +1,5 @@
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/simd/larger.h>
 #include <birdstrike/core/thread_pool.h>
 
 #include <algorithm>
@@ -295,6 +296,6 @@ namespace birdstrike
         scratch[c] = term(c * chunk, std::min(n, (c + 1) * chunk));
     });
     return std::accumulate(scratch.begin(), scratch.end(), -std::numeric_limits<double>::infinity(),
-                           [](const double a, const double b) { return std::max(a, b); });
+                           [](const double a, const double b) { return larger(a, b); });
   }
 } // namespace birdstrike

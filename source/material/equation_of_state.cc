@@ -2,6 +2,7 @@
 #include "material/tabulated_liquid.h"
 #include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/number_text.h>
 #include <birdstrike/material/equation_of_state.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -95,7 +96,7 @@ namespace birdstrike
       throw InputError("Section 'Equation of state', entry 'Pressure table' is given, and Type is " +
                        eos_types().name(type) + ".\nSet Type = tabulated, or leave it empty.");
     if ((type == EosType::us_up || type == EosType::porous) && shock_slope < 0.5)
-      throw InputError("Section 'Equation of state', entry 'Shock slope': " + std::to_string(shock_slope) +
+      throw InputError("Section 'Equation of state', entry 'Shock slope': " + number_text(shock_slope) +
                        " is too small.\nBelow 0.5 the liquid softens under compression and carries no shock."
                        "\nGive a slope of at least 0.5 (water and birds: 2).");
   }
@@ -203,7 +204,7 @@ namespace birdstrike
                                    "{:.4g} Pa, or lower the speed.",
                                    high, pressure(high), v, rho0 * v * v));
     if (excess(high) < 0.)
-      throw InputError("The equation of state carries no shock of " + std::to_string(v) +
+      throw InputError("The equation of state carries no shock of " + number_text(v) +
                        " m/s below threefold compression.\nLower the speed or check the constants in section "
                        "'Equation of state'.");
     // Bisection: 60 halvings exhaust the digits of a double.

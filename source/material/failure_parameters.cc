@@ -2,6 +2,7 @@
 
 #include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/number_text.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/material/failure_parameters.h>
 
@@ -103,7 +104,7 @@ namespace birdstrike
     result.failed_share   = failed_share;
     result.smallest_step  = smallest_step;
     if (result.law == FailureLaw::none && smallest_step > 0.)
-      throw InputError(where + "Smallest step: " + std::to_string(smallest_step) +
+      throw InputError(where + "Smallest step: " + number_text(smallest_step) +
                        " was read, but Failure is none, and no element of such a metal is taken away.\nSet Smallest "
                        "step = 0, or name a law of failure.");
     result.size_factors = read_size_factors(size_factors, where + "Failure size factors");
@@ -117,7 +118,7 @@ namespace birdstrike
       for (const double triaxiality : {-2. / 3., 1. / 3., 2. / 3.})
         if (result.d[0] + result.d[1] * std::exp(result.d[2] * triaxiality) <= 0.)
           throw InputError(where + "Damage D1: with these constants the failure strain at a triaxiality of " +
-                           std::to_string(triaxiality) + " is not positive.\nSign of D3: negative for metals.");
+                           number_text(triaxiality) + " is not positive.\nSign of D3: negative for metals.");
     return result;
   }
 } // namespace birdstrike

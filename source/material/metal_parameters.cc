@@ -4,6 +4,7 @@
 #include "material/metal_table.h"
 #include <birdstrike/core/declare_choice.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/number_text.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/material/metal_parameters.h>
 
@@ -111,7 +112,7 @@ namespace birdstrike
           throw InputError(where + entry + " is not given, and the table has none for '" + name +
                            "'.\nGive a number, or set Adiabatic heating = false.");
     if (is_adiabatic && h.melting_temperature <= std::max(room_temperature, initial_temperature))
-      throw InputError(where + "Melting temperature: " + std::to_string(h.melting_temperature) +
+      throw InputError(where + "Melting temperature: " + number_text(h.melting_temperature) +
                        " K is not above room and initial temperature.");
     if (!is_adiabatic)
       h.heat_capacity = 0.;
@@ -187,6 +188,9 @@ namespace birdstrike
     result.name      = name;
     Hardening   &h   = result.hardening;
     const double big = 1e30;
+    if (Patterns::Double(1e-10, 1e-7).match(density)) // no matter is that light
+      throw InputError(where + "Density: " + density + " kg/m^3 was read.\nWas it meant in t/mm^3? Give '" + density +
+                       " t/mm^3'; a number without a unit is in kg/m^3.");
     replace(result.density, density, where + "Density", 1e-6, big);
     replace(result.elasticity.young, young, where + "Young's modulus", 1e-6, big);
     replace(result.elasticity.poisson, poisson, where + "Poisson's ratio", -0.999, 0.4999);
@@ -235,7 +239,7 @@ namespace birdstrike
         require_given(exponent, "Hardening exponent", "n of A + B (1 - exp(-n p))");
       }
     if (h.law == HardeningLaw::swift && h.exponent > 1.)
-      throw InputError(where + "Hardening exponent: " + std::to_string(h.exponent) +
+      throw InputError(where + "Hardening exponent: " + number_text(h.exponent) +
                        " was read; Swift's law needs one from 0 to 1.");
     result.failure = failure.failure(result.failure, name, where);
     if (result.failure.can_fail() && h.law == HardeningLaw::elastic)

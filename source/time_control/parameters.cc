@@ -1,8 +1,11 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/machine.h>
+#include <birdstrike/core/text/number_text.h>
 #include <birdstrike/time_control/parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
 
 namespace birdstrike
 {
@@ -47,10 +50,15 @@ namespace birdstrike
     prm.add_parameter("Maximum wall time", maximum_wall_time,
                       "The run ends, with its results written, after this time on the clock; 0 sets no limit. [s]",
                       Double(0.));
-    prm.add_parameter(
-      "Threads", threads,
-      "Number of threads; results do not depend on it, and 0 takes every core that the process may run on. [-]",
-      Integer(0, 4096));
+    prm.add_parameter("Threads", threads,
+                      "Number of threads; results do not depend on it, and 0 takes every core that the process may run "
+                      "on. More threads "
+                      "than these cores take turns and slow the run down many times: they are not started unless Force "
+                      "threads says so. "
+                      "[-]",
+                      Integer(0, 4096));
+    prm.add_parameter("Force threads", forces_threads,
+                      "Whether as many threads start as Threads says, even on fewer cores (for tests). [-]", Bool());
     prm.leave_subsection();
   }
 
@@ -58,7 +66,7 @@ namespace birdstrike
   {
     const auto require_positive = [](const double value, const std::string &entry) {
       if (!(value > 0.))
-        throw InputError("Time/" + entry + " is " + std::to_string(value) + ".\n  Allowed: a number above 0.");
+        throw InputError("Time/" + entry + " is " + number_text(value) + ".\n  Allowed: a number above 0.");
     };
     require_positive(end_time, "End time");
     require_positive(step_scale, "Step scale");
@@ -68,6 +76,7 @@ namespace birdstrike
 
   unsigned int TimeParameters::n_threads() const
   {
-    return threads > 0 ? threads : static_cast<unsigned int>(usable_cores());
+    const auto n_cores = static_cast<unsigned int>(usable_cores());
+    return threads == 0 ? n_cores : forces_threads ? threads : std::min(threads, n_cores);
   }
 } // namespace birdstrike

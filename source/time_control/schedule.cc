@@ -1,4 +1,5 @@
 #include <birdstrike/core/numerical_failure.h>
+#include <birdstrike/core/simd/larger.h>
 #include <birdstrike/time_control/schedule.h>
 
 #include <algorithm>
@@ -60,7 +61,7 @@ namespace birdstrike
       {
         StepLimit limit;
         for (const auto *vote : {&bird, &blade})
-          if (*vote && (*vote)->limit.value < limit.value)
+          if (*vote && goes_before((*vote)->limit.value, limit.value))
             limit = (*vote)->limit;
         schedule = {limit.value, 1, 1, limit};
       }

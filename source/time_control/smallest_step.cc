@@ -3,10 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 namespace birdstrike
 {
+  namespace
+  {
+    FailureFacts no_number(const StepLimit &limit, const std::string &part)
+    {
+      FailureFacts facts{"The stable step of the " + part + " is no number", "stable step", limit.value, "s"};
+      facts.where   = limit.where;
+      facts.details = std::string("Limited by: ") + limit.reason + ".";
+      facts.advice  = "Reduce Time/Step scale and Time/Bird step scale, and look at the last fields there.";
+      return facts;
+    }
+  } // namespace
+
   SmallestStep::SmallestStep(std::string part, const double share) : part(std::move(part)), share(share)
   {
   }
@@ -15,6 +28,8 @@ namespace birdstrike
   {
     if (first == 0.)
       first = smallest = limit.value;
+    if (std::isnan(limit.value))
+      throw NumericalFailure(no_number(limit, part));
     if (limit.value < smallest)
       smallest = limit.value;
     const bool is_collapsing = limit.value<share * first, is_endless = remaining> most_steps * limit.value;

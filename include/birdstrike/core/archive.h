@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <ranges>
 #include <set>
 #include <string>
@@ -32,6 +33,37 @@ namespace birdstrike
   /// quantity is what a data set of a file would be.
   using ArchivedState = std::map<std::string, ArchivedQuantity>;
 
+  /// Where the values of a state go while it is written, piece by piece: the state as a whole need not stand in memory.
+  class StateSink
+  {
+  public:
+    virtual ~StateSink() = default;
+
+    /// The next values and lengths of the quantity of this name; no other piece has another kind or other components.
+    virtual void take(const std::string &name, const ArchivedQuantity &piece) = 0;
+  };
+
+  /// Sizes of a state, by name, without its values.
+  class StateInventory : public StateSink
+  {
+  public:
+    struct Shape
+    {
+      bool        is_real      = true;
+      std::size_t n_components = 0, n_values = 0, n_lengths = 0;
+    };
+
+    void take(const std::string &name, const ArchivedQuantity &piece) override;
+
+    const std::map<std::string, Shape> &shapes() const
+    {
+      return all;
+    }
+
+  private:
+    std::map<std::string, Shape> all;
+  };
+
   /// The first quantity, by name, in which two states differ in any bit (or which only one of them has), and where; ""
   /// for equal ones.
   std::string find_difference(const ArchivedState &one, const ArchivedState &other);
@@ -55,6 +87,7 @@ namespace birdstrike
   {
   public:
     static Archive writing(ArchivedState &to);
+    static Archive writing(StateSink &to);
     static Archive reading(const ArchivedState &from);
 
     bool is_reading() const
@@ -83,10 +116,11 @@ namespace birdstrike
     /// One quantity and how far it has been read.
     struct Column
     {
-      const char             *name     = nullptr;
-      ArchivedQuantity       *to       = nullptr;
-      const ArchivedQuantity *from     = nullptr;
-      std::size_t             position = 0; ///< of the next value
+      const char             *name = nullptr;
+      std::string             full_name;          ///< with those of the groups
+      ArchivedQuantity        piece;              ///< written, and not handed over yet
+      const ArchivedQuantity *from     = nullptr; ///< of what is read
+      std::size_t             position = 0;       ///< of the next value
 
       template <class T>
       void exchange(T &&value);
@@ -123,6 +157,7 @@ namespace birdstrike
 
       Column     &next(const char *name, bool is_real, std::size_t n_components);
       std::size_t exchange_length(Column &column, std::size_t length);
+      void        hand_over(); ///< what is written so far, to the sink
 
       Archive            &archive;
       std::string         prefix;
@@ -137,12 +172,14 @@ namespace birdstrike
     {
       Row row(*this, "", 1);
       row(name, components...);
+      row.hand_over();
     }
     template <class List>
     void list(const char *name, List &values)
     {
       Row row(*this, "", 1);
       row.list(name, values);
+      row.hand_over();
     }
 
     /// Entities that the part has in any case, of ids 0 ... n - 1: calls describe(row, id) for each, in any order.
@@ -173,7 +210,8 @@ namespace birdstrike
     void finish() const;
 
   private:
-    explicit Archive(ArchivedState *to, const ArchivedState *from) : target(to), source(from)
+    Archive(std::unique_ptr<StateSink> own, StateSink *to, const ArchivedState *from)
+      : collector(std::move(own)), target(to), source(from)
     {
     }
 
@@ -202,10 +240,11 @@ namespace birdstrike
         return 1;
     }
 
-    ArchivedState        *target;
-    const ArchivedState  *source;
-    std::string           path; ///< of the open groups
-    std::set<std::string> asked;
+    std::unique_ptr<StateSink> collector; ///< of a state in memory
+    StateSink                 *target;
+    const ArchivedState       *source;
+    std::string                path; ///< of the open groups
+    std::set<std::string>      asked;
   };
 
   template <class T>
@@ -217,15 +256,15 @@ namespace birdstrike
         exchange(component);
     else if constexpr (is_whole<Value>)
       {
-        if (to)
-          to->whole.push_back(static_cast<std::uint64_t>(value));
+        if (!from)
+          piece.whole.push_back(static_cast<std::uint64_t>(value));
         else
           value = static_cast<Value>(from->whole[position++]);
       }
     else
       {
-        if (to)
-          to->real.push_back(static_cast<double>(value));
+        if (!from)
+          piece.real.push_back(static_cast<double>(value));
         else if constexpr (std::is_floating_point_v<Value>)
           value = static_cast<Value>(from->real[position++]);
         else

@@ -13,6 +13,19 @@ namespace birdstrike
   std::uint64_t available_memory(const std::filesystem::path &root = "/");
 
   /// Cores that this process may run on: those that a job or `taskset` leaves it (sched_getaffinity(2)) of the
-  /// machine's; at least 1.
-  std::size_t usable_cores();
+  /// machine's, and no more than every control group above the process may use at a time (cpu.max of cgroup v2,
+  /// cpu.cfs_quota_us over cpu.cfs_period_us of v1; a part of a core counts as one); at least 1.
+  /// `root`: where proc/ and sys/ stand.
+  std::size_t usable_cores(const std::filesystem::path &root = "/");
+
+  /// Memory (bytes) of this process that the machine holds at present (/proc/self/statm), and the most that it held
+  /// (getrusage(2)); 0 where neither can be read.
+  struct HeldMemory
+  {
+    double now = 0., most = 0.;
+  };
+  HeldMemory held_memory();
+
+  /// Gives the system back what has been freed, also where it lies among what is in use (malloc_trim(3)).
+  void trim_memory();
 } // namespace birdstrike

@@ -31,6 +31,25 @@ namespace birdstrike::prices
   constexpr double solid_shell                     = 52.;  ///< solid/forces/solid_shell/elastic
   constexpr double solid_shell_yielding            = 151.; ///< solid/forces/solid_shell/plastic
 
+  // Of a whole run beside its steps, for `explain`: user time of the shipped cases on one core of an AMD EPYC (Zen 5),
+  // November 2026, and the shares of the program's own sections in it.
+  constexpr double starting         = 0.22e9; ///< loading libraries, building a small scene
+  constexpr double step             = 8e3;    ///< of any scene: sums, votes, history
+  constexpr double field_byte       = 20.;    ///< before compression
+  constexpr double contact_particle = 22.;    ///< a step, of a bird on a plate of one thickness
+  constexpr double contact_on_slope = 70.;    ///< likewise, where the thickness changes from facet to facet
+  constexpr double element_motion   = 20.;    ///< a step of an element's nodes
+  constexpr double failing_point    = 65.;    ///< more of a point whose metal may fail, and hardens by rate and heat
+
+  /// Price of spray, which has few neighbours, over that of liquid.
+  constexpr double spray_share = 0.25;
+
+  // Memory of a run over that of its scene, bytes.
+  constexpr double running          = 8e6;  ///< threads, histories, files
+  constexpr double running_particle = 230.; ///< contact's memory
+  constexpr double field_particle   = 240.; ///< a snapshot on its way to the disk
+  constexpr double running_element  = 1500.;
+
   /// Memory, bytes, of state and neighbour list.
   constexpr double bytes_per_particle = 774.; ///< bird/step/riemann: bytes_per_particle
 

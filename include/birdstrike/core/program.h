@@ -15,6 +15,10 @@ namespace birdstrike
 
   const ProgramIdentity &program_identity();
 
+  /// Version, commit, build, compiler, flags and versions of the libraries that the program was compiled with: a line
+  /// each.
+  std::string describe_program();
+
   /// Variables by which the usual launchers (Open MPI, MPICH and Intel MPI, PMIx, Slurm) tell a process that it may be
   /// one of several.
   inline constexpr std::array<const char *, 5> launcher_variables{

@@ -138,7 +138,8 @@ namespace birdstrike
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         T[i][j] = R[i][0] * S[0][j] + R[i][1] * S[1][j] + R[i][2] * S[2][j];
-    const auto entry = [&](const int i, const int j) [[gnu::always_inline]] {
+    const auto entry = [&](const int i, const int j) __attribute__((always_inline))
+    {
       return Number(T[i][0] * R[j][0] + T[i][1] * R[j][1] + T[i][2] * R[j][2]);
     };
     s[0] = entry(0, 0);

@@ -23,11 +23,13 @@ namespace birdstrike
     double       energy_error_limit   = 0.05; ///< -, share of the initial energy
     double       maximum_wall_time    = 0.;   ///< s, 0: no limit
     unsigned int threads              = 0;    ///< -, 0: one for each core this process may use
+    bool         forces_threads       = false; ///< also more than there are cores
 
     void declare(dealii::ParameterHandler &prm);
     void check() const;
 
-    /// `threads`, with 0 replaced by the number of cores that this process may use.
+    /// `threads`, with 0 replaced by the number of cores that this process may use, and no more than those unless
+    /// forced: threads that take turns on a core wait for each other in every loop.
     unsigned int n_threads() const;
   };
 } // namespace birdstrike

@@ -7,13 +7,13 @@
 
 namespace birdstrike
 {
-  /// The largest value of a curve so far, and when.
+  /// The largest value of a curve so far, and when. What is no number (NaN) is the peak from then on.
   class Peak
   {
   public:
     void update(const double time, const double value)
     {
-      if (!(value <= largest)) // the first value, and a NaN, too
+      if (!std::isnan(largest) && !(value <= largest)) // the first value, and a NaN, too
         {
           largest = value;
           when    = time;
@@ -37,14 +37,15 @@ namespace birdstrike
     double when    = 0.;
   };
 
-  /// The largest value of a curve in either direction so far, with its sign, and when.
+  /// The largest value of a curve in either direction so far, with its sign, and when. What is no number (NaN) is the
+  /// peak from then on.
   class SignedPeak
   {
   public:
     /// Whether this value is the new peak.
     bool update(const double time, const double value)
     {
-      if (std::abs(value) <= std::abs(largest))
+      if (std::isnan(largest) || std::abs(value) <= std::abs(largest))
         return false;
       largest = value;
       when    = time;

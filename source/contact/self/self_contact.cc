@@ -1,4 +1,5 @@
 #include <birdstrike/contact/self_contact.h>
+#include <birdstrike/core/simd/larger.h>
 
 #include <algorithm>
 #include <cmath>
@@ -149,7 +150,7 @@ namespace birdstrike
       }
     touch.stored = 0.5 * touch.share * side.stiffness * d * d;
     last.stored_energy += touch.stored;
-    last.max_penetration = std::max(last.max_penetration, d);
+    last.max_penetration = larger(last.max_penetration, d);
 
     const double elastic     = touch.share * side.stiffness * d;
     const double coefficient = touch.share * 2. * damping_ratio * std::sqrt(side.stiffness / shared);

@@ -109,6 +109,61 @@ TEST(Archive, NamesEveryQuantityByPartAndEntities)
   EXPECT_EQ(state.at("part/elements/stress").real[n_lanes], 0.7 * n_lanes);
 }
 
+namespace
+{
+  /// A population of many, and what comes of it piece by piece.
+  struct Pieces : StateSink
+  {
+    ArchivedState whole;
+    std::size_t   largest = 0;
+
+    void take(const std::string &name, const ArchivedQuantity &piece) override
+    {
+      largest                    = std::max(largest, piece.size());
+      ArchivedQuantity &quantity = whole[name];
+      quantity.is_real           = piece.is_real;
+      quantity.n_components      = piece.n_components;
+      quantity.real.insert(quantity.real.end(), piece.real.begin(), piece.real.end());
+      quantity.whole.insert(quantity.whole.end(), piece.whole.begin(), piece.whole.end());
+      quantity.lengths.insert(quantity.lengths.end(), piece.lengths.begin(), piece.lengths.end());
+    }
+  };
+
+  void describe_many(Archive &archive)
+  {
+    archive.rows("nodes", 100000, [](Archive::Row &row, const std::size_t n) {
+      std::vector<std::uint64_t> list(n % 3, n);
+      row("place", 0.1 * static_cast<double>(n), 1., 2.);
+      row.list("neighbors", list);
+    });
+  }
+} // namespace
+
+// So that a checkpoint of a million particles stands nowhere as a whole beside the particles.
+TEST(Archive, HandsOverManyEntitiesPieceByPiece)
+{
+  ArchivedState collected;
+  Archive       to_memory = Archive::writing(collected);
+  describe_many(to_memory);
+  Pieces  pieces;
+  Archive to_sink = Archive::writing(pieces);
+  describe_many(to_sink);
+  EXPECT_EQ(find_difference(collected, pieces.whole), "");
+  EXPECT_LE(pieces.largest, 3u * 4096u);
+  EXPECT_EQ(collected.at("nodes/place").real.size(), 300000u);
+  EXPECT_EQ(collected.at("nodes/neighbors").lengths[99998], 99998u % 3);
+
+  StateInventory sizes;
+  Archive        to_sizes = Archive::writing(sizes);
+  describe_many(to_sizes);
+  EXPECT_EQ(sizes.shapes().size(), 2u);
+  EXPECT_EQ(sizes.shapes().at("nodes/place").n_values, 300000u);
+  EXPECT_EQ(sizes.shapes().at("nodes/place").n_components, 3u);
+  EXPECT_EQ(sizes.shapes().at("nodes/neighbors").n_values,
+            99999u); // of three lists in a row 0, 1, 2; 100000 = 3 x 33333 + 1
+  EXPECT_EQ(sizes.shapes().at("nodes/neighbors").n_lengths, 100000u);
+}
+
 // What another number of ranks has written comes in another order.
 TEST(Archive, PutsEntitiesWhereTheirIdsBelong)
 {

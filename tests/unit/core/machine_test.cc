@@ -5,6 +5,7 @@
 #include <sched.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 
@@ -29,6 +30,10 @@ namespace
     {
       std::filesystem::create_directories((top / file).parent_path());
       std::ofstream(top / file) << text;
+    }
+    std::size_t cores() const
+    {
+      return birdstrike::usable_cores(top);
     }
     std::uint64_t available() const
     {
@@ -81,6 +86,31 @@ TEST(Memory, IsUnlimitedWhereNothingCanBeRead)
 {
   const FakeRoot root;
   EXPECT_GT(root.available(), std::uint64_t(1) << 40);
+}
+
+TEST(UsableCores, AreNoMoreThanAGroupMayUseAtATime)
+{
+  const std::size_t of_machine = birdstrike::usable_cores("/no/such/root");
+  const FakeRoot    root;
+  root.write("proc/self/cgroup", "0::/user.slice/job\n");
+  root.write("sys/fs/cgroup/user.slice/job/cpu.max", "max 100000\n");
+  EXPECT_EQ(root.cores(), of_machine);
+  root.write("sys/fs/cgroup/user.slice/cpu.max", "150000 100000\n");
+  EXPECT_EQ(root.cores(), std::min<std::size_t>(2, of_machine)) << "a part of a core counts as one";
+  root.write("sys/fs/cgroup/user.slice/job/cpu.max", "20000 100000\n");
+  EXPECT_EQ(root.cores(), 1u);
+}
+
+TEST(UsableCores, KnowGroupsOfTheFirstVersion)
+{
+  const std::size_t of_machine = birdstrike::usable_cores("/no/such/root");
+  const FakeRoot    root;
+  root.write("proc/self/cgroup", "4:memory:/job\n3:cpu,cpuacct:/job\n");
+  root.write("sys/fs/cgroup/cpu,cpuacct/job/cpu.cfs_quota_us", "-1\n");
+  root.write("sys/fs/cgroup/cpu,cpuacct/job/cpu.cfs_period_us", "100000\n");
+  EXPECT_EQ(root.cores(), of_machine);
+  root.write("sys/fs/cgroup/cpu,cpuacct/job/cpu.cfs_quota_us", "100000\n");
+  EXPECT_EQ(root.cores(), 1u);
 }
 
 // A job of a cluster gets some of a machine's cores: threads beyond them would only take turns.

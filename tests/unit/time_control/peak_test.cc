@@ -116,3 +116,22 @@ TEST(SignedPeak, IsTheLargestInEitherDirection)
   EXPECT_EQ(peak.time(), 2.);
   EXPECT_TRUE(peak.update(4., std::nan(""))) << "a lost value is not hidden";
 }
+
+// A run that goes on after a NaN does not lose it in its peaks.
+TEST(Peak, KeepsWhatIsNoNumber)
+{
+  for (const int at : {0, 1, 4})
+    {
+      Peak       peak;
+      SignedPeak signed_peak;
+      for (int k = 0; k < 5; ++k)
+        {
+          peak.update(k, k == at ? NAN : 1. + k);
+          signed_peak.update(k, k == at ? NAN : -1. - k);
+        }
+      EXPECT_TRUE(std::isnan(peak.value())) << at;
+      EXPECT_EQ(peak.time(), at);
+      EXPECT_TRUE(std::isnan(signed_peak.value())) << at;
+      EXPECT_EQ(signed_peak.time(), at);
+    }
+}

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace birdstrike;
 
 namespace
@@ -44,4 +46,25 @@ TEST(SmallestStep, EndsARunThatWouldNeverEnd)
 {
   SmallestStep step("blade", 0.);
   EXPECT_THROW(step.check(limit(1e-14), 1e-2, "advice"), NumericalFailure);
+}
+
+TEST(SmallestStep, EndsARunWhoseStepIsNoNumber)
+{
+  for (const bool is_first : {true, false})
+    {
+      SmallestStep step("bird", 0.);
+      if (!is_first)
+        step.check(limit(1e-6), 1e-2, "advice");
+      try
+        {
+          step.check(limit(std::numeric_limits<double>::quiet_NaN()), 1e-2, "advice");
+          FAIL() << "not stopped";
+        }
+      catch (const NumericalFailure &failure)
+        {
+          const std::string message = failure.what();
+          for (const char *part : {"bird", "no number", "membrane wave", "element 17"})
+            EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+        }
+    }
 }

@@ -67,7 +67,8 @@ namespace birdstrike::internal
   {
     constexpr auto all = std::make_index_sequence<width<float>>();
     Rows<float>    result;
-    const auto     block = [&](const std::size_t r) [[gnu::always_inline]] {
+    const auto     block = [&](const std::size_t r) __attribute__((always_inline))
+    {
       const auto a      = unpack<float, 1, false>(m.row[r], m.row[r + 1], all);
       const auto b      = unpack<float, 1, true>(m.row[r], m.row[r + 1], all);
       const auto c      = unpack<float, 1, false>(m.row[r + 2], m.row[r + 3], all);
