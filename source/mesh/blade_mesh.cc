@@ -3,9 +3,11 @@
 #include "mesh/generated_surface.h"
 #include "mesh/material_boxes.h"
 #include "mesh/mesh_file.h"
+#include "mesh/seams/check_seams.h"
 
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/number_text.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/mesh/orientation.h>
 
@@ -115,6 +117,8 @@ namespace birdstrike
     if (is_generated && grid->is_halved)
       this->mirrored_ids = {2};
     check_cells(grid->triangulation);
+    if (!is_generated)
+      this->open_seams = check_seams(grid->triangulation, grid->labels, mesh.file);
     const std::size_t n_skin_nodes = grid->distribute_dofs();
     if constexpr (dim == 3)
       {
@@ -184,6 +188,7 @@ namespace birdstrike
     this->boundary_ids.assign(ids.begin(), ids.end());
     this->boundary_names = grid->labels.boundaries;
     this->material_names = grid->labels.materials;
+    this->file_notes     = grid->labels.notes;
     if (this->space.is_whole() && grid->row.n_blades == 1)
       check_connection(*this);
     if (grid->is_halved)
@@ -216,10 +221,9 @@ namespace birdstrike
             const Point3 wanted(parse_numbers(top, 3, entry).data());
             const double cosine = sum.dot(wanted) / (sum.norm() * wanted.norm());
             if (!(std::abs(cosine) > 0.01)) // or not a number
-              throw InputError(entry + ": '" + top + "' lies along the surface, whose mean normal is (" +
-                               std::to_string(sum[0] / sum.norm()) + ", " + std::to_string(sum[1] / sum.norm()) + ", " +
-                               std::to_string(sum[2] / sum.norm()) +
-                               ").\nGive a direction out of it, or leave it empty.");
+              throw InputError(entry + ": '" + top + "' lies along the surface, whose mean normal is " +
+                               point_text(Point3(sum.normalized()).data()) +
+                               ".\nGive a direction out of it, or leave it empty.");
             grid->is_turned = cosine < 0.;
           }
         if (grid->is_turned)
@@ -233,6 +237,7 @@ namespace birdstrike
     BladeMesh part;
     part.grid         = grid;
     part.mirrored_ids = this->mirrored_ids;
+    part.open_seams   = this->open_seams;
     if constexpr (dim == 3)
       {
         part.n_skin_nodes = this->n_skin_nodes;

@@ -1,8 +1,11 @@
 #include "mesh/check_cells.h"
 
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/number_text.h>
 
 #include <deal.II/grid/grid_tools.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +17,8 @@ namespace birdstrike
     template <class Point>
     std::string at(const Point &p)
     {
-      return "(" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + ") m";
+      const std::array<double, 3> place{{p[0], p[1], p[2]}};
+      return point_text(place.data()) + " m";
     }
 
     template <class Cell>
@@ -38,6 +42,19 @@ namespace birdstrike
 
     void check_normals(const CellMesh<3> &)
     {
+    }
+
+    /// How pieces may be joined.
+    std::string advice_of(const OpenSeams &seams)
+    {
+      if (seams.pairs.n > 0)
+        return fmt::format("{} pairs of nodes lie within {:.3g} mm of one another, one at ({:.6g}, {:.6g}, {:.6g}) m: "
+                           "merge coincident nodes (Gmsh: Coherence Mesh) with a tolerance above that.",
+                           seams.pairs.n, 1e3 * seams.pairs.largest_gap, seams.pairs.at[0], seams.pairs.at[1],
+                           seams.pairs.at[2]);
+      return "No two nodes of the boundary lie on one another, so that merging nodes cannot join it: mesh the parts "
+             "with "
+             "common nodes, or remove the loose one.";
     }
   } // namespace
 
@@ -106,7 +123,7 @@ namespace birdstrike
         std::to_string(reached.size()) + " of " + std::to_string(mesh.cells.size()) + " cells hang together by whole " +
         (dim == 2 ? "edges" : "faces") + ", and that at " +
         at(mesh.centroid(static_cast<std::size_t>(std::find(seen.begin(), seen.end(), false) - seen.begin()))) +
-        " does not.\nMerge coincident nodes (Gmsh: Coherence Mesh) or remove the loose part.");
+        " does not.\n" + advice_of(mesh.open_seams));
   }
 
   void refuse_edge(const Point3 &place)

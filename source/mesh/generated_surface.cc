@@ -2,6 +2,7 @@
 #include "mesh/material_patches.h"
 
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/number_text.h>
 #include <birdstrike/mesh/blade_shape.h>
 
 #include <cmath>
@@ -51,7 +52,7 @@ namespace birdstrike
     {
       if (p.n_chord % 2 != 0 || p.chord_grading != 1.)
         throw InputError("Blade/Mesh: " + std::to_string(p.n_chord) + " elements along the chord with grading " +
-                         std::to_string(p.chord_grading) +
+                         number_text(p.chord_grading) +
                          " have no half.\nAllowed with a symmetry plane: an even number of equal elements.");
       if (!patches.are_symmetric())
         throw InputError("Blade/Mesh/Material patches are not symmetric about the plane y = 0.\nGive each patch its "

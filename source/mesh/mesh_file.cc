@@ -1,6 +1,9 @@
 #include "mesh/mesh_file.h"
 
+#include "mesh/files/content.h"
 #include "mesh/files/file_lines.h"
+#include "mesh/files/foreign.h"
+#include "mesh/files/parts.h"
 #include "mesh/files/readers.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/machine.h>
@@ -14,6 +17,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace birdstrike
@@ -31,27 +35,20 @@ namespace birdstrike
       return ending;
     }
 
-    /// Two formats end on .inp; only Abaqus' begins with a keyword or comment line.
-    bool is_abaqus(const std::string &file)
-    {
-      FileLines lines(file);
-      while (lines.next())
-        if (const auto text = trim(lines.text()); !text.empty())
-          return text[0] == '*';
-      return false;
-    }
-
     ImportedMesh import(const std::string &file)
     {
       const std::string ending = ending_of(file);
+      check_content(file, ending);
       if (ending == ".k" || ending == ".key" || ending == ".dyn")
         return read_ls_dyna(file);
       if (ending == ".vtk")
         return read_vtk(file);
       if (ending == ".inp")
-        return is_abaqus(file) ? read_abaqus(file) : read_ucd(file);
+        return begins_with_keyword(file) ? read_abaqus(file) : read_ucd(file); // two formats have this ending
       if (ending == ".msh")
         return read_gmsh(file);
+      if (const std::string advice = how_to_convert(file, ending); !advice.empty())
+        throw InputError("Blade/Mesh/File: '" + file + "': files " + ending + " are not read.\n" + advice);
       throw InputError("Blade/Mesh/File: '" + file +
                        "' has an unknown ending.\nAllowed: .msh (Gmsh 2 and 4), .inp (Abaqus or UCD), .k .key .dyn "
                        "(LS-DYNA), .vtk.");
@@ -63,7 +60,8 @@ namespace birdstrike
       if (n_others > 0)
         throw InputError("Blade/Mesh/File: '" + file + "' holds " + std::to_string(n_others) + " " + cells_of<5 - dim> +
                          ", but " + cells_of<dim> +
-                         (dim == 2 ? " of the mid-surface are needed.\nSet Blade/Kind = solid, or give a surface mesh."
+                         (dim == 2 ? " of the mid-surface are needed.\nSet Blade/Kind = solid, give a surface mesh, or "
+                                     "name the parts that are the blade in Blade/Mesh/Parts."
                                    : " are needed for Blade/Kind = solid.\nSet Blade/Kind = shell, or give a volume "
                                      "mesh."));
       throw InputError("Blade/Mesh/File: '" + file + "' is not a mesh of " + cells_of<dim> +
@@ -85,14 +83,23 @@ namespace birdstrike
                       file, needed / gibi, what, available / gibi));
     }
 
+    void require_file(const std::string &file)
+    {
+      std::error_code error;
+      if (!std::filesystem::is_regular_file(file, error) || !std::ifstream(file)) // what is no file may never end
+        throw InputError("Blade/Mesh/File: cannot open '" + file + "'.\nPaths are relative to the working directory.");
+    }
+
     /// What a reader keeps of a byte: a node takes 32 bytes, an element with its place in a group 112, of lines of some
     /// 30 letters.
-    constexpr double bytes_per_byte = 4.;
+    constexpr double bytes_per_byte = 5.; // its text among it
 
     /// Bricks make a body, whatever else there is; quadrilaterals are a surface only where there are none.
     template <int dim>
-    MeshLabels take(const ImportedMesh &mesh, const std::string &file, dealii::Triangulation<dim, 3> &triangulation)
+    MeshLabels take(ImportedMesh mesh, const MeshParameters &parameters, dealii::Triangulation<dim, 3> &triangulation)
     {
+      const std::string &file = parameters.file;
+      keep_parts(mesh, dim, parameters.parts, file);
       if (mesh.elements[dim].empty() || (dim == 2 && !mesh.elements[3].empty()))
         refuse<dim>(file, mesh.elements[5 - dim].size());
       require_memory(file,
@@ -100,7 +107,9 @@ namespace birdstrike
                        prices::building_node * static_cast<double>(mesh.nodes.size()),
                      std::to_string(mesh.elements[dim].size()) + " elements");
       const QuietErrors quiet;
-      return make_triangulation(mesh, file, triangulation);
+      MeshLabels        labels = make_triangulation(mesh, file, triangulation);
+      labels.notes             = std::move(mesh.notes);
+      return labels;
     }
   } // namespace
 
@@ -108,12 +117,12 @@ namespace birdstrike
   MeshLabels read_mesh_file(const MeshParameters &parameters, dealii::Triangulation<dim, 3> &triangulation)
   {
     const std::string &file = parameters.file;
-    FileLines{file}; // can be opened
+    require_file(file);
     const auto n_bytes = std::filesystem::file_size(file);
     if (n_bytes == 0)
       throw InputError("Blade/Mesh/File: '" + file + "' is empty (0 bytes).\nSave the mesh again.");
     require_memory(file, bytes_per_byte * static_cast<double>(n_bytes), std::to_string(n_bytes) + " bytes");
-    MeshLabels labels = take(import(file), file, triangulation);
+    MeshLabels labels = take(import(file), parameters, triangulation);
     if (parameters.file_scale != 1.)
       dealii::GridTools::scale(parameters.file_scale, triangulation);
     for (auto &corners : labels.corner_thickness)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace birdstrike
 {
@@ -19,42 +20,113 @@ namespace birdstrike
       std::transform(word.begin(), word.end(), word.begin(), [](const unsigned char c) { return std::tolower(c); });
       return word;
     }
+    std::string as_written_in_lists(std::string name)
+    {
+      std::replace_if(
+        name.begin(), name.end(),
+        [](const unsigned char c) { return std::isspace(c) || c == ',' || c == ';' || c == ':' || c == '|'; }, '_');
+      return name;
+    }
+
+    std::string joined(const std::set<std::string> &words)
+    {
+      std::string text;
+      for (const std::string &word : words)
+        text += (text.empty() ? "" : ", ") + word;
+      return text;
+    }
+
+    const std::map<NamedIds::Of, const char *> nouns{
+      {NamedIds::Of::boundaries, "boundary"}, {NamedIds::Of::materials, "material"}, {NamedIds::Of::parts, "part"}};
   } // namespace
 
-  void NamedIds::add(std::string name, const std::vector<unsigned int> &ids)
+  void NamedIds::add(Meaning meaning)
   {
-    std::replace_if(
-      name.begin(), name.end(),
-      [](const unsigned char c) { return std::isspace(c) || c == ',' || c == ';' || c == ':' || c == '|'; }, '_');
-    auto &all = ids_of[name];
-    all.insert(all.end(), ids.begin(), ids.end());
+    std::sort(meaning.ids.begin(), meaning.ids.end());
+    for (std::string &name : meaning.names)
+      {
+        name = as_written_in_lists(std::move(name));
+        places[name].push_back(meanings.size());
+        places_in_lower_case[lower(name)].push_back(meanings.size());
+      }
+    meanings.push_back(std::move(meaning));
   }
 
-  const std::vector<unsigned int> *NamedIds::find(const std::string &name) const
+  void NamedIds::add_nodes(std::string name, const Nodes &nodes)
   {
-    if (const auto found = ids_of.find(name); found != ids_of.end())
-      return &found->second;
-    for (const auto &[other, ids] : ids_of)
-      if (lower(other) == lower(name))
-        return &ids;
-    return nullptr;
+    Nodes &all = all_nodes[lower(as_written_in_lists(std::move(name)))];
+    all.n += nodes.n;
+    all.off_sides.insert(all.off_sides.end(), nodes.off_sides.begin(), nodes.off_sides.end());
+  }
+
+  const NamedIds::Nodes *NamedIds::nodes_of(const std::string &name) const
+  {
+    const auto found = all_nodes.find(lower(name));
+    return found != all_nodes.end() ? &found->second : nullptr;
+  }
+
+  NamedIds::Places NamedIds::find(const std::string &name) const
+  {
+    if (const auto found = places.find(name); found != places.end())
+      return found->second;
+    const auto found = places_in_lower_case.find(lower(name));
+    return found != places_in_lower_case.end() ? found->second : Places();
+  }
+
+  bool NamedIds::knows(const std::string &name) const
+  {
+    return !find(name).empty();
+  }
+
+  bool NamedIds::is_same(const std::size_t one, const std::size_t other) const
+  {
+    return meanings[one].ids == meanings[other].ids && meanings[one].not_read == meanings[other].not_read;
+  }
+
+  std::string NamedIds::shortest_name(const std::size_t place) const
+  {
+    for (const std::string &name : meanings[place].names)
+      if (const Places found = find(name);
+          std::all_of(found.begin(), found.end(), [&](const std::size_t other) { return is_same(place, other); }))
+        return name;
+    return meanings[place].names.back();
+  }
+
+  const NamedIds::Meaning &NamedIds::meaning_of(const std::string &name, const std::string &entry) const
+  {
+    const Places found = find(name);
+    if (found.empty())
+      throw InputError(entry + ": the mesh has no " + nouns.at(of) + " '" + name + "'.\nNames in this mesh: " + list() +
+                       (of == Of::parts ? "." : "; or give an id, a whole number."));
+    if (!std::all_of(found.begin(), found.end(), [&](const std::size_t place) { return is_same(found[0], place); }))
+      {
+        std::set<std::string> all;
+        for (const std::size_t place : found)
+          all.insert(shortest_name(place));
+        throw InputError(entry + ": '" + name +
+                         "' means several sets of the mesh.\nGive the one that is meant: " + joined(all) + ".");
+      }
+    return meanings[found[0]];
+  }
+
+  const std::vector<unsigned int> &NamedIds::ids_of(const std::string &name, const std::string &entry) const
+  {
+    const Meaning &meaning = meaning_of(name, entry);
+    if (!meaning.not_read.empty())
+      throw InputError(entry + ": the set '" + name + "' is not read.\n" + meaning.not_read);
+    if (meaning.ids.empty())
+      throw InputError(entry + ": no " + (of == Of::boundaries ? "side on the boundary" : "cell") +
+                       " of the mesh lies in '" + name + "' with all its nodes.\nNames in this mesh: " + list() + ".");
+    return meaning.ids;
   }
 
   std::vector<unsigned int> NamedIds::parse(const std::string &text, const std::string &entry) const
   {
-    const bool                is_boundary = of == Of::boundaries;
     std::vector<unsigned int> all;
     for (const std::string &word : parse_words(text))
       {
-        const auto *ids = find(word);
-        if (ids == nullptr && !is_number(word))
-          throw InputError(entry + ": the mesh has no " + (is_boundary ? "boundary" : "material") + " '" + word +
-                           "'.\nNames in this mesh: " + list() + "; or give an id, a whole number.");
-        if (ids != nullptr && ids->empty())
-          throw InputError(entry + ": no " + (is_boundary ? "side on the boundary" : "cell") +
-                           " of the mesh lies in '" + word + "' with all its nodes.\nNames in this mesh: " + list() +
-                           ".");
-        const auto more = ids != nullptr ? *ids : parse_ids(word, entry);
+        const bool is_id = of != Of::parts && is_number(word) && !knows(word);
+        const auto more  = is_id ? parse_ids(word, entry) : ids_of(word, entry);
         all.insert(all.end(), more.begin(), more.end());
       }
     std::sort(all.begin(), all.end());
@@ -64,23 +136,23 @@ namespace birdstrike
 
   bool NamedIds::has_names() const
   {
-    return std::any_of(ids_of.begin(), ids_of.end(), [](const auto &named) { return !is_number(named.first); });
+    return std::any_of(places.begin(), places.end(), [](const auto &named) { return !is_number(named.first); });
   }
 
   bool NamedIds::names(const unsigned int id) const
   {
-    return std::any_of(ids_of.begin(), ids_of.end(), [&](const auto &named) {
-      return std::find(named.second.begin(), named.second.end(), id) != named.second.end();
+    return std::any_of(meanings.begin(), meanings.end(), [id](const Meaning &meaning) {
+      return std::binary_search(meaning.ids.begin(), meaning.ids.end(), id);
     });
   }
 
   std::string NamedIds::list() const
   {
-    std::string names;
-    for (const auto &[name, ids] : ids_of)
-      if (!is_number(name))
-        names += (names.empty() ? "" : ", ") + name;
-    return names.empty() ? "none" : names;
+    std::set<std::string> all;
+    for (std::size_t place = 0; place < meanings.size(); ++place)
+      if (const std::string name = shortest_name(place); meanings[place].not_read.empty() && !is_number(name))
+        all.insert(name);
+    return all.empty() ? "none" : joined(all);
   }
 
   const NamedIds &built_in_boundaries()

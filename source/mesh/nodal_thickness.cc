@@ -2,12 +2,15 @@
 #include "mesh/files/file_lines.h"
 
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/number_text.h>
+#include <birdstrike/core/text/text_file.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/mesh/nodal_thickness.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <unordered_map>
 
 namespace birdstrike
@@ -49,7 +52,32 @@ namespace birdstrike
     {
       const auto &x = mesh.nodes[n];
       return (mesh.file_node_ids.empty() ? std::string("node") : "node " + std::to_string(mesh.file_node_ids[n])) +
-             " at (" + std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) + ") m";
+             " at " + point_text(&x[0]) + " m";
+    }
+
+    /// Words between blanks, commas or semicolons; '#' begins a comment.
+    std::vector<std::string> words_of(const std::string_view line)
+    {
+      std::string text(line.substr(0, line.find('#')));
+      std::replace(text.begin(), text.end(), ';', ' ');
+      return parse_words(text);
+    }
+
+    /// Whether a line has the names that spreadsheets put above rows: in m, as the numbers are.
+    bool is_heading(std::vector<std::string> words)
+    {
+      static const std::set<std::string> metres{"[m]", "(m)"};
+      std::erase_if(words, [](const std::string &word) { return metres.contains(word); });
+      for (std::string &word : words)
+        word = upper(word.substr(0, std::min({word.find("[m]"), word.find("(m)"), word.size()})));
+      using Words = std::vector<std::string>;
+      return words == Words{"X", "Y", "Z", "THICKNESS"} || words == Words{"NODE", "THICKNESS"};
+    }
+
+    /// Whether a first line is none of the table's rows: it names the separator or the columns.
+    bool is_above_rows(const std::string_view line)
+    {
+      return named_separator(line).has_value() || is_heading(words_of(line));
     }
 
     std::vector<double> read_table(const std::string &path, const SurfaceMesh &mesh)
@@ -64,11 +92,14 @@ namespace birdstrike
 
       std::vector<double> thickness(mesh.nodes.size(), 0.);
       FileLines           lines(path, "Blade/Thickness/Table");
+      bool                has_rows = false;
+      lines.require_text();
       while (lines.next())
         {
-          const auto row = parse_words(std::string(lines.text().substr(0, lines.text().find('#'))));
-          if (row.empty())
+          const auto row = words_of(lines.text());
+          if (row.empty() || (!has_rows && is_above_rows(lines.text())))
             continue;
+          has_rows = true;
           if (row.size() != 4 && row.size() != 2)
             lines.refuse("there are " + std::to_string(row.size()) + " numbers",
                          "Allowed: 'x y z thickness' in m, or 'node thickness' with the node's id in the mesh file.");
@@ -83,6 +114,9 @@ namespace birdstrike
             node = nearest.find(Point3(lines.number(row[0]), lines.number(row[1]), lines.number(row[2])));
           else if (const auto found = by_id.find(lines.integer(row[0])); found != by_id.end())
             node = found->second;
+          if (node && thickness[*node] != 0. && thickness[*node] != t)
+            lines.refuse("the " + name_of(mesh, *node) + " has a second thickness, " + row.back() + " m",
+                         "Give each node one row.");
           if (node)
             thickness[*node] = t;
         }
@@ -90,8 +124,8 @@ namespace birdstrike
         throw InputError("Blade/Thickness/Table: '" + path + "' has no row for the " +
                          name_of(mesh, static_cast<std::size_t>(left - thickness.begin())) + ", nor for " +
                          std::to_string(std::count(left + 1, thickness.end(), 0.)) +
-                         " others.\nGive every node a thickness; a place must be within " +
-                         std::to_string(1e3 * reach) + " mm of its node.");
+                         " others.\nGive every node a thickness; a place must be within " + number_text(1e3 * reach) +
+                         " mm of its node.");
       return thickness;
     }
   } // namespace

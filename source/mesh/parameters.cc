@@ -117,8 +117,15 @@ namespace birdstrike
       "Quadrilateral surface mesh of a shell, hexahedral volume mesh of a solid: .msh (Gmsh 2 or 4), "
       ".inp (Abaqus or UCD), .k .key .dyn (LS-DYNA) or .vtk. Its named groups (physical lines, solid: "
       "surfaces; node sets, surfaces, segments) are boundaries, unlabelled: 0; physical surfaces (solid: "
-      "volumes), element sets and parts are materials. Entries take their names or ids. [-]",
-      Anything());
+      "volumes), element sets and parts are materials. Entries take their names or ids. A relative path is meant from "
+      "the folder of the parameter file that says it, else from the working directory (with a warning); one of --set "
+      "from the working directory first. The run folder keeps a copy. [-]",
+      FileName());
+    prm.add_parameter("Parts", p.parts,
+                      "Parts of the file that are the blade, by name or id, 'airfoil, 3': parts and sets of LS-DYNA, "
+                      "element sets, parts and instances of Abaqus, physical groups of Gmsh, material numbers of VTK. "
+                      "Others are dropped with their nodes. Empty: all. [-]",
+                      Anything());
     prm.add_parameter("File scale", p.file_scale, "Metres per length unit of the file, e.g. 0.001. [m]", Double(tiny));
     prm.add_parameter(
       "Top", p.top,
@@ -154,8 +161,8 @@ namespace birdstrike
     prm.add_parameter(
       "Table", p.table,
       "File with the thickness of a shell at its nodes, which replaces the value: rows 'x y z thickness' in "
-      "m, or 'node thickness' with the node's id in the mesh file. [-]",
-      Anything());
+      "m, or 'node thickness' with the node's id in the mesh file. Its path is meant as that of Mesh/File. [-]",
+      FileName());
     prm.add_parameter(
       "Maximum", p.maximum,
       "Largest thickness of the section, a formula in the normalised span s (0 root, 1 tip); replaces the value by a "
@@ -239,6 +246,8 @@ namespace birdstrike
     require(mesh.material_patches.empty() || mesh.generator != MeshGenerator::file,
             "Mesh/Material patches: a mesh from a file has no lines of its own along span and chord.\nGive its groups "
             "material ids in the file, or Mesh/Material boxes.");
+    require(mesh.parts.empty() || mesh.generator == MeshGenerator::file,
+            "Mesh/Parts: a built-in part has no parts.\nSet Mesh/Generator to file, or leave Parts empty.");
     require(thickness.table.empty() || thickness.maximum.empty(),
             "Thickness: Table and Maximum are both given.\nKeep one of them.");
     if (thickness.maximum.empty())

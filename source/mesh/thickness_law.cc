@@ -1,5 +1,6 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/expression.h>
+#include <birdstrike/core/text/number_text.h>
 #include <birdstrike/core/text_lists.h>
 #include <birdstrike/mesh/blade_shape.h>
 #include <birdstrike/mesh/thickness_law.h>
@@ -80,8 +81,7 @@ namespace birdstrike
     const double *position = place.position;
     const double  t        = law(place);
     if (!(t > 0.))
-      throw InputError("Blade/" + entry + ": the thickness at (" + std::to_string(position[0]) + ", " +
-                       std::to_string(position[1]) + ", " + std::to_string(position[2]) + ") is " + std::to_string(t) +
+      throw InputError("Blade/" + entry + ": the thickness at " + point_text(position) + " is " + number_text(t) +
                        " m.\nAllowed: positive everywhere on the blade.");
     return t;
   }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <birdstrike/core/number.h>
+#include <birdstrike/mesh/file_notes.h>
 #include <birdstrike/mesh/named_ids.h>
 #include <birdstrike/mesh/node_space.h>
+#include <birdstrike/mesh/open_seams.h>
 
 #include <array>
 #include <cstdint>
@@ -44,6 +46,8 @@ namespace birdstrike
     std::vector<unsigned int>                      boundary_ids;   ///< sorted, of the whole mesh
     std::vector<unsigned int>                      mirrored_ids;   ///< boundary ids that only the other half has
     NamedIds                                       boundary_names, material_names{NamedIds::Of::materials};
+    OpenSeams                                      open_seams; ///< of the whole mesh, if it is from a file
+    FileNotes                                      file_notes; ///< of the mesh's file
 
     /// By which users know them: the ids of the mesh's file, else the place in these lists.
     std::int64_t node_label(const std::size_t n) const

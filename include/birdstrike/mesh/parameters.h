@@ -74,6 +74,7 @@ namespace birdstrike
     Profile       profile;
     Row           row;
     std::string   file;
+    std::string   parts;            ///< of the file that are the blade; empty: all
     double        file_scale = 1.;  ///< m per unit of the file
     std::string   top;              ///< "x y z", into which a shell's top face looks; empty: upwards
     std::string   material_boxes;   ///< "xmin ymin zmin xmax ymax zmax: 1; ..."

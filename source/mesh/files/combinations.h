@@ -42,21 +42,21 @@ namespace birdstrike
       return id_of.at(combination);
     }
 
-    /// The names of groups that hold something of this kind.
+    /// The names of groups that hold something of this kind, and of those that are not read.
     void name(const std::vector<Group> &groups, const Number number, const std::vector<bool> &is_of_kind,
               NamedIds &names) const
     {
       for (std::uint32_t g = 0; g < groups.size(); ++g)
-        if (is_of_kind[g])
+        if (is_of_kind[g] || !groups[g].not_read.empty())
           {
-            std::vector<unsigned int> ids;
+            NamedIds::Meaning meaning{groups[g].all_names(), {}, groups[g].not_read};
             for (const auto &[combination, id] : id_of)
               if (std::binary_search(combination.begin(), combination.end(), g))
-                ids.push_back(id);
-            if (!groups[g].name.empty())
-              names.add(groups[g].name, ids);
+                meaning.ids.push_back(id);
             if (groups[g].*number)
-              names.add(std::to_string(*(groups[g].*number)), ids);
+              meaning.names.push_back(std::to_string(*(groups[g].*number)));
+            if (!meaning.names.empty())
+              names.add(std::move(meaning));
           }
     }
 

@@ -1,12 +1,14 @@
 #include "mesh/files/file_lines.h"
 
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/text_file.h>
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace birdstrike
 {
@@ -23,27 +25,49 @@ namespace birdstrike
     return result;
   }
 
-  FileLines::FileLines(const std::string &path, const std::string &entry) : path(path), entry(entry), in(path)
+  FileLines::FileLines(const std::string &path, const std::string &entry) : path(path), entry(entry)
   {
     std::error_code error;
-    if (!in || !std::filesystem::is_regular_file(path, error)) // what is no file may never end
-      throw InputError(entry + ": cannot open '" + path + "'.\nPaths are relative to the working directory.");
+    auto            text = std::filesystem::is_regular_file(path, error) ? read_text_file(path) : std::nullopt;
+    if (!text) // what is no file may never end
+      throw InputError(entry + ": cannot open '" + path +
+                       "'.\nA path is meant from the folder of the parameter file, else from the working directory.");
+    whole = std::move(*text);
+    left  = whole;
+  }
+
+  void FileLines::require_text() const
+  {
+    if (const std::string what = describe_no_text(whole); !what.empty())
+      throw InputError(entry + ": '" + path + "' is no text. It holds " + what + ".");
   }
 
   bool FileLines::next()
   {
-    if (!std::getline(in, line))
+    line = {};
+    if (left.empty())
       return false;
-    if (constexpr std::string_view mark = "\xEF\xBB\xBF"; n_lines == 0 && line.starts_with(mark))
-      line.erase(0, mark.size()); // of UTF-8, which editors on Windows put before a text
+    const std::size_t end = std::min(left.find('\n'), left.size());
+    line                  = left.substr(0, end);
+    left.remove_prefix(std::min(end + 1, left.size()));
     ++n_lines;
-    line.erase(line.find_last_not_of(" \t\r") + 1);
+    line = line.substr(0, line.find_last_not_of(" \t") + 1);
     return true;
   }
 
   void FileLines::refuse(const std::string &what, const std::string &remedy) const
   {
     throw InputError(entry + ": '" + path + "', line " + std::to_string(n_lines) + ": " + what + ".\n" + remedy);
+  }
+
+  /// Decks write the name of a *PARAMETER for a number, LS-DYNA as '&name', Abaqus as '<name>'.
+  void FileLines::refuse_field(const std::string_view field, const char *kind) const
+  {
+    const std::string text(field);
+    if (text.find_first_of("&<") < 2)
+      refuse("the parameter '" + text + "' stands for a number; *PARAMETER is not offered",
+             "Write the numbers themselves: replace each parameter by its value.");
+    refuse("cannot read '" + text + "' as " + kind, "Allowed: numbers in the columns of the format.");
   }
 
   void FileLines::add_listed(const std::size_t n)
@@ -63,8 +87,7 @@ namespace birdstrike
     std::int64_t value      = 0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc() || end != field.data() + field.size())
-      refuse("cannot read '" + std::string(field) + "' as a whole number",
-             "Allowed: numbers in the columns of the format.");
+      refuse_field(field, "a whole number");
     return value;
   }
 
@@ -79,7 +102,7 @@ namespace birdstrike
     double value            = 0.;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-      refuse("cannot read '" + std::string(field) + "' as a number", "Allowed: numbers in the columns of the format.");
+      refuse_field(field, "a number");
     return value;
   }
 

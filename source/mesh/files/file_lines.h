@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,18 +10,26 @@ namespace birdstrike
   std::string_view trim(std::string_view text); ///< without surrounding blanks
   std::string      upper(std::string_view text);
 
-  /// The lines of a text file, and what stands in them; complaints name entry, file and line.
+  /// The lines of a text file (decoded: core/text/text_file.h), and what stands in them; complaints name entry, file
+  /// and line.
   class FileLines
   {
   public:
     /// Throws InputError if it cannot be opened. `entry`: that names the file.
     explicit FileLines(const std::string &path, const std::string &entry = "Blade/Mesh/File");
+    FileLines(const FileLines &) = delete; // `line` looks into `whole`
+
+    void require_text() const; ///< throws InputError, saying what it is, for an archive or a workbook
 
     bool next(); ///< takes the next line, false at the end
 
-    std::string_view text() const ///< of the line, without blanks and carriage return at its end
+    std::string_view text() const ///< of the line, without blanks at its end; stays valid
     {
       return line;
+    }
+    std::size_t line_number() const ///< 1 the first
+    {
+      return n_lines;
     }
     [[noreturn]] void refuse(const std::string &what, const std::string &remedy) const;
 
@@ -39,8 +46,10 @@ namespace birdstrike
     std::vector<std::string_view> split_at_blanks() const;
 
   private:
-    std::string   path, entry, line;
-    std::size_t   n_lines = 0, n_listed = 0;
-    std::ifstream in;
+    [[noreturn]] void refuse_field(std::string_view field, const char *kind) const;
+
+    std::string      path, entry, whole;
+    std::string_view line, left; ///< left: what has not been read
+    std::size_t      n_lines = 0, n_listed = 0;
   };
 } // namespace birdstrike

@@ -51,6 +51,8 @@ namespace birdstrike
       static constexpr unsigned int n_corners = 1u << dim, n_side_corners = n_corners / 2;
       static constexpr unsigned int round_the_faces[8] = {0, 1, 3, 2, 4, 5, 7, 6}; ///< deal.II's order
       using Side                                       = std::array<std::uint32_t, n_side_corners>;
+      using LabelledSides =
+        std::vector<std::pair<typename dealii::Triangulation<dim, 3>::face_iterator, Combinations::Groups>>;
 
       const ImportedMesh                   &mesh;
       const std::string                    &path;
@@ -105,13 +107,16 @@ namespace birdstrike
         std::vector<Combinations::Groups> groups_of(elements().size());
         std::vector<bool>                 is_material(mesh.groups.size(), false);
         for (std::uint32_t g = 0; g < mesh.groups.size(); ++g)
-          for (const Id id : mesh.groups[g].elements[dim])
-            if (const auto found = place_of.find(id); found != place_of.end())
-              {
-                is_material[g] = true;
-                if (auto &groups = groups_of[found->second]; groups.empty() || groups.back() != g)
-                  groups.push_back(g);
-              }
+          {
+            is_material[g] = mesh.groups[g].dim == static_cast<unsigned int>(dim);
+            for (const Id id : mesh.groups[g].elements[dim])
+              if (const auto found = place_of.find(id); found != place_of.end())
+                {
+                  is_material[g] = true;
+                  if (auto &groups = groups_of[found->second]; groups.empty() || groups.back() != g)
+                    groups.push_back(g);
+                }
+          }
         const Combinations combinations(mesh.groups, &Group::material_number, {groups_of.begin(), groups_of.end()});
         for (std::size_t cell = 0; cell < cells.size(); ++cell)
           cells[cell].material_id = combinations[groups_of[cell]];
@@ -175,7 +180,8 @@ namespace birdstrike
         for (std::uint32_t g = 0; g < mesh.groups.size(); ++g)
           {
             const Group &group = mesh.groups[g];
-            const auto   list  = [&](const Id *nodes) {
+            is_boundary[g]     = group.dim == static_cast<unsigned int>(dim - 1);
+            const auto list    = [&](const Id *nodes) {
               is_boundary[g] = true;
               if (const auto side = side_of(nodes))
                 listed[*side].push_back(g);
@@ -208,7 +214,7 @@ namespace birdstrike
       {
         for (auto &[node, groups] : of_node)
           make_set(groups);
-        std::vector<std::pair<typename dealii::Triangulation<dim, 3>::face_iterator, Combinations::Groups>> sides;
+        LabelledSides sides;
         for (const auto &cell : triangulation.active_cell_iterators())
           for (const unsigned int f : cell->face_indices())
             if (cell->at_boundary(f))
@@ -234,6 +240,32 @@ namespace birdstrike
         for (const auto &[face, groups] : sides)
           face->set_boundary_id(combinations[groups]);
         combinations.name(mesh.groups, &Group::boundary_number, is_boundary, labels.boundaries);
+        count_nodes_of_sets(of_node, sides);
+      }
+
+      /// Of sets of nodes: those of the mesh, and those that no side of the set has.
+      void count_nodes_of_sets(const std::map<std::uint32_t, Combinations::Groups> &of_node, const LabelledSides &sides)
+      {
+        std::set<std::pair<std::uint32_t, std::uint32_t>> on_sides; // groups, nodes
+        for (const auto &[face, groups] : sides)
+          for (const std::uint32_t group : groups)
+            for (const unsigned int v : face->vertex_indices())
+              on_sides.emplace(group, face->vertex_index(v));
+        std::map<std::uint32_t, NamedIds::Nodes> of_group;
+        for (const auto &[node, groups] : of_node)
+          for (const std::uint32_t group : groups)
+            {
+              ++of_group[group].n;
+              if (!on_sides.contains({group, node}))
+                of_group[group].off_sides.push_back(labels.node_ids[node]);
+            }
+        for (const auto &[group, nodes] : of_group)
+          {
+            for (const std::string &name : mesh.groups[group].all_names())
+              labels.boundaries.add_nodes(name, nodes);
+            if (const auto number = mesh.groups[group].boundary_number)
+              labels.boundaries.add_nodes(std::to_string(*number), nodes);
+          }
       }
 
       void copy_thickness()
@@ -253,6 +285,26 @@ namespace birdstrike
       }
     };
   } // namespace
+
+  std::vector<std::string> ImportedMesh::Group::all_names() const
+  {
+    std::vector<std::string> names;
+    if (!name.empty())
+      names.push_back(name);
+    names.insert(names.end(), other_names.begin(), other_names.end());
+    return names;
+  }
+
+  ImportedMesh::NotOffered ImportedMesh::not_offered(const Id id, const std::size_t line, const std::string &what,
+                                                     const std::string &remedy)
+  {
+    const Reason reason{what, remedy};
+    const auto   found = std::find(reasons.begin(), reasons.end(), reason);
+    const auto   place = static_cast<std::uint32_t>(found - reasons.begin());
+    if (found == reasons.end())
+      reasons.push_back(reason);
+    return {id, line, place};
+  }
 
   void refuse_mesh_file(const std::string &path, const std::string &what, const std::string &remedy)
   {

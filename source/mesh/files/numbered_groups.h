@@ -27,8 +27,14 @@ namespace birdstrike
         {
           auto &group           = mesh.groups.emplace_back();
           group.material_number = group.boundary_number = static_cast<unsigned int>(number);
+          group.dim                                     = dim;
         }
       return mesh.groups[found->second];
+    }
+
+    bool has(const unsigned int dim, const ImportedMesh::Id number) const
+    {
+      return places.contains({dim, number});
     }
 
   private:

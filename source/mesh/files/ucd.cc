@@ -63,8 +63,7 @@ namespace birdstrike
         if (fields[2] == "pt")
           return;
         if (dim == 0)
-          lines.refuse("a cell is of the type '" + std::string(fields[2]) + "', not quad, hex or line",
-                       "Recombine triangles into quadrilaterals; tetrahedra, wedges and pyramids are not offered.");
+          return add_not_offered(fields);
         if (fields.size() != 3 + (1u << dim))
           lines.refuse("cell " + std::string(fields[0]) + " of type " + std::string(fields[2]) + " has " +
                          std::to_string(fields.size() - 3) + " nodes",
@@ -74,6 +73,18 @@ namespace birdstrike
           element.nodes[k] = lines.integer(fields[3 + k]);
         if (const Id number = lines.integer(fields[1]); number != 0)
           group(dim, number).elements[dim].push_back(element.id);
+      }
+
+      void add_not_offered(const Fields &fields)
+      {
+        const unsigned int dim = fields[2] == "tri" ? 2 : 3;
+        const Id           id  = lines.integer(fields[0]);
+        mesh.elements_not_offered[dim].push_back(mesh.not_offered(
+          id, lines.line_number(), "a cell is of the type '" + std::string(fields[2]) + "', not quad, hex or line",
+          "Recombine triangles into quadrilaterals; tetrahedra, wedges and pyramids are not offered. "
+          "Or name the materials that are the blade in Blade/Mesh/Parts."));
+        if (const Id number = lines.integer(fields[1]); number != 0)
+          group(dim, number).elements[dim].push_back(id);
       }
     };
   } // namespace

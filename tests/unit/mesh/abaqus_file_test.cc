@@ -142,7 +142,8 @@ namespace birdstrike::abaqus_file_test
     for (const auto &[text, words] :
          {std::pair<std::string, std::string>{nodes + "*ELEMENT, TYPE=S3\n1, 1, 2, 12\n",
                                               "line 14: elements of the type S3"},
-          {nodes + "*ELEMENT, TYPE=C3D20R\n", "type C3D20R"},
+          {nodes + "*ELEMENT, TYPE=C3D20R\n1, 1, 2, 3, 4, 11, 12, 13, 14, 1, 2, 3, 4, 11, 12, 13,\n14, 1, 2, 3, 4\n",
+           "type C3D20R"},
           {nodes + squares + "*INCLUDE, INPUT=rest.inp\n", "*INCLUDE is not offered"},
           {nodes + "*NGEN\n1, 4, 1\n" + squares, "*NGEN is not offered"},
           {"*NODE, SYSTEM=C\n" + squares, "SYSTEM=C"},

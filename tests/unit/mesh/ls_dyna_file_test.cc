@@ -132,7 +132,7 @@ namespace birdstrike::ls_dyna_file_test
           {shell("*ELEMENT_SHELL_COMPOSITE\n"), "elements *ELEMENT_SHELL_COMPOSITE are not offered"},
           {shell("*ELEMENT_SPH\n1,1,1.0\n"), "*ELEMENT_SPH are not offered"},
           {shell("*INCLUDE\nother.k\n"), "*INCLUDE is not offered"},
-          {shell("*NODE\n&n,1,2,3\n"), "cannot read '&n'"},
+          {shell("*NODE\n&n,1,2,3\n"), "line 12: the parameter '&n' stands for a number"},
           {brick("*ELEMENT_SOLID\n1,1,1,2,3,4,4,4,4,4\n"), "element 1 is no brick"},
           {brick("*ELEMENT_SOLID\n1,1\n1,2,3,4,5,6,7,8,1,2\n"), "tetrahedron of ten nodes"},
           {brick("*ELEMENT_SHELL\n1,1,1,2,3,4\n"), "holds 1 quadrilaterals"},

@@ -159,10 +159,41 @@ namespace birdstrike::nodal_thickness_test
     EXPECT_NE(complaint(p).find("given by its id, but this mesh has none"), std::string::npos);
     const test::TemporaryMesh short_one("-short.txt", by_id.substr(0, by_id.rfind("7 ")));
     of_file.thickness.table = short_one.path;
-    EXPECT_NE(complaint(of_file).find("no row for the node 7 at (0.0"), std::string::npos) << complaint(of_file);
+    EXPECT_NE(complaint(of_file).find("no row for the node 7 at (0, -0.04445, 0) m"), std::string::npos)
+      << complaint(of_file);
     const test::TemporaryMesh bad("-bad.txt", "7 0.0\n");
     of_file.thickness.table = bad.path;
     EXPECT_NE(complaint(of_file).find("line 1: the thickness is 0.0 m"), std::string::npos);
+  }
+
+  TEST(NodalThickness, TablesOfSpreadsheetsAreRead)
+  {
+    GeometryParameters p = plate();
+    p.thickness          = {};
+    const ShellMesh mesh(p);
+    std::string     rows;
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+      rows += std::to_string(10 * n + 7) + ";0.005\r\n";
+    const test::TemporaryMesh file("-table.k", written(mesh));
+    GeometryParameters        of_file = from_file(p, file);
+    const auto                answer  = [&](const std::string &text) {
+      const test::TemporaryMesh table("-sheet.csv", text);
+      of_file.thickness.table = table.path;
+      return complaint(of_file);
+    };
+    std::string utf16 = "\xFF\xFE";
+    for (const char letter : rows)
+      utf16 += {letter, '\0'};
+    const test::TemporaryMesh table("-sheet.csv", "sep=;\r\nNode;Thickness [m]\r\n" + rows);
+    of_file.thickness.table = table.path;
+    EXPECT_LT(largest_difference(thickness_of(of_file), std::vector<double>(mesh.cells.size(), 0.005)), 1e-15);
+    const test::TemporaryMesh wide("-wide.csv", utf16);
+    of_file.thickness.table = wide.path;
+    EXPECT_LT(largest_difference(thickness_of(of_file), std::vector<double>(mesh.cells.size(), 0.005)), 1e-15);
+    EXPECT_NE(answer("node;thickness [mm]\n" + rows).find("line 1: there are 3 numbers"), std::string::npos)
+      << "no metres";
+    EXPECT_NE(answer(rows + "17;0.006\n").find("has a second thickness, 0.006 m"), std::string::npos);
+    EXPECT_NE(answer(std::string("PK\x03\x04\0\0", 6)).find("save the sheet"), std::string::npos);
   }
 
   // LS-DYNA's *ELEMENT_SHELL_THICKNESS goes before Value, not before what is asked for by name; zeros leave it to

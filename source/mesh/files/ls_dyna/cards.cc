@@ -1,4 +1,4 @@
-#include "mesh/files/ls_dyna_cards.h"
+#include "mesh/files/ls_dyna/cards.h"
 
 #include <algorithm>
 
@@ -22,6 +22,7 @@ namespace birdstrike
     const auto widths_of = [](const char sign) {
       return sign == '+' ? Widths{20, 20, 20} : sign == '%' ? Widths{10, 10, 16} : Widths{};
     };
+    keyword_line            = lines.line_number();
     const std::string text  = upper(lines.text().substr(1));
     name                    = text.substr(0, text.find_first_of(" \t(+%-"));
     const std::string after = text.substr(name.size(), text.find('(') - name.size());
@@ -40,6 +41,25 @@ namespace birdstrike
         standard           = widths_of(is_long ? '+' : is_i10 ? '%' : '-');
       }
     widths = sign == std::string::npos ? standard : widths_of(after[sign]);
+  }
+
+  double LsDynaCards::real_at(const std::size_t number, const std::size_t first, const std::size_t width) const
+  {
+    const std::string_view text = trim(field(number, first, width));
+    const std::size_t      sign = text.find_last_of("+-");
+    if (sign == text.npos || sign == 0 || text.find_first_not_of("0123456789.+-") != text.npos)
+      return lines.number(text);
+    return lines.number(std::string(text.substr(0, sign)) + 'e' + std::string(text.substr(sign)));
+  }
+
+  std::string LsDynaCards::word(const std::size_t k) const
+  {
+    return upper(trim(field(k, k * widths.integer, widths.integer)));
+  }
+
+  bool LsDynaCards::has_word(const char *word) const
+  {
+    return std::find(words.begin(), words.end(), word) != words.end();
   }
 
   std::string_view LsDynaCards::field(const std::size_t number, const std::size_t first, const std::size_t width) const

@@ -7,15 +7,13 @@
 namespace birdstrike
 {
   /// Keyword lines and cards of an LS-DYNA file, without comments, until *END.
-  class LsDynaCards
+  struct LsDynaCards
   {
-  public:
+    using Id = std::int64_t;
+
     explicit LsDynaCards(const std::string &path) : lines(path)
     {
     }
-
-  protected:
-    using Id = std::int64_t;
 
     /// Columns of an id of a node or element, of another whole number, and of a real number: 8, 10, 16 in the standard
     /// format, at least 10 with I10=Y or '%' after the keyword, 20 with LONG=Y or '+'.
@@ -27,6 +25,7 @@ namespace birdstrike
     FileLines                lines;
     std::string              name;  ///< of the keyword: upper case, without '*'
     std::vector<std::string> words; ///< of the name: SET, NODE, LIST, TITLE
+    std::size_t              keyword_line = 0;
     Widths                   widths;
 
     bool next();
@@ -47,8 +46,15 @@ namespace birdstrike
     }
     double real(const std::size_t k) const
     {
-      return lines.number(field(k, k * widths.real, widths.real));
+      return real_at(k, k * widths.real, widths.real);
     }
+    /// A real number, also without the E of its exponent, as Fortran writes it: 1.75-1 is 0.175.
+    double real_at(std::size_t number, std::size_t first, std::size_t width) const;
+
+    /// The word in a field of width 10, in upper case.
+    std::string word(std::size_t k) const;
+
+    bool has_word(const char *word) const; ///< in the keyword's name
 
   private:
     void parse_keyword();

@@ -1,0 +1,20 @@
+// Groups that overlap and groups that run against their curve or surface.
+Point(1) = {0, -0.05, 0};
+Point(2) = {0.2, -0.05, 0};
+Point(3) = {0.2, 0.05, 0};
+Point(4) = {0, 0.05, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Transfinite Curve{1, 3} = 4;
+Transfinite Curve{2, 4} = 3;
+Transfinite Surface{1};
+Recombine Surface{1};
+Physical Curve("root", 11) = {-4};
+Physical Curve("tip", 12) = {2};
+Physical Curve("rim", 13) = {1, 2, 3, 4};
+Physical Surface("skin", 21) = {-1};
+Physical Surface("all", 22) = {1};
