@@ -1,6 +1,4 @@
 #include "structure/census.h"
-#include <birdstrike/core/errors.h>
-#include <birdstrike/mesh/node_columns.h>
 
 #include <algorithm>
 #include <limits>
@@ -16,6 +14,7 @@ namespace birdstrike
       BladeCensus census;
       census.n_elements    = mesh.n_owned_cells;
       census.n_nodes       = mesh.space.n_owned();
+      census.seams         = mesh.open_seams;
       census.smallest_edge = std::numeric_limits<double>::infinity();
       double largest       = 0.;
       for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
@@ -32,24 +31,8 @@ namespace birdstrike
             }
         }
       census.largest_edge_ratio = largest / census.smallest_edge;
+      census.file_notes         = mesh.file_notes;
       return census;
-    }
-
-    /// Of a mesh from a file: in its shortest column; 0 where it has none.
-    unsigned int count_layers(const VolumeMesh &mesh)
-    {
-      try
-        {
-          const NodeColumns columns(mesh);
-          std::uint32_t     fewest = std::numeric_limits<std::uint32_t>::max();
-          for (std::size_t c = 0; c + 1 < columns.begin.size(); ++c)
-            fewest = std::min(fewest, columns.begin[c + 1] - columns.begin[c] - 1);
-          return fewest;
-        }
-      catch (const InputError &)
-        {
-          return 0;
-        }
     }
 
     double area_of(const SurfaceMesh &mesh)
@@ -72,7 +55,6 @@ namespace birdstrike
   {
     BladeCensus census = count(mesh);
     census.area        = area_of(mesh.skin);
-    census.n_layers    = mesh.layers > 0 ? mesh.layers : count_layers(mesh);
     return census;
   }
 

@@ -21,7 +21,7 @@ namespace birdstrike
 
   bool BladeParameters::has_points_through_thickness() const
   {
-    return kind != BladeKind::solid || solid_formulation() == SolidFormulation::solid_shell;
+    return kind != BladeKind::solid || may_be_solid_shell();
   }
 
   bool BladeParameters::can_fail() const
@@ -129,7 +129,7 @@ namespace birdstrike
     if (is_laminate())
       return check_laminate(section);
     const bool can_fail = material.metal("Blade/" + where + "Material/").failure.can_fail();
-    require(!is_solid || !can_fail || solid_formulation() != SolidFormulation::solid_shell,
+    require(!can_fail || !may_be_solid_shell(),
             where +
               "Material/Failure is not there for solid-shells.\nSet it to none, or Formulation to another element.");
     require(!is_solid || !can_fail || mass_scaling.method == MassScalingMethod::off,

@@ -54,7 +54,8 @@ namespace birdstrike
     , mesh(parameters)
     , hub(parameters.spin)
     , supports(parameters.supports, mesh, hub.turns(), parameters.mesh.row.is_rigid())
-    , sections(parameters, mesh.material_ids, mesh.material_names, mesh.blades, mesh.file_element_ids)
+    , sections(Kind::assign_sections(parameters, mesh))
+    , n_layers(Kind::count_layers(mesh, sections))
     , lumped(Kind::compute_mass(mesh, sections, supports))
     , elements(Kind::make_elements(mesh, lumped, sections, pool))
     , pressed(Kind::find_pressed(mesh, parameters.loads))
@@ -81,13 +82,11 @@ namespace birdstrike
     root    = typename Kind::Root(mesh, roles.root);
     tip     = TipRow(mesh, roles.tip);
     members = RowOfBlades<Kind>(parameters.mesh.row, mesh, sections, roles, supports.root_ids, supports.tip_ids);
-    if (!hub.turns())
-      return;
-    std::vector<std::uint32_t> seen;
-    root.add_nodes(seen);
-    tip.add_nodes(seen);
-    members.add_nodes(seen);
-    motion.see_from_hub(std::move(seen));
+    std::vector<std::uint32_t> reported;
+    root.add_nodes(reported);
+    tip.add_nodes(reported);
+    members.add_nodes(reported);
+    motion.report_nodes(std::move(reported));
   }
 
   template <class Kind>
@@ -106,6 +105,7 @@ namespace birdstrike
               throw;
             throw NumericalFailure(with_speed(failure.facts(), hub.speed(0.)));
           }
+        motion.update_loads();
       }
     return prestress;
   }

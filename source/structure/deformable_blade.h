@@ -138,6 +138,7 @@ namespace birdstrike
   private:
     void  update_failed();          ///< after elements have failed
     Field contact_pressure() const; ///< of the whole surface, Pa
+    void  count_sections(BladeCensus &census) const;
 
     SymmetryPlane                    plane;
     std::vector<unsigned int>        row; ///< places of the blades, pieces of the mesh
@@ -145,6 +146,7 @@ namespace birdstrike
     Rotor                            hub;
     Supports                         supports;
     SectionTable                     sections;
+    std::vector<unsigned int>        n_layers; ///< of bricks, by section; see Kind
     typename Kind::Mesh::Mass        lumped;
     typename Kind::Elements          elements;
     PressedFacets                    pressed;

@@ -54,19 +54,34 @@ namespace birdstrike
         if (sizes.largest > 0.)
           census.sizes.push_back(sizes);
       }
-    for (std::size_t k = 0; k < sections.n_of_blade && sections.n_of_blade > 1; ++k)
+    census.warnings = supports.warnings;
+    count_sections(census);
+    return census;
+  }
+
+  /// Sections that a mesh from a file splits into several formulations count once.
+  template <class Kind>
+  void DeformableBlade<Kind>::count_sections(BladeCensus &census) const
+  {
+    for (std::size_t k = 0; k < sections.n_of_blade; ++k)
       {
-        SectionCensus sum{sections.number[k], 0, 0., 0.};
+        const std::size_t number = sections.number[k];
+        auto              sum    = std::ranges::find(census.sections, number, &SectionCensus::number);
+        if (sum == census.sections.end())
+          sum = census.sections.insert(sum, {number, 0, 0., 0.});
+        FormulationCensus of_formulation{number, Kind::formulation_of(sections.all[k]), 0, n_layers[k]};
         for (std::size_t of_blade = k; of_blade < elements.n_sections(); of_blade += sections.n_of_blade)
           {
             const auto sums = elements.section_sums(of_blade);
-            sum.n_elements += plane.whole(sums.n_elements);
-            sum.mass += plane.whole(sums.mass);
-            sum.plastic_work += plane.whole(sums.plastic_work);
+            of_formulation.n_elements += plane.whole(sums.n_elements);
+            sum->mass += plane.whole(sums.mass);
+            sum->plastic_work += plane.whole(sums.plastic_work);
           }
-        census.sections.push_back(sum);
+        sum->n_elements += of_formulation.n_elements;
+        census.formulations.push_back(of_formulation);
       }
-    return census;
+    if (census.sections.size() == 1)
+      census.sections.clear();
   }
 
   template <class Kind>
@@ -107,7 +122,7 @@ namespace birdstrike
           blade.values.push_back(row[plain.blade_of(e)]);
         snapshot.fields.push_back(std::move(blade));
       }
-    if (sections.n_of_blade > 1)
+    if (std::ranges::any_of(sections.number, [&](const std::size_t k) { return k != sections.number[0]; }))
       {
         Field section{"section", "-", true, 1, {}, true}; // 0: the blade's own
         for (const std::size_t e : left)
@@ -163,9 +178,11 @@ namespace birdstrike
   template <class Kind>
   RootSectionReport DeformableBlade<Kind>::root_section() const
   {
-    const Turn    turned = hub.turn(motion.present_time());
-    const double *force = motion.element_forces(), *position = motion.positions();
-    if (hub.turns())
+    const Turn    turned   = hub.turn(motion.present_time());
+    const double *position = motion.positions(), *force = nullptr;
+    if (!hub.turns())
+      force = motion.support_forces();
+    else
       {
         const auto &seen = motion.in_turning_frame();
         force            = seen.force.data();
@@ -190,7 +207,7 @@ namespace birdstrike
     if (row.size() == 1)
       return {};
     if (!hub.turns())
-      return members.loads(motion.element_forces(), motion.positions(), motion.displacements(), elements, {});
+      return members.loads(motion.support_forces(), motion.positions(), motion.displacements(), elements, {});
     const auto &seen = motion.in_turning_frame();
     return members.loads(seen.force.data(), seen.position.data(), seen.displacement.data(), elements,
                          hub.turn(motion.present_time()));
@@ -221,10 +238,16 @@ namespace birdstrike
   std::vector<PeakPlasticStrain> DeformableBlade<Kind>::peak_plastic_strains() const
   {
     std::vector<PeakPlasticStrain> result;
-    for (const auto &peak : elements.max_plastic_strains())
+    for (std::size_t k = 0; const auto &peak : elements.max_plastic_strains())
       {
-        const Point3 c = mesh.centroid(peak.element);
-        result.push_back({peak.value, peak.element, {{c[0], c[1], c[2]}}, sections.number[result.size()]});
+        const Point3            c = mesh.centroid(peak.element);
+        const PeakPlasticStrain here{peak.value, peak.element, {{c[0], c[1], c[2]}}, sections.number[k]};
+        ++k;
+        const auto whole = std::ranges::find(result, here.section, &PeakPlasticStrain::section);
+        if (whole == result.end() || row.size() > 1) // of a row each blade's
+          result.push_back(here);
+        else if (here.value > whole->value)
+          *whole = here;
       }
     return result;
   }

@@ -25,6 +25,8 @@ namespace birdstrike
     result.n_per_ply           = 1;
     result.degradation_time    = 1e-4;
     result.failed_share        = 1.;
+
+    result.matrix_failure_strain = 0.2;
     return result;
   }
 
@@ -46,6 +48,7 @@ namespace birdstrike
     fill(result.degradation_time, blade.degradation_time);
     fill(result.failed_share, blade.failed_share);
     fill(result.smallest_step, blade.smallest_step);
+    fill(result.matrix_failure_strain, blade.matrix_failure_strain);
     fill(result.materials, blade.materials);
     return result;
   }
@@ -76,11 +79,16 @@ namespace birdstrike
                       "Time over which a ply that fails loses what its mode takes, at a constant rate, whatever the "
                       "steps; shorter than a step: at once. 0: the blade's, of the blade 100 us. [s]",
                       Patterns::Double(0., 1.));
+    prm.add_parameter("Failed share", failed_share,
+                      "Share of an element's thickness in which plies must have broken before all of it is taken away: "
+                      "by their fibres, "
+                      "or by Matrix failure strain; 0: the blade's. [-]",
+                      Patterns::Double(0., 1.));
     prm.add_parameter(
-      "Failed share", failed_share,
-      "Share of an element's thickness in which fibres must have failed before all of it is taken away; 0: the "
-      "blade's. [-]",
-      Patterns::Double(0., 1.));
+      "Matrix failure strain", matrix_failure_strain,
+      "A ply whose matrix has failed wholly breaks at this strain across its fibres, opened or crushed, or at this "
+      "shear along them: coupons that fail by matrix alone break there; 0: never (in a section: the blade's). [-]",
+      Patterns::Double(0., 10.));
     prm.add_parameter("Smallest step", smallest_step,
                       "Where plies can fail, an element is also taken away when its stable step falls below this share "
                       "of what it was at first, or when it is turned inside out; 0: never (in a section: the blade's). "

@@ -33,8 +33,8 @@ namespace birdstrike
       prm.enter_subsection("Element");
       declare_choice(
         prm, "Formulation", p.formulation, element_formulations(),
-        "Automatic: physical for a shell; solid-shell for a built-in part of one layer whose metal does not fail, "
-        "one point for all other solids. Shells: one point with physical "
+        "Automatic: physical for a shell; of a solid whose metal does not fail, solid-shell for each brick that makes "
+        "up the thickness alone, one point for all others. Shells: one point with physical "
         "stabilisation, or Belytschko-Tsay with perturbation hourglass "
         "control, which couples no bending to membrane within a warped or bent element; or fully integrated (2 x 2 "
         "points, MITC4), the reference for both. Solids: one point with "
@@ -103,7 +103,8 @@ namespace birdstrike
       prm.add_parameter(
         "Clamped", p.clamped,
         "Boundary ids or names whose nodes are held in all their unknowns, e.g. '0, 2' or 'root'. Built-in parts "
-        "have root (0), tip (1), leading_edge, trailing_edge; where a file names its sides, this must be given. [-]",
+        "have root (0), tip (1), leading_edge, trailing_edge; automatic is their root. Of a mesh from a file this or "
+        "Hub must be given: names or ids of the file, 0 for all sides without a name, or nothing. [-]",
         Anything());
       prm.add_parameter(
         "Hub", p.hub,
@@ -214,13 +215,18 @@ namespace birdstrike
     return named != nullptr ? *named : ShellFormulation::one_point_physical;
   }
 
-  SolidFormulation BladeParameters::solid_formulation() const
+  SolidFormulation BladeParameters::solid_formulation(const unsigned int n_layers) const
   {
     if (const auto *named = std::get_if<SolidFormulation>(&element.formulation))
       return *named;
-    const bool is_one_layer = mesh.generator != MeshGenerator::file && mesh.n_layers == 1;
-    return is_one_layer && !material.metal().failure.can_fail() ? SolidFormulation::solid_shell
-                                                                : SolidFormulation::one_point;
+    return n_layers == 1 && !material.metal().failure.can_fail() ? SolidFormulation::solid_shell
+                                                                 : SolidFormulation::one_point;
+  }
+
+  bool BladeParameters::may_be_solid_shell() const
+  {
+    const unsigned int fewest = mesh.generator == MeshGenerator::file ? 1 : mesh.n_layers;
+    return kind == BladeKind::solid && solid_formulation(fewest) == SolidFormulation::solid_shell;
   }
 
   std::map<std::size_t, BladeParameters> BladeParameters::by_section() const
@@ -266,13 +272,6 @@ namespace birdstrike
   std::string BladeParameters::section_path(const std::size_t section)
   {
     return section == 0 ? "" : "Section " + std::to_string(section) + "/";
-  }
-
-  std::string BladeParameters::formulation_name() const
-  {
-    return kind == BladeKind::shell   ? element_formulations().name(shell_formulation())
-           : kind == BladeKind::solid ? element_formulations().name(solid_formulation())
-                                      : "";
   }
 
   void BladeParameters::declare(dealii::ParameterHandler &prm)

@@ -58,6 +58,26 @@ namespace birdstrike
       of_element[e] += n_of_blade * blades[e];
   }
 
+  std::optional<std::size_t> SectionTable::split(const std::size_t place, const std::vector<bool> &is_other)
+  {
+    std::size_t n = 0, n_others = 0;
+    for (std::size_t e = 0; e < of_element.size(); ++e)
+      if (of_element[e] == place)
+        {
+          ++n;
+          n_others += is_other[e];
+        }
+    if (n_others == 0 || n_others == n)
+      return {};
+    for (std::size_t e = 0; e < of_element.size(); ++e)
+      if (of_element[e] == place && is_other[e])
+        of_element[e] = static_cast<std::uint32_t>(all.size());
+    number.push_back(number[place]);
+    all.push_back(BladeParameters(all[place]));
+    n_of_blade = all.size();
+    return all.size() - 1;
+  }
+
   DensityLaw SectionTable::density_law() const
   {
     std::map<unsigned int, double> some;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace birdstrike
@@ -22,10 +23,14 @@ namespace birdstrike
                  const NamedIds &names, const std::vector<std::uint32_t> &blades = {},
                  const std::vector<std::int64_t> &labels = {});
 
+    /// Elements of a section for which `is_other` holds (by their places) become another with the same number and
+    /// entries, whose place it returns; none: no element is, or all are. Not of a row.
+    std::optional<std::size_t> split(std::size_t place, const std::vector<bool> &is_other);
+
     DensityLaw   density_law() const;
     ThicknessLaw thickness_law() const; ///< of shells
 
-    std::vector<std::size_t>              number;     ///< of sections with elements: 0 is the blade's own
+    std::vector<std::size_t>              number;     ///< of sections with elements: 0 is the blade's own; may repeat
     std::vector<BladeParameters>          all;        ///< of these, with the entries of each in their places
     std::vector<std::uint32_t>            of_element; ///< which of these
     std::vector<bool>                     is_rigid;   ///< likewise; empty: none

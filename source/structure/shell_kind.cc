@@ -25,9 +25,10 @@ namespace birdstrike
       for (const PlyMaterial &material : stack.materials)
         plies.push_back(material.ply);
       auto laminate = std::make_shared<Laminate>(plies, stack.layers, Point3(direction.data()), p.n_per_ply);
-      laminate->degradation_time = p.degradation_time;
-      laminate->failed_share     = p.failed_share;
-      laminate->smallest_step    = p.smallest_step;
+      laminate->degradation_time      = p.degradation_time;
+      laminate->failed_share          = p.failed_share;
+      laminate->smallest_step         = p.smallest_step;
+      laminate->matrix_failure_strain = p.matrix_failure_strain;
       return laminate;
     }
 

@@ -25,6 +25,18 @@ namespace birdstrike
     static constexpr BladeKind    kind           = BladeKind::shell;
     static constexpr double       bytes_per_cell = 600.; ///< of deal.II's mesh, about
 
+    static SectionTable assign_sections(const BladeParameters &parameters, const Mesh &mesh)
+    {
+      return SectionTable(parameters, mesh.material_ids, mesh.material_names, mesh.blades, mesh.file_element_ids);
+    }
+    static ElementFormulation formulation_of(const BladeParameters &section)
+    {
+      return section.shell_formulation();
+    }
+    static std::vector<unsigned int> count_layers(const Mesh &, const SectionTable &sections)
+    {
+      return std::vector<unsigned int>(sections.all.size(), 0);
+    }
     static Mesh::Mass    compute_mass(const Mesh &mesh, const SectionTable &sections, const Supports &supports);
     static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const SectionTable &sections,
                                        ThreadPool &pool);

@@ -1,4 +1,5 @@
 #include "structure/solid_kind.h"
+#include "structure/elements/solid/thickness.h"
 #include "structure/elements/von_mises.h"
 #include "structure/nodes/mass_scaling.h"
 #include "structure/stress_fields.h"
@@ -7,6 +8,7 @@
 #include <birdstrike/core/text_lists.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace birdstrike
 {
@@ -15,7 +17,7 @@ namespace birdstrike
     SolidSection make_section(const BladeParameters &parameters)
     {
       SolidSection section;
-      section.formulation         = parameters.solid_formulation();
+      section.formulation         = parameters.solid_formulation(parameters.mesh.n_layers); // of a file it is named
       section.material            = parameters.material.metal();
       section.rule                = parameters.element.rule;
       section.n_points            = parameters.element.n_points;
@@ -31,7 +33,54 @@ namespace birdstrike
         points.push_back(mesh.node(n));
       return points;
     }
+
+    /// Bricks from skin to skin, per cell.
+    std::vector<std::uint32_t> layers_of(const SolidMesh &mesh)
+    {
+      return mesh.layers > 0 ? std::vector<std::uint32_t>(mesh.cells.size(), mesh.layers)
+                             : solid_shell::find_thickness(points_of(mesh), mesh.cells).n_layers;
+    }
   } // namespace
+
+  SectionTable SolidKind::assign_sections(const BladeParameters &parameters, const Mesh &mesh)
+  {
+    SectionTable table(parameters, mesh.material_ids, mesh.material_names, mesh.blades, mesh.file_element_ids);
+    if (mesh.layers > 0)
+      return table;
+    const auto        n_layers = layers_of(mesh);
+    std::vector<bool> has_more;
+    for (const std::uint32_t n : n_layers)
+      has_more.push_back(n != 1);
+    for (std::size_t k = 0, n_given = table.all.size(); k < n_given; ++k)
+      {
+        BladeParameters &section = table.all[k];
+        if (!std::holds_alternative<std::monostate>(section.element.formulation))
+          continue;
+        const auto first = static_cast<std::size_t>(std::ranges::find(table.of_element, k) - table.of_element.begin());
+        const SolidFormulation of_one = section.solid_formulation(1), of_more = section.solid_formulation(2);
+        const bool             is_single = first == n_layers.size() || !has_more[first];
+        if (const auto other = of_one == of_more ? std::nullopt : table.split(k, has_more))
+          {
+            table.all[*other].element.formulation = of_more;
+            table.all[k].element.formulation      = of_one;
+          }
+        else
+          table.all[k].element.formulation = is_single ? of_one : of_more;
+      }
+    return table;
+  }
+
+  std::vector<unsigned int> SolidKind::count_layers(const Mesh &mesh, const SectionTable &sections)
+  {
+    const auto                of_cells = layers_of(mesh);
+    std::vector<unsigned int> fewest(sections.all.size(), std::numeric_limits<unsigned int>::max());
+    for (std::size_t e = 0; e < of_cells.size(); ++e)
+      {
+        unsigned int &of_section = fewest[sections.of_element[e]];
+        of_section               = std::min(of_section, of_cells[e]);
+      }
+    return fewest;
+  }
 
   SolidMesh::Mass SolidKind::compute_mass(const Mesh &mesh, const SectionTable &sections, const Supports &)
   {

@@ -30,6 +30,14 @@ namespace birdstrike
     static constexpr BladeKind    kind           = BladeKind::solid;
     static constexpr double       bytes_per_cell = 1200.; ///< of deal.II's mesh, about
 
+    /// With `automatic` formulations chosen, brick by brick where a mesh from a file has other numbers of layers.
+    static SectionTable       assign_sections(const BladeParameters &parameters, const Mesh &mesh);
+    static ElementFormulation formulation_of(const BladeParameters &section) ///< of the table
+    {
+      return section.solid_formulation(section.mesh.n_layers);
+    }
+    /// By section of the table: the fewest bricks from skin to skin through one of its own.
+    static std::vector<unsigned int> count_layers(const Mesh &mesh, const SectionTable &sections);
     static Mesh::Mass    compute_mass(const Mesh &mesh, const SectionTable &sections, const Supports &supports);
     static Elements      make_elements(const Mesh &mesh, const Mesh::Mass &mass, const SectionTable &sections,
                                        ThreadPool &pool);

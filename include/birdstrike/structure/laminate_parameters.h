@@ -45,6 +45,8 @@ namespace birdstrike
     double       failed_share     = 0.;
     double       smallest_step    = 0.;
 
+    double matrix_failure_strain = 0.; ///< of an element without any matrix left; the blade's 0: never
+
     std::array<PlyMaterial, 4> materials; ///< the blade's, for plies of all sections; without a name: not there
 
     bool operator==(const LaminateParameters &) const = default;

@@ -65,13 +65,15 @@ namespace birdstrike
 
     struct Supports
     {
-      std::string clamped = "0"; ///< boundary ids or names, as in all that follow
-      std::string hub;           ///< clamped, and the section where root forces are reported
-      std::string free;          ///< must exist and hold nothing
-      std::string tip = "1";     ///< the tip row
-      std::string held;          ///< "3: ux uy; 2: uz"
-      std::string held_boxes;    ///< "xmin ymin zmin xmax ymax zmax: ux uy"
-      std::string driven;        ///< "3: uz = 1e-3*sin(2*pi*100*t)", m and rad, expressions in t
+      static constexpr const char *automatic = "automatic";
+
+      std::string clamped = automatic; ///< boundary ids or names, as in all that follow; or see declare
+      std::string hub;                 ///< clamped, and the section where root forces are reported
+      std::string free;                ///< must exist and hold nothing
+      std::string tip = "1";           ///< the tip row
+      std::string held;                ///< "3: ux uy; 2: uz"
+      std::string held_boxes;          ///< "xmin ymin zmin xmax ymax zmax: ux uy"
+      std::string driven;              ///< "3: uz = 1e-3*sin(2*pi*100*t)", m and rad, expressions in t
     };
 
     struct Loads
@@ -128,11 +130,9 @@ namespace birdstrike
 
     /// Automatic is physical.
     ShellFormulation shell_formulation() const;
-    /// Automatic is a solid-shell where one layer of bricks makes up the thickness of a built-in part (in a file that
-    /// is not known) and the metal does not fail, else one point. Throws InputError for an impossible metal.
-    SolidFormulation solid_formulation() const;
-    /// The name of the one that the blade's kind takes; empty without elements.
-    std::string formulation_name() const;
+    /// Automatic is a solid-shell where n_layers, bricks from skin to skin, is 1 and the metal does not fail, else one
+    /// point. Throws InputError for an impossible metal.
+    SolidFormulation solid_formulation(unsigned int n_layers) const;
 
     /// By section: 0 is the blade's own, k section k where it has material ids, its entries in the blade's places.
     std::map<std::size_t, BladeParameters> by_section() const;
@@ -159,6 +159,7 @@ namespace birdstrike
     void check_elements(std::size_t section) const;
     void check_laminate(std::size_t section) const;
     void check_spin() const;
+    bool may_be_solid_shell() const; ///< some element of the section, whatever layers a mesh file has
     bool has_points_through_thickness() const;
   };
 } // namespace birdstrike

@@ -1,10 +1,15 @@
 #pragma once
 
 #include <birdstrike/core/energy_report.h>
+#include <birdstrike/core/warning.h>
+#include <birdstrike/mesh/file_notes.h>
+#include <birdstrike/mesh/open_seams.h>
+#include <birdstrike/structure/choices.h>
 
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +33,15 @@ namespace birdstrike
     std::size_t number, n_elements;
     double      mass;         ///< kg
     double      plastic_work; ///< J, so far
+  };
+
+  /// Elements of a section with one formulation.
+  struct FormulationCensus
+  {
+    std::size_t        section = 0;
+    ElementFormulation formulation;
+    std::size_t        n_elements = 0;
+    unsigned int       n_layers   = 0; ///< of bricks: fewest from skin to skin through one of these; of shells 0
   };
 
   /// What Failure size factors make of the elements of a section; 0 is the blade's own.
@@ -56,7 +70,6 @@ namespace birdstrike
     double                area          = 0.;           ///< m^2, of the mid-surface, or of the skin of a solid
     double                smallest_edge = 0.;           ///< m
     std::array<double, 3> smallest_at{};                ///< m, centroid of the element with that edge
-    unsigned int          n_layers = 0;                 ///< of bricks, all through; 0: none, or no layers
     double                thinnest = 0., thickest = 0.; ///< m, of the elements of a shell
     std::size_t           n_thickness_given      = 0;   ///< of these, by the file of the mesh or a table of nodes
     double                largest_edge_ratio     = 1.;  ///< longest over shortest `smallest_edge` of all elements
@@ -70,6 +83,11 @@ namespace birdstrike
     std::vector<SizeCensus>    sizes;      ///< of sections whose metal has Failure size factors
     std::vector<SectionCensus> sections;   ///< none where all elements have one
     std::vector<std::string>   held_faces; ///< entries that hold the rotation of a solid without saying so
+
+    std::vector<FormulationCensus> formulations; ///< of a deformable blade, of sections and then of formulations
+    OpenSeams                      seams;        ///< of a mesh from a file
+    Warnings                       warnings;     ///< of its supports
+    FileNotes                      file_notes;   ///< of the mesh's file
   };
 
   /// What has failed of a blade so far. Failed elements carry nothing; their mass stays on their nodes, and nodes
@@ -151,6 +169,8 @@ namespace birdstrike
     unsigned int        n_load_steps = 0, n_iterations = 0;
     std::size_t         n_linear_iterations = 0; ///< of multigrid, in all of them
     std::vector<double> residuals; ///< of the last load step: norm of the forces over that of loads and spin
+    /// Directions in which the equilibrium is unstable (implicit/stability.h); nothing where that was not found.
+    std::optional<std::size_t> n_unstable = 0;
   };
 
   struct PeakPlasticStrain

@@ -5,6 +5,7 @@
 #include "structure/elements/erosion.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/simd/compress.h>
+#include <birdstrike/core/simd/larger.h>
 #include <birdstrike/core/simd/records.h>
 #include <birdstrike/core/step_limit.h>
 
@@ -156,7 +157,7 @@ namespace birdstrike
         {
           batches[b].bound    = bound(b);
           ElementChunk &chunk = chunks[b / ElementBlocks::batches_per_chunk];
-          chunk.bound         = max(chunk.bound, Lanes(batches[b].owned * batches[b].bound));
+          chunk.bound         = larger(chunk.bound, Lanes(batches[b].owned * batches[b].bound));
         }
     }
 

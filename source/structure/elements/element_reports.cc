@@ -3,6 +3,7 @@
 #include "structure/elements/solid/group.h"
 
 #include <birdstrike/core/energy_report.h>
+#include <birdstrike/core/simd/larger.h>
 
 namespace birdstrike
 {
@@ -20,8 +21,8 @@ namespace birdstrike
     Lanes largest = 0.;
     for (const Group &group : groups)
       for (const ElementChunk &chunk : group.chunks)
-        largest = max(largest, chunk.bound);
-    return Group::step_of(stdx::hmax(largest));
+        largest = larger(largest, chunk.bound);
+    return Group::step_of(largest_lane(largest));
   }
 
   template <class Group>
@@ -33,7 +34,7 @@ namespace birdstrike
       {
         const auto [group, k] = find(e);
         if (const double value = lane(group.batches[k / n_lanes].bound, k % n_lanes);
-            value > largest && group.is_owned(k))
+            exceeds(value, largest) && group.is_owned(k))
           {
             largest = value;
             worst   = e;

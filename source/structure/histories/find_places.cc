@@ -43,14 +43,35 @@ namespace birdstrike
       return static_cast<std::uint32_t>(place);
     }
 
-    void warn_of_distance(const Place &place, const std::string &found, const double distance, const double size,
-                          const std::string &entry, Warnings &warnings)
+    /// From corner to corner of the box around the mesh, m.
+    template <int dim>
+    double extent_of(const CellMesh<dim> &mesh)
     {
-      if (distance > size)
-        warnings.push_back({"history/far_from_mesh",
-                            fmt::format("{}: '{}' at {} is {:.3g} mm from the nearest, {}: farther than the elements "
-                                        "there are long ({:.3g} mm).",
-                                        entry, place.name, text_of(place.point), 1e3 * distance, found, 1e3 * size)});
+      Point3 low = mesh.node(0), high = low;
+      for (std::size_t n = 1; n < mesh.nodes.size(); ++n)
+        {
+          low  = low.cwiseMin(mesh.node(n));
+          high = high.cwiseMax(mesh.node(n));
+        }
+      return (high - low).norm();
+    }
+
+    /// Of a place and the nearest that was found, m, where elements have this size.
+    template <int dim>
+    void judge_distance(const CellMesh<dim> &mesh, const Place &place, const std::string &found, const double distance,
+                        const double size, const std::string &entry, Warnings &warnings)
+    {
+      if (!(distance > size))
+        return;
+      const double      extent = extent_of(mesh);
+      const std::string where  = fmt::format("{}: '{}' at {} is {:.4g} mm from the nearest, {}", entry, place.name,
+                                             text_of(place.point), 1e3 * distance, found);
+      if (distance > farthest_place * extent)
+        throw InputError(fmt::format("{}: farther than {:g} of the blade's size ({:.4g} m from corner to corner of its "
+                                     "box).\nGive a place on the blade before the strike, in m.",
+                                     where, farthest_place, extent));
+      warnings.push_back({"history/far_from_mesh",
+                          fmt::format("{}: farther than the elements there are long ({:.3g} mm).", where, 1e3 * size)});
     }
 
     double distance_to(const CellMesh<2> &mesh, const std::size_t cell, const Point3 &point)
@@ -98,7 +119,8 @@ namespace birdstrike
     for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
       if (std::find(mesh.cells[cell].begin(), mesh.cells[cell].end(), node) != mesh.cells[cell].end())
         size = std::max(size, longest_edge(mesh, cell));
-    warn_of_distance(place, describe_node(mesh, node), (mesh.node(node) - place.point).norm(), size, entry, warnings);
+    judge_distance(mesh, place, describe_node(mesh, node), (mesh.node(node) - place.point).norm(), size, entry,
+                   warnings);
     return node;
   }
 
@@ -129,7 +151,8 @@ namespace birdstrike
           nearest  = cell;
           distance = here;
         }
-    warn_of_distance(place, describe_element(mesh, nearest), distance, longest_edge(mesh, nearest), entry, warnings);
+    judge_distance(mesh, place, describe_element(mesh, nearest), distance, longest_edge(mesh, nearest), entry,
+                   warnings);
     return static_cast<std::uint32_t>(nearest);
   }
 

@@ -23,6 +23,20 @@ namespace birdstrike
       return 0.5 * (mesh.node(side[2]) - mesh.node(side[0])).cross(mesh.node(side[3]) - mesh.node(side[1])).norm();
     }
 
+    double cell_size(const SurfaceMesh &mesh, const std::uint32_t cell)
+    {
+      return mesh.area_vector(cell).norm();
+    }
+    /// The Jacobian at the middle: what runs from the middles of sides to those across.
+    double cell_size(const VolumeMesh &mesh, const std::uint32_t cell)
+    {
+      Matrix3<double> across = Matrix3<double>::Zero();
+      for (unsigned int side = 0; side < 6; ++side)
+        for (const std::uint32_t n : mesh.side_nodes(cell, side))
+          across.col(side / 2) += (side % 2 == 0 ? -0.25 : 0.25) * mesh.node(n);
+      return std::abs(across.determinant());
+    }
+
     Matrix3<double> rows_of(const Point3 &span, const Point3 &chord, const Point3 &normal)
     {
       Matrix3<double> rows;
@@ -60,9 +74,7 @@ namespace birdstrike
                                    station));
     if (station == 0.)
       {
-        std::erase_if(beyond, [&](const std::uint32_t n) {
-          return std::binary_search(roles.root.nodes.begin(), roles.root.nodes.end(), n);
-        });
+        beyond   = roles.root.nodes;
         centroid = roles.root.centroid;
         axes     = rows_of(roles.root.span, roles.root.chord, roles.root.normal);
         return;
@@ -103,6 +115,7 @@ namespace birdstrike
     for (std::uint32_t n = 0; n < sides_of.size(); ++n)
       if (sides_of[n] == 2)
         beyond.push_back(n);
+    find_shares(mesh, is_beyond);
     std::set<std::uint32_t> near;
     for (const auto &cell : mesh.cells)
       if (std::any_of(cell.begin(), cell.end(), [&](const std::uint32_t n) { return sides_of[n] == 3; }))
@@ -110,6 +123,33 @@ namespace birdstrike
     attached.assign(near.begin(), near.end());
     for (const std::uint32_t n : attached)
       reference.push_back(mesh.node(n));
+  }
+
+  template <int dim>
+  void SectionCut<dim>::find_shares(const BladeMesh<dim> &mesh, const std::vector<bool> &is_beyond)
+  {
+    for (std::uint32_t cell = 0; cell < mesh.cells.size(); ++cell)
+      for (const std::uint32_t n : mesh.cells[cell])
+        if (const auto found = std::ranges::lower_bound(cut, n, {}, &Weighted::node);
+            found != cut.end() && found->node == n)
+          shares.push_back(
+            {static_cast<std::size_t>(found - cut.begin()), cell, cell_size(mesh, cell), is_beyond[cell]});
+  }
+
+  /// Of what the elements that are left exert on the nodes of the cut, which share belongs to what lies beyond.
+  template <int dim>
+  std::vector<double> SectionCut<dim>::weights_of_cut(const IsFree &is_failed) const
+  {
+    std::vector<double> result(cut.size(), 0.), total(cut.size(), 0.);
+    for (const Share &share : shares)
+      if (!is_failed || !is_failed(share.cell))
+        {
+          total[share.place] += share.size;
+          result[share.place] += share.is_beyond ? share.size : 0.;
+        }
+    for (std::size_t k = 0; k < result.size(); ++k)
+      result[k] /= total[k] > 0. ? total[k] : 1.;
+    return result;
   }
 
   template <int dim>
@@ -158,7 +198,8 @@ namespace birdstrike
   }
 
   template <int dim>
-  SectionForces SectionCut<dim>::compute(const double *force, const double *position, const IsFree is_free) const
+  SectionForces SectionCut<dim>::compute(const double *force, const double *position, const IsFree is_free,
+                                         const IsFree is_failed) const
   {
     constexpr unsigned int n_unknowns = BladeMesh<dim>::n_unknowns;
     Point3                 c          = cut.empty() ? centroid : Point3::Zero();
@@ -173,14 +214,18 @@ namespace birdstrike
     if (plane.exists())
       c[1] = 0.;
     SectionForces result{Point3::Zero(), Point3::Zero(), axes * fit_rotation(position, is_free).transpose()};
+    const auto    add = [&](const std::uint32_t n, const double weight) {
+      const Point3 f(weight * Point3(force + n_unknowns * n));
+      result.force += f;
+      result.moment += (Point3(position + 3 * n) - c).cross(f);
+      if constexpr (n_unknowns == 6)
+        result.moment += weight * Point3(force + n_unknowns * n + 3);
+    };
     for (const std::uint32_t n : beyond)
-      {
-        const Point3 f(force + n_unknowns * n);
-        result.force -= f;
-        result.moment -= (Point3(position + 3 * n) - c).cross(f);
-        if constexpr (n_unknowns == 6)
-          result.moment -= Point3(force + n_unknowns * n + 3);
-      }
+      add(n, is_root() ? 1. : -1.);
+    const std::vector<double> weights = weights_of_cut(is_failed);
+    for (std::size_t k = 0; k < cut.size(); ++k)
+      add(cut[k].node, -weights[k]);
     if (plane.exists()) // vectors cancel across it, axial ones along it
       {
         result.force  = Point3(2. * result.force[0], 0., 2. * result.force[2]);

@@ -38,12 +38,15 @@ namespace birdstrike
 
       void fill(const std::span<double> row) const override
       {
-        const double *const force = blade.motion.element_forces(), *const x = blade.motion.positions();
-        double *next = row.data();
+        const double *const on_support = blade.motion.support_forces(), *const force = blade.motion.element_forces(),
+                            *const x    = blade.motion.positions();
+        double                    *next = row.data();
         for (const auto &cut : cuts)
           {
-            const SectionForces now =
-              cut.compute(force, x, [this](const std::uint32_t n) { return this->blade.elements.is_free(n); });
+            const SectionForces now = cut.compute(
+              cut.is_root() ? on_support : force, x,
+              [this](const std::uint32_t n) { return this->blade.elements.is_free(n); },
+              [this](const std::uint32_t cell) { return this->blade.elements.is_failed(cell); });
             for (const double value : {now.normal(), now.force.dot(now.axes.row(1)), now.force.dot(now.axes.row(2)),
                                        now.bending(), now.moment.dot(now.axes.row(2)), now.moment.dot(now.axes.row(0))})
               *next++ = value;

@@ -27,8 +27,12 @@ namespace birdstrike
   template <int dim>
   std::string describe_element(const CellMesh<dim> &mesh, std::size_t element);
 
+  /// A place farther from the mesh than this share of the diagonal of its box is none of the blade.
+  constexpr double farthest_place = 0.1;
+
   /// The node that a place names, the nearest of a point; adds a warning where that is farther than the elements there
-  /// are long. Throws InputError for a number that the mesh does not have.
+  /// are long. Throws InputError for a number that the mesh does not have, and for a point that is farther than that
+  /// and than farthest_place.
   template <int dim>
   std::uint32_t find_node(const BladeMesh<dim> &mesh, const Place &place, const std::string &entry, Warnings &warnings);
 

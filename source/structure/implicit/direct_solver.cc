@@ -1,7 +1,5 @@
 #include "structure/implicit/direct_solver.h"
 #include "structure/implicit/mpi.h"
-#include <birdstrike/core/errors.h>
-#include <birdstrike/core/machine.h>
 #include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/quiet_errors.h>
 
@@ -55,21 +53,14 @@ namespace birdstrike
           "joined to what is held?");
     }
 
-    /// MUMPS estimates what its factors and fronts will take; a process that takes more than there is is killed without
-    /// a word.
+    /// MUMPS estimates what its factors and fronts will take.
     void require_memory() const
     {
       auto *mumps = dynamic_cast<Amesos_Mumps *>(solver.get());
       if (mumps == nullptr)
         return;
       constexpr int estimate = 15; // INFOG(16), in millions of bytes
-      const double  needed   = 1e6 * mumps->GetINFOG()[estimate];
-      const auto    there    = static_cast<double>(available_memory());
-      if (needed > there)
-        throw InputError(fmt::format("Blade/Spin/Linear solver: factors of {} unknowns take {:.3g} GB, and {:.3g} GB "
-                                     "of memory are there.\nSet it to "
-                                     "multigrid or automatic, or take a coarser mesh.",
-                                     right.size(), 1e-9 * needed, 1e-9 * there));
+      require_memory_of_factors(1e6 * mumps->GetINFOG()[estimate], right.size());
     }
 
     static std::vector<unsigned int> lengths(const SparseRows &rows)

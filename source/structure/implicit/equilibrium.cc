@@ -66,7 +66,20 @@ namespace birdstrike
                     }
             }
       }
+    require_numbers(tangent);
     return tangent;
+  }
+
+  void Equilibrium::require_numbers(const SparseRows &tangent) const
+  {
+    for (std::size_t row = 0; row < tangent.size(); ++row)
+      for (std::size_t e = tangent.begin[row]; e < tangent.begin[row + 1]; ++e)
+        if (!std::isfinite(tangent.value[e]))
+          {
+            FailureFacts facts{"Static solve: the tangent is no number", "stiffness", tangent.value[e], "N/m"};
+            facts.where = place_of((*free)[row].node);
+            throw NumericalFailure(std::move(facts));
+          }
   }
 
   std::vector<double> Equilibrium::nodal_displacements(const std::span<const double> values) const
@@ -93,7 +106,8 @@ namespace birdstrike
     const NodeArrays arrays = motion.arrays();
     difference              = find_differences({arrays.reference, arrays.reference + 3 * n_nodes}, reach);
     accepted.assign(arrays.displacement, arrays.displacement + n_unknowns * n_nodes);
-    saved = elements.save();
+    saved   = elements.save();
+    follows = motion.has_pressure();
     find_unknowns();
   }
 
@@ -203,6 +217,13 @@ namespace birdstrike
     for (const double f : forces)
       sum += f * f;
     return std::sqrt(sum);
+  }
+
+  template <unsigned int n_unknowns>
+  EntityPlace BladeEquilibrium<n_unknowns>::place_of(const std::uint32_t node) const
+  {
+    const double *const x = motion.arrays().position + 3 * node;
+    return {"node", node, {{x[0], x[1], x[2]}}};
   }
 
   template <unsigned int n_unknowns>

@@ -2,6 +2,7 @@
 
 #include "structure/implicit/stencil.h"
 #include "structure/nodes/nodal_mechanics.h"
+#include <birdstrike/core/step_limit.h>
 #include <birdstrike/structure/rotor.h>
 
 #include <memory>
@@ -25,6 +26,11 @@ namespace birdstrike
     {
       return *free;
     }
+    /// Pressures, whose tangent is not symmetric at free edges.
+    bool has_following_loads() const
+    {
+      return follows;
+    }
     void set_load_factor(const double factor)
     {
       load_factor = factor;
@@ -33,7 +39,7 @@ namespace birdstrike
     virtual void compute_forces(std::span<const double> step, std::vector<double> &forces) = 0;
     /// -dr/ds, with the softening by spin, the stiffness of stresses and of following loads, consistent with the
     /// section laws: central differences of r, whose columns of one colour are found together (Curtis, Powell & Reid
-    /// 1974).
+    /// 1974). Throws NumericalFailure where an entry is no number.
     SparseRows compute_tangent(std::span<const double> step);
     /// Of the accepted state, without flow: of vibrations about a state that has yielded, where a metal unloads.
     virtual SparseRows compute_elastic_tangent() = 0;
@@ -50,11 +56,17 @@ namespace birdstrike
     std::vector<double> nodal_displacements(std::span<const double> values) const;
 
   protected:
+    virtual EntityPlace place_of(std::uint32_t node) const = 0;
+
     std::unique_ptr<FreeUnknowns> free;
     NodeLists                     reach;      ///< nodes on which a node's motion makes forces
     std::vector<std::uint32_t>    colour;     ///< of its nodes
     std::vector<double>           difference; ///< m, [n_nodes]: what displacements are varied by
     double                        load_factor = 1.;
+    bool                          follows     = false;
+
+  private:
+    void require_numbers(const SparseRows &tangent) const; ///< throws NumericalFailure, with the node
   };
 
   template <unsigned int n_unknowns>
@@ -75,6 +87,9 @@ namespace birdstrike
     double                           load_norm() override;
     std::vector<double>              masses() const override;
     std::vector<std::vector<double>> rigid_motions() const override;
+
+  protected:
+    EntityPlace place_of(std::uint32_t node) const override;
 
   private:
     void find_unknowns();

@@ -1,5 +1,4 @@
 #include "structure/implicit/krylov_schur.h"
-#include "structure/implicit/direct_solver.h"
 #include "structure/implicit/mpi.h"
 #include <birdstrike/core/numerical_failure.h>
 
@@ -23,7 +22,7 @@ namespace birdstrike
     class ShiftedInverse : public Epetra_Operator
     {
     public:
-      ShiftedInverse(const SparseRows &shifted, std::vector<double> roots_of_masses, const Epetra_Map &map)
+      ShiftedInverse(LinearSolver &shifted, std::vector<double> roots_of_masses, const Epetra_Map &map)
         : solver(shifted), root(std::move(roots_of_masses)), map(map)
       {
       }
@@ -79,13 +78,13 @@ namespace birdstrike
       }
 
     private:
-      mutable DirectSolver solver;
-      std::vector<double>  root;
-      const Epetra_Map    &map;
+      LinearSolver       &solver;
+      std::vector<double> root;
+      const Epetra_Map   &map;
     };
   } // namespace
 
-  Eigenpairs find_by_krylov_schur(const SparseRows &shifted, const std::vector<double> &masses, const std::size_t n)
+  Eigenpairs find_by_krylov_schur(LinearSolver &shifted, const std::vector<double> &masses, const std::size_t n)
   {
     start_mpi();
     using Vectors            = Epetra_MultiVector;

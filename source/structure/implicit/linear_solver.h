@@ -27,6 +27,9 @@ namespace birdstrike
 
   /// Automatic is multigrid beyond the size (most_direct_unknowns) to which factors are as quick.
   bool takes_multigrid(LinearSolverChoice choice, std::size_t n_unknowns);
+  /// Throws InputError where factors (bytes, by an estimate) are more than the memory that is left: a process that
+  /// takes more is killed without a word.
+  void require_memory_of_factors(double bytes, std::size_t n_unknowns);
   /// For a tangent of this equilibrium, at the position of its last forces.
   ///
   /// @throws NumericalFailure for a singular matrix.

@@ -1,5 +1,6 @@
 #include "structure/implicit/lobpcg.h"
 #include <birdstrike/core/numerical_failure.h>
+#include <birdstrike/core/simd/larger.h>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -15,7 +16,6 @@ namespace birdstrike
     using Eigen::MatrixXd;
     using Eigen::VectorXd;
 
-    constexpr double tolerance       = 1e-9;  // of r^T P r/lambda
     constexpr double dependent       = 1e-12; // squared length below which a direction adds nothing to the others
     constexpr int    most_iterations = 300;
 
@@ -33,8 +33,8 @@ namespace birdstrike
     class Lobpcg
     {
     public:
-      Lobpcg(const Multigrid &stiffness, const std::vector<double> &masses, const std::size_t n)
-        : stiffness(stiffness), mass(masses.size()), wanted(static_cast<Index>(n))
+      Lobpcg(const Multigrid &stiffness, const std::vector<double> &masses, const std::size_t n, const double tolerance)
+        : stiffness(stiffness), mass(masses.size()), wanted(static_cast<Index>(n)), tolerance(tolerance)
       {
         for (std::size_t i = 0; i < masses.size(); ++i)
           mass[i] = masses[i] * stiffness.scale()[i] * stiffness.scale()[i];
@@ -46,15 +46,15 @@ namespace birdstrike
         double left = 0.;
         for (int iteration = 0; iteration < most_iterations; ++iteration)
           {
+            if (!values.allFinite())
+              throw NumericalFailure("Modes: the stiffness of the loaded blade holds what is no number.");
+            if (values[0] <= 0.)
+              return {{values[0]}, {}, static_cast<std::size_t>(iteration)};
             const MatrixXd residual = x.k - mass.asDiagonal() * x.v * values.asDiagonal();
             Block          w{precondition(residual), {}};
-            if (values[0] <= 0.)
-              throw NumericalFailure("Modes: the equilibrium is not stable, or nearly so: its stiffness is not "
-                                     "positive.\nSet Blade/Spin/Linear "
-                                     "solver to direct for frequencies below zero.");
             left = 0.;
             for (Index k = 0; k < wanted; ++k)
-              left = std::max(left, std::abs(residual.col(k).dot(w.v.col(k))) / values[k]);
+              left = larger(left, std::abs(residual.col(k).dot(w.v.col(k))) / values[k]);
             if (left < tolerance)
               return result(iteration);
             improve(std::move(w));
@@ -191,13 +191,15 @@ namespace birdstrike
       const Multigrid &stiffness;
       VectorXd         mass; ///< D M D
       Index            wanted;
+      double           tolerance; ///< of r^T P r/lambda
       VectorXd         values;
       Block            x, p;
     };
   } // namespace
 
-  Eigenpairs find_by_lobpcg(const Multigrid &shifted, const std::vector<double> &masses, const std::size_t n)
+  Eigenpairs find_by_lobpcg(const Multigrid &shifted, const std::vector<double> &masses, const std::size_t n,
+                            const double tolerance)
   {
-    return Lobpcg(shifted, masses, n).solve();
+    return Lobpcg(shifted, masses, n, tolerance).solve();
   }
 } // namespace birdstrike

@@ -12,6 +12,10 @@ namespace birdstrike
   /// What is left is measured by r^T P r/lambda, P the preconditioner: the error of the eigenvalue up to what P is off
   /// the inverse, whatever the mesh and the units.
   ///
-  /// @throws NumericalFailure if it does not converge, or finds a negative eigenvalue: multigrid is for stable states.
-  Eigenpairs find_by_lobpcg(const Multigrid &shifted, const std::vector<double> &masses, std::size_t n);
+  /// It ends with the first Rayleigh quotient that is not positive (Eigenpairs::is_positive): multigrid is for stable
+  /// states.
+  ///
+  /// @throws NumericalFailure if it does not converge.
+  Eigenpairs find_by_lobpcg(const Multigrid &shifted, const std::vector<double> &masses, std::size_t n,
+                            double tolerance = 1e-9);
 } // namespace birdstrike

@@ -1,5 +1,6 @@
 #include "structure/implicit/static_solve.h"
 #include "structure/implicit/linear_solver.h"
+#include "structure/implicit/stability.h"
 #include <birdstrike/core/numerical_failure.h>
 
 #include <fmt/format.h>
@@ -200,6 +201,8 @@ namespace birdstrike
               throw NumericalFailure(describe_end(factor, newton));
             continue;
           }
+        if (to == 1.)
+          report.n_unstable = count_unstable(equilibrium, step, linear_solver);
         equilibrium.accept(step);
         report.n_iterations += newton.residuals.size() - 1;
         report.residuals = newton.residuals;

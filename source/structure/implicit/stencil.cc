@@ -1,6 +1,7 @@
 #include "structure/implicit/stencil.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace birdstrike
 {
@@ -66,6 +67,22 @@ namespace birdstrike
   std::size_t SparseRows::n_not_zero(const std::size_t row) const
   {
     return begin[row + 1] - begin[row] - std::count(value.begin() + begin[row], value.begin() + begin[row + 1], 0.);
+  }
+
+  double SparseRows::make_symmetric()
+  {
+    double difference = 0., norm = 0.;
+    for (std::size_t row = 0; row < size(); ++row)
+      for (std::size_t e = begin[row]; e < begin[row + 1]; ++e)
+        {
+          norm += value[e] * value[e];
+          if (column[e] <= row)
+            continue;
+          double &mirrored = at(column[e], static_cast<std::uint32_t>(row));
+          difference += 2. * (value[e] - mirrored) * (value[e] - mirrored);
+          value[e] = mirrored = 0.5 * (value[e] + mirrored);
+        }
+    return std::sqrt(difference / norm);
   }
 
   SparseRows make_pattern(const FreeUnknowns &unknowns, const NodeLists &reach)

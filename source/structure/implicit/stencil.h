@@ -45,6 +45,8 @@ namespace birdstrike
     }
     double      find(std::size_t row, std::uint32_t column_number) const; ///< zero where nothing is stored
     std::size_t n_not_zero(std::size_t row) const;
+    /// Takes the symmetric part, where the pattern is symmetric; returns |K - K^T| over |K| (Frobenius).
+    double make_symmetric();
   };
 
   /// Zeros where forces on an unknown may depend on another.

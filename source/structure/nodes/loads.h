@@ -27,8 +27,12 @@ namespace birdstrike
     template <int dim>
     Loads(const BladeParameters::Loads &parameters, const BladeMesh<dim> &mesh, std::vector<Quadrilateral> pressed);
 
-    bool   is_active() const; ///< anything but damping
-    double damping() const;   ///< 1/s
+    bool is_active() const;   ///< anything but damping
+    bool has_pressure() const ///< a load that follows the surface
+    {
+      return !pressure.empty();
+    }
+    double damping() const; ///< 1/s
 
     /// From now on nothing presses on this one of the `pressed` (its element has failed).
     void stop_pressing(std::size_t quadrilateral);

@@ -18,8 +18,6 @@ namespace birdstrike
     increment_time = 0.;
     added.clear();
     update_loads();
-    if (scaled)
-      scaled->update_forces(vectors->force.begin(), vectors->external.begin());
   }
 
   template <unsigned int n_unknowns>
@@ -271,10 +269,13 @@ namespace birdstrike
   template <unsigned int n_unknowns>
   void NodalMechanics<n_unknowns>::update_loads()
   {
-    if (!loads.is_active())
-      return;
-    std::fill_n(vectors->external.begin(), n_unknowns * n_nodes, 0.);
-    loads.add_forces(time, vectors->position.begin(), vectors->external.begin());
+    if (loads.is_active())
+      {
+        std::fill_n(vectors->external.begin(), n_unknowns * n_nodes, 0.);
+        loads.add_forces(time, vectors->position.begin(), vectors->external.begin());
+      }
+    if (scaled)
+      scaled->update_forces(vectors->force.begin(), vectors->external.begin());
   }
 
   template <unsigned int n_unknowns>

@@ -83,6 +83,8 @@ namespace birdstrike
 
     /// Forces of the elements for the increment since the last call, and of the loads at the present time.
     void compute_internal_forces(Elements &elements);
+    /// Of the loads at the present time and positions, after somebody else has moved nodes and set element forces.
+    void update_loads();
 
     void add_internal_forces(std::span<const NodalForce> forces); ///< see Blade
     /// Those of formulas at a time (s) and the present positions, to `force` [n_nodes][n_unknowns] (N, N m).
@@ -91,11 +93,20 @@ namespace birdstrike
       if (loads.is_active())
         loads.add_forces(at, positions(), force);
     }
+    bool has_pressure() const
+    {
+      return loads.has_pressure();
+    }
     /// Everything turns with the hub from now on.
     void turn_with_hub();
-    /// From now on these nodes are turned back by in_turning_frame(), and no others.
-    void see_from_hub(std::vector<std::uint32_t> nodes);
-    /// As somebody on the hub sees them: positions (m), displacements and element_forces(), of all nodes in their
+    /// From now on in_turning_frame() and support_forces() are of these nodes, and of no others.
+    void report_nodes(std::vector<std::uint32_t> nodes);
+    /// N and N m, [n_nodes][n_unknowns]: on held unknowns the force on their support,
+    ///   f_elements + f_loads + f_contact + f_others - m (a + alpha v),   a as the support moves,
+    /// the rate of MomentumReport::support_impulse. At t = 0 a hub has a steady speed, and driven unknowns are at rest:
+    /// the equilibrium of implicit/equilibrium.h.
+    const double *support_forces() const;
+    /// As somebody on the hub sees them: positions (m), displacements and support_forces(), of all nodes in their
     /// places.
     struct InTurningFrame
     {
@@ -131,9 +142,11 @@ namespace birdstrike
   private:
     using Sums = std::array<double, 12>;
     double acceleration(std::size_t dof) const;
+    /// Of the formulas and the hub that move a node; other components: 0.
+    std::array<double, n_unknowns> driven_acceleration(std::size_t node) const;
+    std::array<double, n_unknowns> support_force(std::size_t node) const;
     struct Vectors; ///< nodal_vectors.h: deal.II's headers stay with the sources that read entries
 
-    void update_loads();
     void kick_loaded(double half_step, bool is_first);
     void book_damping_of_scaling(double half_step, bool is_first);
     void book_support(std::uint32_t dof, double impulse);
@@ -177,11 +190,12 @@ namespace birdstrike
     std::size_t                   n_nodes, n_owned;       ///< ghosts come last
 
     std::unique_ptr<Vectors>                           vectors;
-    std::vector<std::pair<std::string, std::uint32_t>> watched;       ///< probes: name, node
-    std::unique_ptr<ScaledNodes>                       scaled;        ///< none: masses are those of the nodes
-    std::vector<NodalForce>                            added;         ///< to the forces, since they were computed
-    mutable std::vector<double>                        of_elements;   ///< N, forces without them
-    std::vector<std::uint32_t>                         seen_from_hub; ///< nodes
+    std::vector<std::pair<std::string, std::uint32_t>> watched;        ///< probes: name, node
+    std::unique_ptr<ScaledNodes>                       scaled;         ///< none: masses are those of the nodes
+    std::vector<NodalForce>                            added;          ///< to the forces, since they were computed
+    mutable std::vector<double>                        of_elements;    ///< N, forces without them
+    std::vector<std::uint32_t>                         reported_nodes; ///< their numbers
+    mutable std::vector<double>                        on_support;     ///< support_forces()
     mutable InTurningFrame                             turned_back;
 
     double time           = 0.;                   ///< s

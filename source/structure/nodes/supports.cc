@@ -8,11 +8,21 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 namespace birdstrike
 {
   namespace
   {
+    template <class Mesh>
+    std::string ids_of(const Mesh &mesh)
+    {
+      std::string known;
+      for (const unsigned int id : mesh.boundary_ids)
+        known += (known.empty() ? "" : ", ") + std::to_string(id);
+      return known;
+    }
+
     /// Boundary ids of an entry, which the mesh must have.
     template <class Mesh>
     std::vector<unsigned int> require_ids(const std::string &text, const Mesh &mesh, const std::string &entry)
@@ -21,14 +31,44 @@ namespace birdstrike
       for (const unsigned int id : ids)
         if (!mesh.has_boundary_id(id) &&
             std::find(mesh.mirrored_ids.begin(), mesh.mirrored_ids.end(), id) == mesh.mirrored_ids.end())
-          {
-            std::string known;
-            for (const unsigned int other : mesh.boundary_ids)
-              known += (known.empty() ? "" : ", ") + std::to_string(other);
-            throw InputError("Blade/Supports/" + entry + ": the mesh has no boundary id " + std::to_string(id) +
-                             ".\nIds of this mesh: " + known + "; names: " + mesh.boundary_names.list() + ".");
-          }
+          throw InputError("Blade/Supports/" + entry + ": the mesh has no boundary id " + std::to_string(id) +
+                           ".\nIds of this mesh: " + ids_of(mesh) + "; names: " + mesh.boundary_names.list() + ".");
       return ids;
+    }
+
+    template <class Mesh>
+    bool is_from_file(const Mesh &mesh)
+    {
+      return !mesh.file_node_ids.empty();
+    }
+
+    /// What a user may write for Clamped.
+    template <class Mesh>
+    [[noreturn]] void ask_for_clamped(const Mesh &mesh)
+    {
+      std::size_t n_unnamed = 0;
+      for (const auto &side : mesh.boundary)
+        n_unnamed += side.id == 0 && !mesh.boundary_names.names(0);
+      throw InputError(
+        "Blade/Supports/Clamped is not given: a mesh from a file has no root of its own.\nNames in this mesh: " +
+        mesh.boundary_names.list() + "; ids: " + ids_of(mesh) + ". Set Clamped or Hub to those of the root" +
+        (n_unnamed == 0
+           ? std::string()
+           : fmt::format(", to 0 to hold all {} sides without a name ({} of the whole boundary)", n_unnamed,
+                         n_unnamed == mesh.boundary.size() ? "all" : std::to_string(mesh.boundary.size()))) +
+        ", or leave Clamped empty (Clamped =) to hold nothing.");
+    }
+
+    template <class Mesh>
+    std::vector<unsigned int> find_clamped(const BladeParameters::Supports &parameters, const Mesh &mesh)
+    {
+      if (parameters.clamped != parameters.automatic)
+        return require_ids(parameters.clamped, mesh, "Clamped");
+      if (!is_from_file(mesh))
+        return require_ids("0", mesh, "Clamped");
+      if (!is_present(parameters.hub))
+        ask_for_clamped(mesh);
+      return {};
     }
 
     template <unsigned int n_unknowns>
@@ -112,6 +152,25 @@ namespace birdstrike
         }
       return nodes;
     }
+
+    /// Of a set of n nodes, of which these lie off its sides and are free.
+    template <class Mesh>
+    std::string describe_partly_held(const std::string &entry, const std::string &name, const std::size_t n,
+                                     const std::vector<std::uint32_t> &free, const Mesh &mesh)
+    {
+      Point3 low = mesh.node(free.front()), high = low;
+      for (const std::uint32_t node : free)
+        {
+          low  = low.cwiseMin(mesh.node(node));
+          high = high.cwiseMax(mesh.node(node));
+        }
+      return fmt::format(
+        "Blade/Supports/{0} = {1}: {2} of the {3} nodes of the set '{1}' are held, {4} stay free (one is node {5}). A "
+        "name holds the sides whose nodes all belong to it, no single nodes and none inside. To hold these as well, "
+        "set Blade/Supports/Held boxes = {6:.10g} {7:.10g} {8:.10g} {9:.10g} {10:.10g} {11:.10g}: clamped.",
+        entry, name, n - free.size(), n, free.size(), mesh.node_label(free.front()), low[0], low[1], low[2], high[0],
+        high[1], high[2]);
+    }
   } // namespace
 
   Supports::Supports(const BladeParameters::Supports &parameters, const SurfaceMesh &mesh, const bool turns,
@@ -131,27 +190,21 @@ namespace birdstrike
   template <class Mesh>
   void Supports::find_roles(const BladeParameters::Supports &parameters, const Mesh &mesh)
   {
-    // The defaults name root and tip of the built-in parts. Where a file names its sides, 0 is every one that it does
-    // not name, and 1 the first that it does.
-    const BladeParameters::Supports standard;
-    const bool                      are_named = mesh.boundary_names.has_names() && !mesh.boundary_names.names(0);
-    if (are_named && parameters.clamped == standard.clamped && parameters.hub.empty())
-      throw InputError("Blade/Supports/Clamped = " + standard.clamped +
-                       " (its default) holds every side that no name of the mesh stands for.\nName the root, Clamped = "
-                       "..., or hold nothing, Clamped = (empty). Names in this mesh: " +
-                       mesh.boundary_names.list() + ".");
-    const bool is_hub_alone = are_named && parameters.clamped == standard.clamped;
-    clamped_ids             = require_ids(is_hub_alone ? "" : parameters.clamped, mesh, "Clamped");
-    root_ids                = require_ids(parameters.hub, mesh, "Hub");
+    clamped_ids = find_clamped(parameters, mesh);
+    root_ids    = require_ids(parameters.hub, mesh, "Hub");
     clamped_ids.insert(clamped_ids.end(), root_ids.begin(), root_ids.end());
     if (root_ids.empty())
       root_ids = clamped_ids;
     for (const unsigned int id : require_ids(parameters.free, mesh, "Free"))
       if (std::ranges::find(clamped_ids, id) != clamped_ids.end())
-        throw InputError(
-          fmt::format("Blade/Supports/Free = {}: boundary {} is held by Clamped (by default 0) or Hub as well."
-                      "\nTake it out of one of them.",
-                      parameters.free, id));
+        throw InputError(fmt::format(
+          "Blade/Supports/Free = {}: boundary {} is held by Clamped (of built-in parts by default 0) or Hub "
+          "as well."
+          "\nTake it out of one of them.",
+          parameters.free, id));
+    // The default is the tip of the built-in parts. Where a file names its sides, 1 is the first that it names.
+    const BladeParameters::Supports standard;
+    const bool                      are_named = mesh.boundary_names.has_names() && !mesh.boundary_names.names(0);
     if (parameters.tip != standard.tip)
       tip_ids = require_ids(parameters.tip, mesh, "Tip");
     else if (!are_named) // a file need not have a tip
@@ -215,5 +268,55 @@ namespace birdstrike
         driven.push_back(std::move(driven_here));
       }
     held_dofs = held.sorted();
+    warn_of_whole_rim(mesh);
+    warn_of_nodes_off_sides<n_unknowns>(parameters, mesh);
+  }
+
+  template <class Mesh>
+  void Supports::warn_of_whole_rim(const Mesh &mesh)
+  {
+    const auto is_clamped = [&](const unsigned int id) {
+      return std::ranges::find(clamped_ids, id) != clamped_ids.end();
+    };
+    if (is_from_file(mesh) && is_clamped(0) && !mesh.boundary_names.names(0) && !mesh.boundary.empty() &&
+        std::ranges::all_of(mesh.boundary, [&](const auto &side) { return is_clamped(side.id); }))
+      warnings.push_back({"blade/whole_rim_held",
+                          fmt::format("Blade/Supports/Clamped = 0 holds all sides of the mesh that have no name: here "
+                                      "the whole boundary, {} nodes. Name the root in the file if that is not meant.",
+                                      mesh.nodes_on(clamped_ids).size())});
+  }
+
+  template <unsigned int n_unknowns, class Mesh>
+  void Supports::warn_of_nodes_off_sides(const BladeParameters::Supports &parameters, const Mesh &mesh)
+  {
+    std::unordered_map<std::int64_t, std::uint32_t> node_of;
+    const auto                                      is_free = [&](const std::uint32_t node) {
+      for (std::uint32_t c = 0; c < 3; ++c)
+        if (!std::ranges::binary_search(held_dofs, n_unknowns * node + c))
+          return true;
+      return false;
+    };
+    const auto look_at = [&](const std::string &entry, const std::string &names) {
+      for (const std::string &name : parse_words(names))
+        {
+          const NamedIds::Nodes *const set = mesh.boundary_names.nodes_of(name);
+          if (set == nullptr || set->off_sides.empty())
+            continue;
+          for (std::uint32_t n = 0; n < mesh.file_node_ids.size() && node_of.size() < mesh.nodes.size(); ++n)
+            node_of.emplace(mesh.file_node_ids[n], n);
+          std::vector<std::uint32_t> free;
+          for (const std::int64_t id : set->off_sides)
+            if (const auto found = node_of.find(id); found != node_of.end() && is_free(found->second))
+              free.push_back(found->second);
+          if (!free.empty())
+            warnings.push_back({"blade/set_partly_held", describe_partly_held(entry, name, set->n, free, mesh)});
+        }
+    };
+    look_at("Clamped", parameters.clamped);
+    look_at("Hub", parameters.hub);
+    for (const auto &[key, components] : parse_pairs(parameters.held, "Blade/Supports/Held"))
+      look_at("Held", key);
+    for (const auto &[key, text] : parse_pairs(parameters.driven, "Blade/Supports/Driven"))
+      look_at("Driven", key);
   }
 } // namespace birdstrike

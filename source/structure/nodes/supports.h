@@ -1,6 +1,7 @@
 #pragma once
 
 #include <birdstrike/core/expression.h>
+#include <birdstrike/core/warning.h>
 #include <birdstrike/mesh/cell_mesh.h>
 #include <birdstrike/structure/parameters.h>
 
@@ -44,6 +45,7 @@ namespace birdstrike
     /// Of Held and Held boxes, as text, that hold ux uy uz of all nodes of a face of a solid, without being called
     /// clamped: they hold its rotation too.
     std::vector<std::string> held_faces;
+    Warnings                 warnings; ///< nodes of named sets that stay free; a boundary that is held all round
 
   private:
     template <class Mesh>
@@ -51,5 +53,9 @@ namespace birdstrike
     template <unsigned int n_unknowns, class Mesh>
     void find_held(const BladeParameters::Supports &parameters, const Mesh &mesh, bool turns,
                    const std::vector<bool> &is_rigid);
+    template <class Mesh>
+    void warn_of_whole_rim(const Mesh &mesh);
+    template <unsigned int n_unknowns, class Mesh>
+    void warn_of_nodes_off_sides(const BladeParameters::Supports &parameters, const Mesh &mesh);
   };
 } // namespace birdstrike

@@ -1,7 +1,5 @@
 #include "structure/nodes/nodal_vectors.h"
 
-#include <algorithm>
-
 // A blade that turns with its hub: how it starts, and what somebody on the hub sees.
 namespace birdstrike
 {
@@ -25,22 +23,11 @@ namespace birdstrike
   }
 
   template <unsigned int n_unknowns>
-  void NodalMechanics<n_unknowns>::see_from_hub(std::vector<std::uint32_t> nodes)
-  {
-    std::ranges::sort(nodes);
-    nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
-    seen_from_hub = std::move(nodes);
-    turned_back.position.assign(3 * n_nodes, 0.);
-    turned_back.displacement.assign(n_unknowns * n_nodes, 0.);
-    turned_back.force.assign(n_unknowns * n_nodes, 0.);
-  }
-
-  template <unsigned int n_unknowns>
   auto NodalMechanics<n_unknowns>::in_turning_frame() const -> const InTurningFrame &
   {
-    const double *const f = element_forces(), *const u = displacements();
+    const double *const f = support_forces(), *const u = displacements();
     const Turn turn = rotor.turn(time);
-    for (const std::uint32_t n : seen_from_hub)
+    for (const std::uint32_t n : reported_nodes)
       {
         const Point3 reference(vectors->reference.begin() + 3 * n);
         // of u less that of the hub, whose difference is small
@@ -59,8 +46,6 @@ namespace birdstrike
 
   template void NodalMechanics<3>::turn_with_hub();
   template void NodalMechanics<6>::turn_with_hub();
-  template void NodalMechanics<3>::see_from_hub(std::vector<std::uint32_t>);
-  template void NodalMechanics<6>::see_from_hub(std::vector<std::uint32_t>);
   template auto NodalMechanics<3>::in_turning_frame() const -> const InTurningFrame &;
   template auto NodalMechanics<6>::in_turning_frame() const -> const InTurningFrame &;
 } // namespace birdstrike

@@ -1,4 +1,5 @@
 #include "structure/probes/sections.h"
+#include <birdstrike/core/simd/larger.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@ namespace birdstrike
     double peak = 0.;
     for (const auto *face : {&stress_struck, &stress_rear})
       for (const double s : *face)
-        peak = std::max(peak, std::abs(s));
+        peak = larger(peak, std::abs(s));
     return peak;
   }
 

@@ -179,16 +179,23 @@ namespace birdstrike::histories_test
       ThreadPool      pool;
       const auto      blade = make_blade(test::elastic_plate(14, 4), pool);
       HistoryRequests requests;
-      requests.nodes       = "near: 0.1 0.01 0; far: 0.1 0 0.05";
+      requests.nodes       = "near: 0.1 0.01 0; far: 0.1 0 0.03";
       const auto histories = blade->make_histories(requests);
       ASSERT_EQ(histories.warnings.size(), 1u);
       EXPECT_EQ(histories.warnings[0].code, "history/far_from_mesh");
-      EXPECT_NE(histories.warnings[0].text.find("'far' at (0.1, 0, 0.05) m"), std::string::npos);
+      EXPECT_NE(histories.warnings[0].text.find("'far' at (0.1, 0, 0.03) m"), std::string::npos);
       const auto refuses = [&](std::string HistoryRequests::*entry, const char *text) {
         HistoryRequests bad;
         bad.*entry = text;
         EXPECT_THROW(blade->make_histories(bad), InputError) << text;
       };
+      // the box of 0.3112 x 0.0889 m is 0.3236 m from corner to corner: 0.033 m are a tenth of it, 0.4 mm in mm not
+      for (const auto entry : {&HistoryRequests::nodes, &HistoryRequests::elements, &HistoryRequests::gauges})
+        for (const char *text : {"a: 0.1 0 0.033", "a: 400 0 0"})
+          refuses(entry, text);
+      BladeParameters probed = test::elastic_plate(14, 4);
+      probed.probes          = "a: 400 0 0";
+      EXPECT_THROW(make_blade(probed, pool), InputError);
       for (const char *text : {"a: node 75", "a: 1 2", "a.b: 0 0 0", "a: 0 0 0; a: 0 0 0"})
         refuses(&HistoryRequests::nodes, text);
       for (const char *text : {"a: element 56", "a: 0 0 0 | 1.5", "a: 0 0 0 | 0 | 0"})

@@ -1,12 +1,15 @@
 #include "blade_case.h"
 #include "laminate_case.h"
 
+#include "structure/deformable_blade.h"
 #include "structure/elements/shell/laminate/failure.h"
 
 #include <birdstrike/core/archive.h>
 #include <birdstrike/structure/make_blade.h>
 
 #include <gtest/gtest.h>
+
+#include <fmt/format.h>
 
 namespace laminate_failure_test
 {
@@ -258,6 +261,98 @@ namespace laminate_failure_test
         blade->archive(of_one);
         again->archive(of_other);
         EXPECT_EQ(find_difference(one, other), "");
+      }
+  }
+
+  // Plies whose matrix is gone carry nothing across: the element goes where its own plies are strained by the limit,
+  // opened, crushed or sheared, and all work is booked. One ply whose fibres hold the strain keeps it.
+  TEST(LaminateFailure, TakesAwayWhatFailsByMatrixAlone)
+  {
+    struct Case
+    {
+      std::vector<double> angles;
+      double              xx, yy, xy;
+      bool                breaks;
+    };
+    constexpr double limit = 0.1, step = 1e-4;
+    for (const auto formulation : covariant_formulations)
+      for (const Case &of :
+           {Case{{90.}, 1., 0., 0., true}, Case{{90.}, -1., 0., 0., true}, Case{{90., 90.}, 0., 0.01, 1., true},
+            Case{{0., 90.}, 0., 1., 0., true}, Case{{90.}, 0., 1e-2, 0., false}})
+        {
+          ShellSection section         = brittle_section(of.angles, formulation);
+          auto         plies           = std::make_shared<Laminate>(*section.laminate);
+          plies->matrix_failure_strain = limit;
+          section.laminate             = plies;
+          Square square(section);
+          double strain = 0., largest = 0.;
+          for (int k = 0; k < 1500 && square.model.elements.n_failed() == 0; ++k)
+            {
+              square.strain(step * of.xx, step * of.yy, step * of.xy);
+              strain += step * std::max({std::abs(of.xx), std::abs(of.yy), std::abs(of.xy)});
+              largest = std::max(largest, square.work);
+              EXPECT_NEAR(square.booked(), square.work, 1e-3 * largest);
+            }
+          EXPECT_EQ(square.model.elements.n_failed(), of.breaks ? 1U : 0U) << name_of(formulation) << of.angles.size();
+          if (of.breaks) // increments are of the present length: logarithms, 5 % of a tenth
+            {
+              EXPECT_NEAR(strain / limit, 1., 0.1) << name_of(formulation) << of.angles.size();
+            }
+        }
+  }
+
+  // Coupons of one direction, pulled or pressed to a strain of a half: the peak of their stress is Chang and Chang's,
+  // the run reaches its end, and the step stays of its size.
+  TEST(LaminateFailure, CouponsThatFailByMatrixAloneAreResults)
+  {
+    struct Case
+    {
+      const char *plies;
+      double      sign, strength; // Pa
+    };
+    // Y_t; off axis c = cos, s = sin: (s^2/Y_t)^2 + (c s/S)^2 = 1/sigma^2; pressed, with b = s^2, d = c s:
+    // (b/2S)^2 sigma^2 - ((Y_c/2S)^2 - 1) b sigma/Y_c ... = 1
+    const auto pressed = [](const double angle) {
+      const double c = std::cos(angle * M_PI / 180.), s = std::sin(angle * M_PI / 180.), Yc = 200e6, S = 80e6;
+      const double square = std::pow(s * s / (2. * S), 2) + std::pow(c * s / S, 2),
+                   linear = (std::pow(Yc / (2. * S), 2) - 1.) * s * s / Yc;
+      return (linear + std::sqrt(linear * linear + 4. * square)) / (2. * square);
+    };
+    for (const Case &of : {Case{"[90]", 1., 50e6}, Case{"[90]", -1., pressed(90.)}, Case{"[45]", -1., pressed(45.)},
+                           Case{"[60]", -1., pressed(60.)}})
+      {
+        BladeParameters p           = birdstrike::test::elastic_plate(10, 4);
+        p.mesh.length               = 0.05;
+        p.mesh.chord                = 0.02;
+        p.thickness.value           = "0.002";
+        p.laminate                  = LaminateParameters::of_blade();
+        p.laminate.plies            = of.plies;
+        p.laminate.ply              = brittle();
+        p.laminate.degradation_time = 5e-6;
+        p.supports.clamped          = "";
+        p.supports.tip              = "";
+        p.supports.driven           = fmt::format("0: ux = 0; 1: ux = {}*2000*t^2", of.sign);
+        p.supports.held_boxes       = "-1 -1 -1 1 1 1: uz rx ry";
+        ThreadPool                   pool(1);
+        ShellBlade                   blade(p, pool);
+        const birdstrike::NodeArrays nodes = blade.nodes();
+        const double                 dt    = 0.9 * blade.largest_stable_step();
+        const auto                   force = [&] { // of the elements on the end that rests
+          double sum = 0.;
+          for (std::size_t n = 0; n < nodes.n; ++n)
+            sum += nodes.reference[3 * n] < 1e-6 ? nodes.force[6 * n] : 0.;
+          return of.sign * sum;
+        };
+        double peak = 0.;
+        for (double time = 0.; time < 3.5e-3; time += 20. * dt)
+          {
+            birdstrike::test::advance(blade, dt, 20);
+            peak = std::max(peak, force());
+            ASSERT_GT(blade.largest_stable_step(), 0.3 * dt) << of.plies << of.sign << ' ' << time;
+          }
+        // pulled at 1.5 m/s when it breaks: inertia of a third of a MPa, and steps of 20 between samples
+        EXPECT_NEAR(peak / (0.02 * 0.002 * of.strength), 1., 0.05) << of.plies << of.sign;
+        EXPECT_GT(blade.failure().n_elements, 3U) << of.plies << of.sign;
       }
   }
 } // namespace laminate_failure_test

@@ -77,7 +77,9 @@ namespace shell_patch_test
           const double           error =
             patch_error(make_patch(), make_section(1e6, .25, formulation), 1e-3, R, shift, stretch, is_corner, &loaded);
           record(std::string(name_of(formulation)) + (shift.norm() > 0. ? " away" : ""), error);
-          EXPECT_LT(error, 1e-9);
+          // at 2000 m a position has steps of 2.3e-13 m: 1e-9 of the displacements of 2.4e-4 m, in each of two
+          // positions
+          EXPECT_LT(error, shift.norm() > 0. ? 2e-9 : 1e-9);
           for (std::size_t e = 0; e < 5; ++e)
             {
               const auto      s = loaded->elements.global_layer_stress(e, ShellLayer::top);

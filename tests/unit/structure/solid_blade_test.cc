@@ -313,19 +313,13 @@ namespace birdstrike::solid_blade_test
     {
       BladeParameters p    = solid_plate(4, 2, 1);
       p.material.hardening = "perfect";
-      EXPECT_EQ(p.solid_formulation(), SolidFormulation::solid_shell);
-      p.mesh.n_layers = 2;
-      EXPECT_EQ(p.solid_formulation(), SolidFormulation::one_point) << "the layers resolve the thickness";
-      p.mesh.n_layers        = 1;
+      EXPECT_EQ(p.solid_formulation(1), SolidFormulation::solid_shell);
+      EXPECT_EQ(p.solid_formulation(2), SolidFormulation::one_point) << "the layers resolve the thickness";
       p.material.failure.law = FailureLaw::plastic_strain;
-      EXPECT_EQ(p.solid_formulation(), SolidFormulation::one_point) << "solid-shells do not fail";
+      EXPECT_EQ(p.solid_formulation(1), SolidFormulation::one_point) << "solid-shells do not fail";
       p.element.formulation = SolidFormulation::solid_shell;
       ThreadPool pool;
       EXPECT_THROW(make_blade(p, pool), InputError);
-      p.material.failure.law = FailureLaw::none;
-      p.element.formulation  = {};
-      p.mesh.generator       = MeshGenerator::file;
-      EXPECT_EQ(p.solid_formulation(), SolidFormulation::one_point) << "a file may hold any number of layers";
     }
 
     TEST(SolidBlade, NamesEntriesThatMeanNothingForIt)

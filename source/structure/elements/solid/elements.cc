@@ -14,7 +14,7 @@ namespace birdstrike
       std::vector<std::uint8_t> axes(cells.size(), 2);
       if (std::none_of(sections.all.begin(), sections.all.end(), is_solid_shell))
         return axes;
-      const auto found = solid_shell::find_thickness_axes(nodes, cells);
+      const auto found = solid_shell::find_thickness(nodes, cells).axis;
       for (std::size_t e = 0; e < cells.size(); ++e)
         if (is_solid_shell(sections.of(e)))
           axes[e] = found[e];

@@ -1,5 +1,6 @@
 #include "structure/elements/solid/elements.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/number_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,8 +103,8 @@ namespace birdstrike
             const auto [axis, factor] = scale[group.place.number[element]];
             if (axis > 2 || !(factor >= 1. && factor < 1e12))
               throw InputError("Solid elements: element " + std::to_string(group.place.number[element]) +
-                               " has the mass factor " + std::to_string(factor) + " along axis " +
-                               std::to_string(axis) + ".\nAllowed: 1 to 1e12 along 0, 1 or 2.");
+                               " has the mass factor " + number_text(factor) + " along axis " + std::to_string(axis) +
+                               ".\nAllowed: 1 to 1e12 along 0, 1 or 2.");
             MassFactors<Lanes> &factors = group.mass_factors[slot / n_lanes];
             for (unsigned int k = 0; k < 3; ++k)
               {

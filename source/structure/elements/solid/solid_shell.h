@@ -94,7 +94,8 @@ namespace birdstrike
 
       [[gnu::always_inline]] explicit Squares(const one_point_solid::Stabilisation<Number> &s)
       {
-        const auto of_plane = [&](const int k) [[gnu::always_inline]] {
+        const auto of_plane = [&](const int k) __attribute__((always_inline))
+        {
           const one_point_solid::PlaneSquares<Number> plane(s.linear[k]);
           return Number(1.5 * plane.all - 0.5 * plane.trace);
         };

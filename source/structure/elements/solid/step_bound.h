@@ -58,22 +58,27 @@ namespace birdstrike
       formulation == SolidFormulation::b_bar ? 4. / 3. * shear : 2. / 3. * young / (1. - law.elasticity.poisson);
     const Number zero = 0., one = 1., half = 0.5;
 
-    const auto root = [](const Number &a)
-                        [[gnu::always_inline]] { return Number(a * inverse_root(max(a, Number(1e-300)))); };
+    const auto root = [](const Number &a) __attribute__((always_inline))
+    {
+      return Number(a * inverse_root(max(a, Number(1e-300))));
+    };
     // a over the factor of the linear mode k, of the twist k
-    const auto over_linear = [&](const int k, const Number &a) [[gnu::always_inline]] {
+    const auto over_linear = [&](const int k, const Number &a) __attribute__((always_inline))
+    {
       if constexpr (std::is_same_v<Scaling, Unscaled>)
         return (void) k, a;
       else
         return Number(a * scaling.inverse[k]);
     };
-    const auto over_twist = [&](const int k, const Number &a) [[gnu::always_inline]] {
+    const auto over_twist = [&](const int k, const Number &a) __attribute__((always_inline))
+    {
       const auto [i, j] = following(k);
       return over_linear(i, over_linear(j, a));
     };
     // S/64, and with modes that are eight times too long D needs no factor
     const Number square = g.inverse_det * g.inverse_det;
-    const auto   metric = [&](const int r, const int c) [[gnu::always_inline]] {
+    const auto   metric = [&](const int r, const int c) __attribute__((always_inline))
+    {
       Number sum = over_linear(0, g.linear[0][r] * g.linear[0][c]);
       for (int k = 0; k < 3; ++k)
         sum += (k > 0 ? over_linear(k, g.linear[k][r] * g.linear[k][c]) : zero) +
@@ -84,9 +89,10 @@ namespace birdstrike
     const Number xy = metric(0, 1), yz = metric(1, 2), zx = metric(2, 0);
     const Number first  = xx + yy + zz;
     const Number second = xx * yy + yy * zz + zz * xx - xy * xy - yz * yz - zx * zx;
-    const auto   norm   = [&](const Vector3<Number> &h) [[gnu::always_inline]] {
+    const auto   norm   = [&](const Vector3<Number> &h) __attribute__((always_inline))
+    {
       return Number(xx * h[0] * h[0] + yy * h[1] * h[1] + zz * h[2] * h[2] +
-                        2. * (xy * h[0] * h[1] + yz * h[1] * h[2] + zx * h[2] * h[0]));
+                    2. * (xy * h[0] * h[1] + yz * h[1] * h[2] + zx * h[2] * h[0]));
     };
     Number distortion;
     if constexpr (std::is_same_v<Scaling, Unscaled>)

@@ -61,13 +61,14 @@ namespace birdstrike
     }
   } // namespace
 
-  std::vector<std::uint8_t> solid_shell::find_thickness_axes(const std::vector<Point3> &nodes, const Cells &cells)
+  solid_shell::Thickness solid_shell::find_thickness(const std::vector<Point3> &nodes, const Cells &cells)
   {
     const auto            neighbors = find_neighbors(cells);
     const auto            edges     = compute_edges(nodes, cells);
     std::array<double, 3> endless;
     endless.fill(std::numeric_limits<double>::infinity());
-    std::vector<std::array<double, 3>> length(cells.size(), endless); // of the rows along the axes
+    std::vector<std::array<double, 3>>        length(cells.size(), endless); // of the rows along the axes
+    std::vector<std::array<std::uint32_t, 3>> n_in_row(cells.size());        // none in a ring, which has no length
     // from each face of the skin through the cells to the opposite one
     const auto walk = [&](std::uint32_t face, const auto &visit) {
       for (; face != none; face = neighbors[face ^ 1])
@@ -76,20 +77,28 @@ namespace birdstrike
     for (std::uint32_t face = 0; face < neighbors.size(); ++face)
       if (neighbors[face] == none)
         {
-          double sum = 0.;
-          walk(face, [&](const std::uint32_t cell, const unsigned int axis) { sum += edges[cell][axis]; });
-          walk(face, [&](const std::uint32_t cell, const unsigned int axis) { length[cell][axis] = sum; });
+          double        sum = 0.;
+          std::uint32_t n   = 0;
+          walk(face, [&](const std::uint32_t cell, const unsigned int axis) {
+            sum += edges[cell][axis];
+            ++n;
+          });
+          walk(face, [&](const std::uint32_t cell, const unsigned int axis) {
+            length[cell][axis]   = sum;
+            n_in_row[cell][axis] = n;
+          });
         }
-    std::vector<std::uint8_t> axes;
-    for (const auto &of_cell : length)
+    Thickness thickness;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
       {
         std::uint8_t shortest = 2;
         for (std::uint8_t k = 0; k < 2; ++k)
-          if (of_cell[k] < 0.99 * of_cell[shortest])
+          if (length[cell][k] < 0.99 * length[cell][shortest])
             shortest = k;
-        axes.push_back(shortest);
+        thickness.axis.push_back(shortest);
+        thickness.n_layers.push_back(n_in_row[cell][shortest]);
       }
-    return axes;
+    return thickness;
   }
 
   Cells solid_shell::with_third(const std::vector<std::uint8_t> &axes, Cells cells)

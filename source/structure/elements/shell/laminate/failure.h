@@ -2,6 +2,8 @@
 
 #include "structure/elements/shell/laminate/law.h"
 
+#include <cmath>
+
 namespace birdstrike
 {
   /// Whether a mode of some ply, none of which has failed, begins.
@@ -27,7 +29,17 @@ namespace birdstrike
   {
     Number growth;  ///< of damage, summed: 0 where nothing has failed further
     Number carries; ///< mean over the thickness of the smaller of what is left of fibres and matrix
+    Number broken;  ///< share of the thickness: fibres failed, or the matrix gone and the ply opened or sheared too far
   };
+
+  /// Whether a ply that has the strains e in its own axes is a gap: its matrix is gone, and the strain across its
+  /// fibres or the shear along them has passed the limit (LS-DYNA's *MAT_054: DFAILM, DFAILS). Without it such an
+  /// element would be strained without end and without a force.
+  template <class Number>
+  [[gnu::always_inline]] inline auto is_gap(const Number &matrix, const Number (&e)[3], const double limit)
+  {
+    return matrix >= Number(1.) && max(Number(abs(e[1])), Number(abs(e[2]))) > Number(limit);
+  }
 
   /// Stress of a section with failing plies at the present strain: a mode begins by the stress that its ply has left,
   /// decided in the middle of its layer, and goes on by `growth` a step until nothing is left.
@@ -36,7 +48,8 @@ namespace birdstrike
                                        PlyDamage<Number> *damage)
   {
     const Number    zero = 0., one = 1.;
-    PlyStep<Number> step{zero, zero};
+    PlyStep<Number> step{zero, zero, zero};
+    const double    limit = law.matrix_failure_strain > 0. ? law.matrix_failure_strain : INFINITY;
     for (int i = 0; i < 6; ++i)
       state.stress[i] = zero;
     for (std::size_t k = 0; k < law.layers.size(); ++k)
@@ -58,6 +71,7 @@ namespace birdstrike
         const Number               fibre = one - d.fibre(), matrix = one - d.matrix();
         const PlyStiffness<Number> left(material.ply, fibre, matrix);
         step.carries += share * min(fibre, matrix);
+        step.broken += select(d.fibre() >= one || is_gap(d.matrix(), e, limit), Number(share), zero);
         left.compute_stress(e, s);
         // what grows with h: its mean over the layer is none
         Number bend[3], slope[3];

@@ -118,10 +118,8 @@ namespace birdstrike
           }
         const auto step = birdstrike::update_failing_plies(law, growth, state, damage.data());
         for (std::size_t p = 0; p < damage.size(); ++p)
-          {
-            erosion->damage[k][p] = damage[p].fibre();
-            failed += select(erosion->damage[k][p] >= Lanes(1.), Lanes(law.layers[p].share()), zero);
-          }
+          erosion->damage[k][p] = damage[p].fibre();
+        failed += step.broken;
         carries += step.carries;
         grown += step.growth;
         has_damage = true;

@@ -77,6 +77,8 @@ namespace birdstrike
     double compliance[6][6];     ///< 1/Pa
     double membrane_alone[3][3]; ///< A^-1, 1/Pa
 
+    double matrix_failure_strain = 0.; ///< at which plies without a matrix break (is_gap in failure.h); 0: none
+
     /// Of a uniaxial membrane stress along a direction, without any bending: stress over strain along it, and the
     /// lateral strain and the shear strain across it by that along it.
     struct Uniaxial
