@@ -16,6 +16,14 @@ namespace birdstrike
     {
       return std::hypot(parameters.velocity[0], parameters.velocity[1], parameters.velocity[2]);
     }
+
+    /// Around the blade, m.
+    double retirement_margin(const BirdParameters &parameters, const Shape &shape)
+    {
+      constexpr double in_diameters = 1.25;
+      return parameters.retirement_margin.empty() ? in_diameters * shape.whole_diameter()
+                                                  : parameters.retirement_margin.front();
+    }
   } // namespace
 
   Bird::Bird(const BirdParameters &parameters, const EosParameters &eos_parameters, ThreadPool &pool)
@@ -242,7 +250,7 @@ namespace birdstrike
     if (!parameters.retire)
       return 0;
     const RetiredShare share = retire_particles(
-      particles, blade_box.widened(parameters.retirement_margin),
+      particles, blade_box.widened(retirement_margin(parameters, shape)),
       [this](const std::size_t p) { return stored_energy(particles.mu[p]) + shear_energy(p); },
       parameters.tension_cutoff);
     if (share.particles == 0)

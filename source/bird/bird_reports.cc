@@ -1,5 +1,6 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/core/prices.h>
+#include <birdstrike/core/simd/larger.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,17 +50,19 @@ namespace birdstrike
       std::size_t p = begin;
       for (; p + n_chains * n_lanes <= end; p += n_chains * n_lanes)
         for (std::size_t k = 0; k < n_chains; ++k)
-          largest[k] = max(largest[k], load<Lanes>(values + p + k * n_lanes));
-      double result = stdx::hmax(max(max(largest[0], largest[1]), max(largest[2], largest[3])));
+          largest[k] = larger(largest[k], load<Lanes>(values + p + k * n_lanes));
+      double result = largest_lane(larger(larger(largest[0], largest[1]), larger(largest[2], largest[3])));
       for (; p < end; ++p)
-        result = max(result, values[p]);
+        result = larger(result, values[p]);
       return result;
     }
 
-    /// The first of values that is `value`, which is among them.
+    /// The first of values that is `value`, which is among them; of no number (NaN) the first that is none.
     std::size_t find_first(const double *values, const std::size_t n, const double value)
     {
       std::size_t p = 0;
+      if (value != value)
+        return std::find_if(values, values + n, [](const double each) { return each != each; }) - values;
       while (p + n_lanes <= n && !any(load<Lanes>(values + p) == Lanes(value)))
         p += n_lanes;
       while (values[p] != value)
@@ -101,13 +104,13 @@ namespace birdstrike
                particles.size(), [&](const std::size_t begin, const std::size_t end) { return find_largest(speed, begin, end); },
                chunk);
     StepLimit limit;
-    if (!(fastest > 0.))
+    if (fastest <= 0.)
       return limit;
     const std::size_t p = find_first(speed, particles.size(), fastest);
     limit.value         = parameters.courant_number * parameters.smoothing_ratio * packed.spacing / fastest;
     limit.reason        = "bird particle, sound and approach speed";
     limit.where         = {"particle", particles.id[p], {{particles.x[0][p], particles.x[1][p], particles.x[2][p]}}};
-    if (is_soft && step_of_strike < limit.value)
+    if (is_soft && step_of_strike < limit.value) // of no number: the particle that has it
       limit = {step_of_strike, "bird, sound speed of its pores closed", {}};
     return limit;
   }

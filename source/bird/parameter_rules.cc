@@ -1,5 +1,6 @@
 #include <birdstrike/bird/parameters.h>
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/number_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,12 +29,12 @@ namespace birdstrike
       {
         for (const double length : slab_lengths)
           if (length < spacing)
-            refuse("Slab lengths", std::to_string(length) + " m is less than one particle spacing.",
+            refuse("Slab lengths", number_text(length) + " m is less than one particle spacing.",
                    "Give three lengths of at least the particle spacing.");
       }
     else if (spacing > 0.5 * std::cbrt(mass / density))
-      refuse("Particle spacing", std::to_string(spacing) + " m leaves fewer than about eight particles.",
-             "Choose a spacing below " + std::to_string(0.5 * std::cbrt(mass / density)) +
+      refuse("Particle spacing", number_text(spacing) + " m leaves fewer than about eight particles.",
+             "Choose a spacing below " + number_text(0.5 * std::cbrt(mass / density)) +
                " m; '4 mm' or 0.004 are four millimetres.");
     if (n_periodic > 0 && shape != BirdShape::slab && shape != BirdShape::cylinder)
       refuse("Periodic directions", "a " + bird_shapes().name(shape) + " cannot repeat itself.",
@@ -55,6 +56,7 @@ namespace birdstrike
       refuse("Lattice shift", "a slab is whole cells of its lattice.", "Set 0, 0, or shift the aim point.");
     check_strength();
     check_slice();
+    check_position();
     if (!is_riemann() && reconstruction != Reconstruction::none)
       refuse("Reconstruction", "the standard formulation has none.", "Set 'none', or Formulation = riemann.");
   }
@@ -102,15 +104,41 @@ namespace birdstrike
              "Leave it out: what repeats itself has no ends; or set Periodic directions = none.");
   }
 
+  void BirdParameters::check_position() const
+  {
+    if (position.empty())
+      return;
+    if (position.size() != 3)
+      refuse("Position", "it is no place.", "Give three numbers.");
+    const auto refuse_beside = [this](const std::string &entry) {
+      refuse(entry, "it is given beside Position, which says where the bird is at time 0.",
+             "Leave one of the two out.");
+    };
+    if (!aim_span_fraction.empty() || !aim_chord_fraction.empty())
+      refuse_beside("Aim span fraction");
+    if (chordwise_offset != 0.)
+      refuse_beside("Chordwise offset");
+    if (stand_off != 0.)
+      refuse_beside("Stand-off");
+    if (slice_blades > 0)
+      refuse("Slice/Number of blades", "it cuts the bird where it aims, and Position is given.",
+             "Give the planes by Slice/Between and Normal, or Aim point instead of Position.");
+    if (!angle_to_surface.empty())
+      refuse("Angle to surface", "it is measured where the bird aims, and Position is given.",
+             "Give Velocity, or Speed with Flight direction.");
+  }
+
   void BirdParameters::check_halves() const
   {
     const auto refuse_half = [this](const std::string &entry, const std::string &found, const std::string &action) {
       refuse(entry, found + " has no mirror plane y = 0.", action + ", or compute the whole bird.");
     };
     if (velocity[1] != 0.)
-      refuse_half("Velocity", "a velocity of " + std::to_string(velocity[1]) + " m/s along y", "Let y be 0");
+      refuse_half("Velocity", "a velocity of " + number_text(velocity[1]) + " m/s along y", "Let y be 0");
     if (aim_point[1] != 0. || chordwise_offset != 0.)
       refuse_half(aim_point[1] != 0. ? "Aim point" : "Chordwise offset", "an aim beside the plane", "Aim at y = 0");
+    if (!position.empty() && position[1] != 0.)
+      refuse_half("Position", "a place beside the plane", "Let y be 0");
     if (yaw != 0.)
       refuse_half("Yaw", "a yawed bird", "Set it to 0 (pitch stays in the plane)");
     if (roll != 0.)

@@ -118,6 +118,12 @@ namespace birdstrike
         "whole bird. Beside Aim span fraction it is that of the blade as it is built, and goes with it. [m]",
         three_numbers);
       prm.add_parameter(
+        "Position", bird.position,
+        "Position of the bird's centre (of a slice: of the whole bird) at time 0, as decks of other codes give it. It "
+        "stands for Aim point and Arrival time, which follow: the bird flies from there along Velocity. Time 0 is then "
+        "that of the position, not that of the first touch. Empty: Aim point. [m]",
+        Patterns::List(Patterns::Double(), 0, 3));
+      prm.add_parameter(
         "Aim span fraction", bird.aim_span_fraction,
         "Share of the span, 0 at the root and 1 at the tip, at which the bird aims on the blade's surface, "
         "with Aim chord fraction, as spin and steady loads have moved it; empty: Aim point. [-]",
@@ -137,7 +143,8 @@ namespace birdstrike
       prm.add_parameter(
         "Arrival time", bird.arrival,
         "Time of the bird's first touch, for a blade that is not deformed but has turned with its hub until "
-        "then; before, the bird flies freely and costs nothing. [s]",
+        "then; before, the bird flies freely and costs nothing. With Position it follows, and 0 does not contradict "
+        "it. [s]",
         not_negative);
     }
 
@@ -194,8 +201,8 @@ namespace birdstrike
       prm.add_parameter(
         "Retirement margin", bird.retirement_margin,
         "Margin around the blade's bounding box: particles are deactivated only if their straight path misses the box "
-        "with this margin. [m]",
-        not_negative);
+        "with this margin; empty: 1.25 diameters of the bird. [m]",
+        Patterns::List(not_negative, 0, 1));
     }
   } // namespace
 

@@ -107,13 +107,15 @@ namespace birdstrike
     bool          tension_cutoff      = true;
     double        shear_modulus       = 0.; ///< Pa
     double        yield_stress        = 0.; ///< Pa; 0: a liquid
-    double        courant_number    = 0.35; // 0.45 lets the first layer on a wall ring at 10 m/s (rms 70 %); 0.35: 1 %
-    double        skin              = 0.1;  ///< of the kernel's support
-    bool          retire            = true;
-    double        retirement_margin = 0.05; ///< m
+    double        courant_number = 0.35;    // 0.45 lets the first layer on a wall ring at 10 m/s (rms 70 %); 0.35: 1 %
+    double        skin           = 0.1;     ///< of the kernel's support
+    bool          retire         = true;
+
+    std::vector<double> retirement_margin; ///< m; empty: 1.25 diameters of the bird
 
     // What may be given instead of velocity and aim point, which the case then makes of them; empty: not given.
-    std::vector<double> speed;                                 ///< m/s
+    std::vector<double> speed;    ///< m/s
+    std::vector<double> position; ///< three numbers, m, of the centre at time 0: in place of aim point and arrival
     std::vector<double> angle_to_surface;                      ///< degrees
     std::vector<double> flight_direction;                      ///< three numbers
     std::vector<double> aim_span_fraction, aim_chord_fraction; ///< shares
@@ -123,6 +125,8 @@ namespace birdstrike
     /// Set by the case that aims by shares of span and chord: the place of the undeformed surface (m) that the bird
     /// aims at, or the edge beside which it aims; the aim goes with it where spin and steady loads move it.
     std::optional<std::array<double, 3>> aimed_place;
+
+    bool is_aim_given = false; ///< set by the case, beside `position`
 
     /// Unit, from the root of the blade to its tip, about which the bird yaws; the scene knows it.
     std::array<double, 3> span{{1., 0., 0.}};
@@ -140,6 +144,7 @@ namespace birdstrike
 
     void check_strength() const;
     void check_slice() const;
+    void check_position() const;
 
     /// What a bird needs to be halved by the plane y = 0; throws InputError.
     void check_halves() const;
