@@ -1,9 +1,12 @@
 #include "command_line.h"
 #include <birdstrike/core/child_process.h>
+#include <birdstrike/core/errors.h>
 #include <birdstrike/core/program.h>
+#include <birdstrike/io/option_number.h>
 #include <birdstrike/report/target_error.h>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <vector>
 
@@ -17,11 +20,47 @@ namespace birdstrike
         ->allow_extra_args(false);
     }
 
+    /// An option whose word `read` turns into a number; what it refuses is an error of the command line.
+    template <class Number, class Read>
+    CLI::Option *declare_number(CLI::App *command, const std::string &name, Number &number, const std::string &text,
+                                const Read &read)
+    {
+      const auto take = [name, &number, read](const std::string &word) {
+        try
+          {
+            number = read(name, word);
+          }
+        catch (const InputError &error)
+          {
+            throw CLI::ValidationError(error.what());
+          }
+      };
+      CLI::Option *option = command->add_option_function<std::string>(name, take, text)->type_name("NUMBER");
+      return number == Number() ? option : option->default_str(fmt::format("{}", number));
+    }
+
+    CLI::Option *declare_count(CLI::App *command, const std::string &name, std::size_t &count, const std::string &text,
+                               const int smallest, const int largest)
+    {
+      return declare_number(command, name, count, text, [=](const std::string &option, const std::string &word) {
+        return read_option_count(option, word, smallest, largest);
+      });
+    }
+
     void declare_jobs(CLI::App *command, std::size_t &n_jobs, const std::string &what)
     {
-      command->add_option("--jobs", n_jobs, what + " side by side, instead of one a core")
-        ->check(CLI::Range(std::size_t(1), most_children));
+      declare_count(command, "--jobs", n_jobs, what + " side by side, instead of one a core", 1, int(most_children));
     }
+
+    /// Of reports on several runs, which protect what is there as 'run' does.
+    CLI::Option *declare_force(CLI::App *command, bool &is_forced, const std::string &same)
+    {
+      return command->add_flag("--force", is_forced,
+                               "Replace finished runs of other entries in the folder, and its tables. Without it " +
+                                 same + " is taken, anything else is refused");
+    }
+    /// The number of places of a lattice, and of levels and modes: far beyond what anybody computes.
+    constexpr int most = 1000;
 
     void declare_study(CLI::App &app, StudyRequest &request, std::function<void()> &action)
     {
@@ -35,7 +74,9 @@ namespace birdstrike
         ->allow_extra_args(false);
       study->add_flag("--pairs", request.are_pairs, "Values go together one by one instead of each with each");
       declare_overrides(study, request.overrides);
-      study->add_option("--output", request.output, "Folder of the study, instead of runs/study/FILE");
+      study->add_option("--output", request.output,
+                        "Folder of the study, instead of runs/study/FILE; one folder holds one table");
+      declare_force(study, request.is_forced, "the same study again, or with more values,");
       declare_jobs(study, request.n_jobs, "Points");
       study->add_option("--launcher", request.launcher, "Words before each run's command: \"srun -n 1\"");
       study->add_option("--task-list", request.task_list,
@@ -48,26 +89,26 @@ namespace birdstrike
     {
       CLI::App *ladder = app.add_subcommand("converge", "Run a case on a ladder of refinements: orders and error bars");
       ladder->add_option("FILE", request.prm_file, "Parameter file: the finest level")->required();
-      ladder->add_option("--levels", request.n_levels, "Number of levels, 3 to 12")->capture_default_str();
+      declare_count(ladder, "--levels", request.n_levels, "Number of levels, 3 to 12", 0, most);
       ladder
         ->add_option(
           "--vary", request.refinement,
           "What is refined: mesh, particles, both, step (finer than the case), points (through the thickness)")
         ->capture_default_str();
-      ladder->add_option("--ratio", request.ratio, "Of sizes from level to level")->capture_default_str();
-      ladder->add_option("--finer", request.n_finer, "So many of the levels are finer than the case")
-        ->capture_default_str();
+      declare_number(ladder, "--ratio", request.ratio, "Of sizes from level to level", read_option_number);
+      declare_count(ladder, "--finer", request.n_finer, "So many of the levels are finer than the case", 0, most);
       ladder->add_option(
         "--order", request.order,
         "Of the method, if it is known, 1, or its bounds, 1:2: the value at h = 0 by it, with its 95 % interval");
-      ladder
-        ->add_option("--places", request.n_places,
-                     "Runs a level, each with the bird's lattice elsewhere across its axis (Lattice shift): values are "
-                     "their means, and the scatter of one run is told")
-        ->capture_default_str();
+      declare_count(ladder, "--places", request.n_places,
+                    "Runs a level, each with the bird's lattice elsewhere across its axis (Lattice shift): values are "
+                    "their means, and the scatter of one run is told",
+                    0, most);
       declare_jobs(ladder, request.n_jobs, "Levels");
       declare_overrides(ladder, request.overrides);
-      ladder->add_option("--output", request.output, "Folder of the ladder, instead of runs/converge/FILE");
+      ladder->add_option("--output", request.output,
+                         "Folder of the ladder, instead of runs/converge/FILE; one folder holds one table");
+      declare_force(ladder, request.is_forced, "the same ladder again, or with more levels,");
       ladder->callback([&] { action = [&] { converge(request); }; });
     }
 
@@ -75,9 +116,7 @@ namespace birdstrike
     {
       CLI::App *modes = app.add_subcommand("modes", "Natural frequencies and shapes of the blade, at rest or turning");
       modes->add_option("FILE", request.of_case.prm_file, "Parameter file")->required();
-      modes->add_option("--number", request.n_modes, "How many, from the lowest on")
-        ->check(CLI::Range(std::size_t(1), std::size_t(1000)))
-        ->capture_default_str();
+      declare_count(modes, "--number", request.n_modes, "How many, from the lowest on", 1, 1000);
       modes->add_option(
         "--speeds", request.speeds,
         "Speeds of the hub, as study takes values: \"0:900:4\" (rad/s), \"0, 3000 rpm, 6000 rpm\"; with "
@@ -104,6 +143,17 @@ namespace birdstrike
       return measured;
     }
 
+    /// A variable of the shell that is not set makes an empty word, which would stand for a default or a zero.
+    void refuse_empty_words(CLI::App &app)
+    {
+      const CLI::Validator is_a_word(
+        [](const std::string &word) { return word.empty() ? std::string("the word is empty") : std::string(); }, "");
+      for (CLI::App *command : app.get_subcommands({}))
+        for (CLI::Option *option : command->get_options())
+          if (option->get_items_expected_max() > 0)
+            option->check(is_a_word);
+    }
+
     /// The case as it is, or as fine as a target asks for.
     void run(const Requests &requests)
     {
@@ -112,7 +162,7 @@ namespace birdstrike
         run_case(request);
       else
         run_to_target_error({requests.target_error, request.prm_file, request.overrides, request.output,
-                             requests.bird_order, requests.n_places},
+                             requests.bird_order, requests.n_places, request.is_forced},
                             forecast_run_time);
     }
 
@@ -120,7 +170,9 @@ namespace birdstrike
     void declare_run(CLI::App &command, Requests &requests, std::function<void()> &action)
     {
       command.callback([&] { action = [&] { run(requests); }; });
-      command.add_flag("--force", requests.of_case.is_forced, "Replace a finished run in the folder");
+      command.add_flag("--force", requests.of_case.is_forced,
+                       "Replace a finished run in the folder, with --target-error the table of another "
+                       "quantity");
       CLI::Option *target = command.add_option(
         "--target-error", requests.target_error,
         "Instead of the case as it is: the cheapest bird and mesh with this error, \"tip peak = 2 %\" "
@@ -130,17 +182,17 @@ namespace birdstrike
           "--bird-order", requests.bird_order,
           "Of the ladder of its particles, if it is known, 1, or its bounds, 1:2: values are taken to h = 0 by it")
         ->needs(target);
-      command
-        .add_option("--places", requests.n_places,
+      declare_count(&command, "--places", requests.n_places,
                     "Runs per level, each with the bird's lattice of particles shifted across its axis (Bird/Lattice "
-                    "shift): values are their means")
+                    "shift): values are their means",
+                    0, most)
         ->needs(target);
     }
   } // namespace
 
   void declare_commands(CLI::App &app, Requests &requests, std::function<void()> &action)
   {
-    app.set_version_flag("--version", "birdstrike " + program_identity().version);
+    app.set_version_flag("--version", describe_program());
     app.require_subcommand(1);
     app.footer("Exit codes: 0 done, 1 internal or system error (full disk), 2 bad input, 3 the computation was lost or "
                "a target error cannot be claimed, 130 interrupted");
@@ -180,8 +232,10 @@ namespace birdstrike
         ->allow_extra_args(false);
     declare_measurement(compare, requests.of_measurement)
       ->excludes(blades)
-      ->excludes(declare_overrides(compare, request.overrides));
-    compare->add_option("--output", request.output, "Folder of the comparison")->capture_default_str();
+      ->excludes(declare_overrides(compare, request.overrides))
+      ->excludes(declare_force(compare, request.is_forced, "the same comparison again, or with more cases,"));
+    compare->add_option("--output", request.output, "Folder of the comparison; one folder holds one table")
+      ->capture_default_str();
     compare->callback([&requests, &action, compare] {
       if (requests.of_measurement.of_file.empty())
         action = [&] { compare_cases(requests.of_comparison); };
@@ -205,5 +259,6 @@ namespace birdstrike
     CLI::App *parameters = app.add_subcommand("parameters", "All entries with text, range, default and unit");
     parameters->add_flag("--json", requests.as_json, "As JSON instead of prm");
     parameters->callback([&] { action = [&] { print_parameters(requests.as_json); }; });
+    refuse_empty_words(app);
   }
 } // namespace birdstrike

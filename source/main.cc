@@ -15,6 +15,7 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -22,6 +23,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace
 {
@@ -30,6 +32,21 @@ namespace
   int exit_code(const ExitCode code)
   {
     return static_cast<int>(code);
+  }
+
+  void end_as_interrupted(int)
+  {
+    constexpr std::string_view  words     = "Interrupted by a signal.\n";
+    [[maybe_unused]] const auto n_written = ::write(STDERR_FILENO, words.data(), words.size()); // safe in a handler
+    ::_exit(birdstrike::Interrupted::exit_code);
+  }
+
+  /// Of every command, until a run or the parent of runs listens itself; what is ignored (nohup) stays ignored.
+  void end_on_signals()
+  {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+      if (std::signal(signal, end_as_interrupted) == SIG_IGN)
+        std::signal(signal, SIG_IGN);
   }
 
   /// Runs the chosen action; every way to fail ends here, with its exit code and without a stack trace.
@@ -74,6 +91,7 @@ namespace
   /// The whole program, of which a comparison or a study makes one more for each of its runs.
   int run_program(int argc, char **argv)
   {
+    end_on_signals();
     ::prctl(PR_SET_NAME, "birdstrike"); // for ps and pkill: the runs of a comparison are started by another name
     CLI::App              app{"Bird strike on aircraft-engine blades", "birdstrike"};
     birdstrike::Requests  requests;

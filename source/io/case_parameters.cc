@@ -1,4 +1,5 @@
 #include "io/aim/aim.h"
+#include "io/inputs/file_entries.h"
 #include "io/parameter_tree.h"
 #include "io/scene_size.h"
 #include "io/symmetry_check.h"
@@ -88,10 +89,12 @@ namespace birdstrike
       return !text.empty() && *end == '\0';
     }
 
-    bool are_equal(const std::string &a, const std::string &b)
+    /// Files by their contents, wherever they lie.
+    bool are_equal(const KnownEntry &entry, const std::string &other)
     {
       double of_a = 0., of_b = 0.;
-      return a == b || (parse(a, of_a) && parse(b, of_b) && of_a == of_b);
+      return entry.value == other || (parse(entry.value, of_a) && parse(other, of_b) && of_a == of_b) ||
+             (names_file(entry) && have_same_contents(entry.value, other));
     }
   } // namespace
 
@@ -113,8 +116,9 @@ namespace birdstrike
     ParameterFile::Inheritance as_first_bird(const std::string &section)
     {
       const std::string velocity = "Velocity", speed = "Speed", angle = "Angle to surface", flight = "Flight direction",
-                        aim = "Aim point", span = "Aim span fraction", chord = "Aim chord fraction",
-                        between = "Slice/Between", normal = "Slice/Normal", blades = "Slice/Number of blades";
+                        aim = "Aim point", position = "Position", span = "Aim span fraction",
+                        chord = "Aim chord fraction", between = "Slice/Between", normal = "Slice/Normal",
+                        blades = "Slice/Number of blades";
       return {section,
               "Bird",
               "Enabled",
@@ -122,8 +126,9 @@ namespace birdstrike
                {{speed, angle, flight}, {velocity}},
                {{angle}, {flight}},
                {{flight}, {angle}},
-               {{aim}, {span, chord}},
-               {{span, chord}, {aim}},
+               {{aim}, {span, chord, position}},
+               {{span, chord}, {aim, position}},
+               {{position}, {aim, span, chord}},
                {{blades}, {between, normal, chord}},
                {{between, normal}, {blades}}},
               {"Arrival time"}};
@@ -142,12 +147,22 @@ namespace birdstrike
         }
     }
 
+    /// Checked where a bird flies.
+    ParameterGroup of_bird(const CaseParameters &parameters, ParameterGroup group)
+    {
+      group.check = [&parameters, check = group.check] {
+        if (!parameters.is_blade_alone)
+          check();
+      };
+      return group;
+    }
+
     std::vector<ParameterGroup> groups_of(CaseParameters &parameters)
     {
       std::vector<ParameterGroup> groups{
         describe_case(parameters.name, parameters.description, parameters.has_symmetry_plane),
-        ParameterGroup::of(parameters.blade, "Blade"), ParameterGroup::of(parameters.bird),
-        ParameterGroup::of(parameters.equation_of_state, "Bird")};
+        ParameterGroup::of(parameters.blade, "Blade"), of_bird(parameters, ParameterGroup::of(parameters.bird)),
+        of_bird(parameters, ParameterGroup::of(parameters.equation_of_state, "Bird"))};
       for (auto &further : parameters.further_birds)
         groups.push_back({[&further](dealii::ParameterHandler &prm) {
                             further.bird.declare(prm);
@@ -171,29 +186,55 @@ namespace birdstrike
       file.inherit(as_first_bird(each.bird.section));
   }
 
-  void CaseParameters::read(const std::string &path, const std::vector<std::string> &overrides)
+  void CaseParameters::read_entries(const std::string &path, const std::vector<std::string> &overrides)
   {
     file.read(path, overrides);
     if (name.find('/') != std::string::npos || (!name.empty() && name.find_first_not_of('.') == std::string::npos))
       throw InputError("Case/Name = " + name +
                        ": a name is no path, for it names a folder in runs.\nGive a name without "
                        "'/', and the folder in Output/Directory.");
-    check_further_birds(path);
     blade.mesh.row.axis   = blade.spin.axis;
     blade.mesh.row.centre = blade.spin.centre;
-    blade.is_halved = bird.is_halved = has_symmetry_plane;
+    blade.is_halved       = has_symmetry_plane;
+  }
+
+  void CaseParameters::read(const std::string &path, const std::vector<std::string> &overrides)
+  {
+    is_blade_alone = false;
+    read_entries(path, overrides);
+    check_further_birds(path);
+    bird.is_halved = has_symmetry_plane;
     for (FurtherBird &each : further_birds)
       each.bird.is_halved = has_symmetry_plane;
     resolve_aim(*this); // how a bird lies says what planes cut off it
-    require_memory(*this, static_cast<double>(available_memory()));
     if (bird.enabled)
       blade.bird = {bird.target(), bird.velocity};
+    complete(path);
+  }
+
+  std::string CaseParameters::read_blade(const std::string &path, const std::vector<std::string> &overrides)
+  {
+    is_blade_alone = true;
+    read_entries(path, overrides);
+    std::string why_unknown;
+    blade.bird   = find_struck_side(*this, why_unknown);
+    bird.enabled = false;
+    for (FurtherBird &each : further_birds)
+      each.bird.enabled = false;
+    complete(path);
+    return why_unknown;
+  }
+
+  /// What is asked of the whole case, and what its printed file knows beyond the one that was read.
+  void CaseParameters::complete(const std::string &path)
+  {
+    require_memory(*this, static_cast<double>(available_memory()));
     if (has_symmetry_plane)
       require_symmetry(*this);
     for (const BirdCase &each : birds())
       require_stable_bird_step(each.bird, time);
     if (name.empty())
-      file.set({"Case/Name=" + std::filesystem::path(path).stem().string()}); // so that the printed file knows it too
+      file.set({"Case/Name=" + std::filesystem::path(path).stem().string()});
     if (blade.is_deformable())
       write_values_of_metals(blade, file);
   }
@@ -232,6 +273,15 @@ namespace birdstrike
     return output.directory.empty() ? "runs/" + name : output.directory;
   }
 
+  EntryNames file_entries(const CaseParameters &parameters)
+  {
+    EntryNames names;
+    for (const KnownEntry &entry : parameters.file.tree().entries())
+      if (names_file(entry))
+        names.push_back(name_of(entry));
+    return names;
+  }
+
   std::string first_difference(const CaseParameters &a, const CaseParameters &b, const EntryNames &ignored)
   {
     const ParameterTree &tree_a = a.file.tree(), &tree_b = b.file.tree();
@@ -239,7 +289,7 @@ namespace birdstrike
       {
         const std::string name = name_of(entry);
         if (std::find(ignored.begin(), ignored.end(), name) == ignored.end() &&
-            !are_equal(entry.value, tree_b.find(entry.section, entry.name)->value))
+            !are_equal(entry, tree_b.find(entry.section, entry.name)->value))
           return name;
       }
     return "";

@@ -1,14 +1,19 @@
-#include "io/hdf5_in_memory.h"
+#include "io/hdf5/hdf5_in_memory.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/checkpoint_file.h>
 #include <birdstrike/io/whole_file.h>
 
 #include <fmt/format.h>
 
+#include <sys/types.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <zlib.h>
 
@@ -68,32 +73,85 @@ namespace birdstrike
                          *whole_state = "state/whole", *lengths_of_state = "state/lengths";
     constexpr std::size_t n_of_shape = 4; // components, whether real, values, lengths
 
-    /// A run has hundreds of quantities, most of them of a few numbers: a data set of its own each took most of the
-    /// time of a checkpoint.
-    void write_state(Writer &writer, const ArchivedState &state)
+    /// Data sets of a state, to which values come piece by piece: where those of each quantity go on is known from the
+    /// sizes of all. A run has hundreds of quantities, most of them of a few numbers: a data set of its own each took
+    /// most of the time of a checkpoint.
+    class StateWriter : public StateSink
     {
-      Bytes       names;
-      Wholes      shapes;
-      std::size_t n_real = 0, n_whole = 0, n_lengths = 0;
-      for (const auto &[name, quantity] : state)
+    public:
+      StateWriter(Writer &writer, const StateInventory &sizes)
+        : real(writer.column<double>(real_state, add_up(sizes, true)))
+        , whole(writer.column<std::uint64_t>(whole_state, add_up(sizes, false)))
+        , lengths(writer.column<std::uint64_t>(lengths_of_state, count_lengths(sizes)))
+      {
+        require(real.is_open() && whole.is_open() && lengths.is_open(), "make data sets");
+        std::size_t n_real = 0, n_whole = 0, n_lengths = 0;
+        for (const auto &[name, shape] : sizes.shapes())
+          {
+            std::size_t &n = shape.is_real ? n_real : n_whole;
+            places[name]   = {n, n_lengths, n + shape.n_values};
+            n += shape.n_values;
+            n_lengths += shape.n_lengths;
+          }
+      }
+
+      void take(const std::string &name, const ArchivedQuantity &piece) override
+      {
+        Place &place = places.at(name);
+        if (place.value + piece.size() > place.end)
+          throw std::logic_error("Checkpoint: '" + name + "' has more values than it had when they were counted.");
+        require((piece.is_real ? real.write(place.value, piece.real) : whole.write(place.value, piece.whole)) &&
+                  lengths.write(place.length, piece.lengths),
+                "take values");
+      }
+
+      void require_all() const
+      {
+        for (const auto &[name, place] : places)
+          if (place.value != place.end)
+            throw std::logic_error("Checkpoint: '" + name + "' has fewer values than it had when they were counted.");
+      }
+
+    private:
+      struct Place
+      {
+        std::size_t value, length, end;
+      };
+
+      static std::size_t add_up(const StateInventory &sizes, const bool is_real)
+      {
+        std::size_t n = 0;
+        for (const auto &[name, shape] : sizes.shapes())
+          n += shape.is_real == is_real ? shape.n_values : 0;
+        return n;
+      }
+      static std::size_t count_lengths(const StateInventory &sizes)
+      {
+        std::size_t n = 0;
+        for (const auto &[name, shape] : sizes.shapes())
+          n += shape.n_lengths;
+        return n;
+      }
+
+      hdf5_in_memory::Column<double>        real;
+      hdf5_in_memory::Column<std::uint64_t> whole, lengths;
+      std::map<std::string, Place>          places;
+    };
+
+    void write_state(Writer &writer, const StateInventory &sizes, const FunctionRef<void(StateSink &)> describe)
+    {
+      Bytes  names;
+      Wholes shapes;
+      for (const auto &[name, shape] : sizes.shapes())
         {
           names += name + '\0';
-          shapes.insert(shapes.end(),
-                        {quantity.n_components, quantity.is_real, quantity.size(), quantity.lengths.size()});
-          (quantity.is_real ? n_real : n_whole) += quantity.size();
-          n_lengths += quantity.lengths.size();
+          shapes.insert(shapes.end(), {shape.n_components, shape.is_real, shape.n_values, shape.n_lengths});
         }
       writer.write(names_of_state, names);
       writer.write(shapes_of_state, shapes);
-      auto real    = writer.column<double>(real_state, n_real);
-      auto whole   = writer.column<std::uint64_t>(whole_state, n_whole);
-      auto lengths = writer.column<std::uint64_t>(lengths_of_state, n_lengths);
-      require(real.is_open() && whole.is_open() && lengths.is_open(), "make data sets");
-      for (const auto &[name, quantity] : state)
-        require((quantity.is_real ? real.write(quantity.real.data(), quantity.real.size())
-                                  : whole.write(quantity.whole.data(), quantity.whole.size())) &&
-                  lengths.write(quantity.lengths.data(), quantity.lengths.size()),
-                "take values");
+      StateWriter state(writer, sizes);
+      describe(state);
+      state.require_all();
     }
 
     ArchivedState read_state(const Reader &reader)
@@ -128,34 +186,69 @@ namespace birdstrike
         reader.refuse("state");
       return state;
     }
+
+    /// The HDF5 part, into the target.
+    void write_body(hdf5_on_disk::Target &target, const Checkpoint &checkpoint, const StateInventory &sizes,
+                    const FunctionRef<void(StateSink &)> describe)
+    {
+      Writer writer(target);
+      writer.write("parameters", checkpoint.parameters);
+      writer.write("program", checkpoint.program);
+      writer.write("time", std::vector<double>{checkpoint.time});
+      writer.write("step", Wholes{checkpoint.step});
+      std::string inputs;
+      for (const InputFile &input : checkpoint.inputs)
+        inputs += input.fingerprint + ' ' + input.name + '\n';
+      writer.write("inputs", inputs);
+      std::string changes;
+      for (const std::string &change : checkpoint.changes)
+        changes += change + '\n';
+      if (!changes.empty())
+        writer.write("changes", changes);
+      write_state(writer, sizes, describe);
+      writer.finish();
+    }
+
+    /// The line of text before the HDF5 part that stands behind it; returns errno of what failed.
+    int write_head(const int descriptor)
+    {
+      std::vector<char>  piece(1 << 20);
+      unsigned long      crc = crc32_z(0, nullptr, 0);
+      unsigned long long n   = 0;
+      ssize_t            got = 0;
+      while ((got = ::pread(descriptor, piece.data(), piece.size(), static_cast<off_t>(n_head + n))) > 0)
+        {
+          crc = crc32_z(crc, reinterpret_cast<const Bytef *>(piece.data()), static_cast<std::size_t>(got));
+          n += static_cast<unsigned long long>(got);
+        }
+      Bytes head(n_head, '\0');
+      std::snprintf(head.data(), head.size(), head_format, version, n, crc);
+      if (got < 0)
+        return errno;
+      const ssize_t written = ::pwrite(descriptor, head.data(), n_head, 0);
+      return written == static_cast<ssize_t>(n_head) ? 0 : written < 0 ? errno : EIO;
+    }
   } // namespace
+
+  void write_checkpoint(const fs::path &file, const Checkpoint &checkpoint, const StateInventory &sizes,
+                        const FunctionRef<void(StateSink &)> describe)
+  {
+    write_whole_file(file, [&](const int descriptor) {
+      hdf5_on_disk::Target target{descriptor, n_head};
+      write_body(target, checkpoint, sizes, describe);
+      return target.error != 0 ? target.error : write_head(descriptor);
+    });
+  }
 
   void write_checkpoint(const fs::path &file, const Checkpoint &checkpoint)
   {
-    constexpr std::size_t n_frame = 1 << 16; // HDF5's own, and texts
-    std::size_t           n_bytes = n_frame + checkpoint.parameters.size();
-    for (const auto &[name, quantity] : checkpoint.state)
-      n_bytes += 8 * (quantity.size() + quantity.lengths.size() + n_of_shape) + name.size();
-    Writer writer(n_bytes);
-    writer.write("parameters", checkpoint.parameters);
-    writer.write("program", checkpoint.program);
-    writer.write("time", std::vector<double>{checkpoint.time});
-    writer.write("step", Wholes{checkpoint.step});
-    std::string inputs;
-    for (const InputFile &input : checkpoint.inputs)
-      inputs += input.fingerprint + ' ' + input.name + '\n';
-    writer.write("inputs", inputs);
-    std::string changes;
-    for (const std::string &change : checkpoint.changes)
-      changes += change + '\n';
-    if (!changes.empty())
-      writer.write("changes", changes);
-    write_state(writer, checkpoint.state);
-    const std::string_view body = writer.image();
-    Bytes                  head(n_head, '\0');
-    std::snprintf(head.data(), head.size(), head_format, version, static_cast<unsigned long long>(body.size()),
-                  checksum(body.data(), body.size()));
-    write_whole_file(file, {head, body});
+    const auto describe = [&](StateSink &to) {
+      for (const auto &[name, quantity] : checkpoint.state)
+        to.take(name, quantity);
+    };
+    StateInventory sizes;
+    describe(sizes);
+    write_checkpoint(file, checkpoint, sizes, describe);
   }
 
   std::vector<fs::path> find_checkpoints(const fs::path &run_folder)

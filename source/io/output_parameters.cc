@@ -51,7 +51,16 @@ namespace birdstrike
       prm, "Removed particles", removed_fly_on, removed_particle_choices(),
       "Particles that can meet the blade no more are removed from the computation (Bird/Retire); fields of "
       "the bird leave them out, or let them fly on as they flew, marked by the field removed. [-]");
-    prm.add_parameter("HDF5", hdf5, "Whether histories and root profiles are also written to results.h5. [-]", Bool());
+    prm.add_parameter(
+      "HDF5", hdf5,
+      "Whether histories and root profiles are also written to results.h5 (HDF5, superblock of version 0, which all "
+      "libraries of HDF5 read). [-]",
+      Bool());
+    prm.add_parameter(
+      "Copy inputs", copies_inputs,
+      "Whether the run folder keeps copies of all files that the case reads, in its folder inputs, so "
+      "that it stands by itself wherever it is moved; else parameters.prm has their absolute paths. [-]",
+      Bool());
     declare_choice(prm, "Channel class", channel_class, channel_classes(),
                    "Channel frequency class (SAE J211-1) by which the contact force is filtered, as a load cell's is: "
                    "filtered.csv, results.h5 and its peak in summary.json. [-]");

@@ -38,7 +38,11 @@ namespace birdstrike
       return truth;
     }
 
-    using Notes = std::map<std::string, std::string>;
+    /// By "Section/Entry": sentences beside entries, and values in the place of theirs.
+    struct Notes
+    {
+      const std::map<std::string, std::string> &sentences, &values;
+    };
 
     void add_prm_section(std::string &out, const ParameterTree &tree, const Notes &notes, const SectionPath &section,
                          const std::set<std::string> &left_out)
@@ -51,9 +55,12 @@ namespace birdstrike
             add_comment(out, indent,
                         "Range: " + entry.range +
                           ". Default: " + (entry.default_value.empty() ? "empty" : entry.default_value) + ".");
-            if (const auto note = notes.find(to_string(section) + "/" + entry.name); note != notes.end())
+            const std::string name = to_string(section) + "/" + entry.name;
+            if (const auto note = notes.sentences.find(name); note != notes.sentences.end())
               add_comment(out, indent, note->second);
-            out += indent + "set " + entry.name + " =" + (entry.value.empty() ? "" : " ") + entry.value + "\n\n";
+            const auto         other = notes.values.find(name);
+            const std::string &value = other == notes.values.end() ? entry.value : other->second;
+            out += indent + "set " + entry.name + " =" + (value.empty() ? "" : " ") + value + "\n\n";
           }
       for (const std::string &name : tree.subsection_names(section))
         {
@@ -99,6 +106,8 @@ namespace birdstrike
     original_text = scanned.original;
     given         = scanned.given;
     included      = scanned.included;
+    files         = scanned.files;
+    warnings      = scanned.warnings;
     parse(scanned.text);
     for (const Inheritance &rule : inheritances)
       apply(rule);
@@ -163,6 +172,17 @@ namespace birdstrike
     return found != given.end() && !found->second.is_default;
   }
 
+  bool ParameterFile::says_anything() const
+  {
+    return !included.empty() ||
+           std::ranges::any_of(given, [](const auto &each) { return !each.second.source.empty(); });
+  }
+
+  std::string ParameterFile::given_value(const std::string &entry) const
+  {
+    return is_given(entry) ? given.at(entry).value : "";
+  }
+
   std::vector<std::string> ParameterFile::set_before(const std::string &section, const std::string &name) const
   {
     const auto               change = given.find(section + "/" + name);
@@ -194,6 +214,16 @@ namespace birdstrike
     return included;
   }
 
+  const std::vector<ScannedFile> &ParameterFile::scanned_files() const
+  {
+    return files;
+  }
+
+  const std::vector<std::string> &ParameterFile::file_warnings() const
+  {
+    return warnings;
+  }
+
   void ParameterFile::annotate(const std::string &entry, const std::string &sentence)
   {
     notes[entry] = sentence;
@@ -204,14 +234,15 @@ namespace birdstrike
     return original_text;
   }
 
-  std::string ParameterFile::as_prm(const bool with_unused) const
+  std::string ParameterFile::as_prm(const bool                                with_unused,
+                                    const std::map<std::string, std::string> &other_values) const
   {
     std::string           text;
     std::set<std::string> left_out;
     for (const Inheritance &rule : inheritances)
       if (!with_unused && !is_changed(rule.section))
         left_out.insert(rule.section);
-    add_prm_section(text, *known, notes, {}, left_out);
+    add_prm_section(text, *known, {notes, other_values}, {}, left_out);
     while (text.size() > 1 && text.compare(text.size() - 2, 2, "\n\n") == 0)
       text.pop_back();
     return text;

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <sstream>
 
+#include "io/inputs/file_entries.h"
 #include "io/parameter_messages.h"
+#include "io/statement_reader.h"
 #include "io/typed_numbers.h"
 
 namespace birdstrike
@@ -32,11 +34,6 @@ namespace birdstrike
       const std::size_t     end    = text.find_first_of(blanks, text.find_first_not_of(blanks));
       const std::size_t     begin = text.find_first_not_of(blanks, end), last = text.find_last_not_of(blanks);
       return text.substr(begin, last + 1 - begin);
-    }
-
-    std::string without_comment(const std::string &text)
-    {
-      return text.substr(0, text.find('#'));
     }
 
     /// Truth as people write it, in deal.II's spelling.
@@ -99,25 +96,24 @@ namespace birdstrike
 
       void scan()
       {
-        const std::string whole_text = read_parameter_text(path, includer);
+        file = result.files.size();
+        result.files.push_back({path.string(), read_parameter_text(path, includer)});
+        const std::string whole_text = result.files[file].text;
         if (depth == 0)
-          result.original = whole_text;
-        const bool         has_mark = whole_text.starts_with("\xEF\xBB\xBF"); // by which some editors begin UTF-8
-        std::istringstream in(whole_text.substr(has_mark ? 3 : 0));
-        std::string        line;
-        unsigned int       number = 0;
-        while (std::getline(in, line))
           {
-            where             = {path.string(), ++number};
-            std::string whole = line;
-            while (is_continued(whole) && std::getline(in, line))
-              {
-                ++number;
-                const std::size_t first = line.find_first_not_of(" \t");
-                whole.erase(whole.find_last_of('\\'));
-                whole += first == std::string::npos ? "" : line.substr(first);
-              }
-            read_statement(without_comment(whole));
+            result.original = whole_text;
+            result.folder   = folder().string();
+          }
+        const bool        has_mark = whole_text.starts_with("\xEF\xBB\xBF"); // by which some editors begin UTF-8
+        const std::string text     = whole_text.substr(has_mark ? 3 : 0);
+        StatementReader   reader(text);
+        for (std::string statement; reader.next(statement);)
+          {
+            where             = {path.string(), reader.line};
+            const auto n_mark = has_mark ? std::size_t(3) : std::size_t(0);
+            begin             = reader.begin + n_mark;
+            end               = reader.end + n_mark;
+            read_statement(statement);
           }
         if (!opened_at.empty())
           throw InputError(message({path.string() + ": subsection '" + section.back() + "', opened in line " +
@@ -136,12 +132,17 @@ namespace birdstrike
       std::vector<unsigned int> opened_at;
       std::vector<Assignment>   assignments; ///< of this file alone
       SourceLine                where;
+      std::size_t               file = 0, begin = 0, end = 0; ///< place in result.files; the statement in its text
       ScannedParameters        &result;
 
-      static bool is_continued(const std::string &line)
+      fs::path folder() const
       {
-        const std::size_t last = line.find_last_not_of(" \t\r");
-        return last != std::string::npos && line[last] == '\\';
+        return path.has_parent_path() ? path.parent_path() : fs::path(".");
+      }
+
+      void refer_to(const std::string &statement, const std::string &typed, const std::string &found)
+      {
+        result.files[file].references.push_back({begin, end, statement, typed, found});
       }
 
       void read_statement(const std::string &typed)
@@ -189,8 +190,9 @@ namespace birdstrike
         result.text += "end\n";
       }
 
-      void add(const Assignment &assignment)
+      void add(Assignment assignment)
       {
+        find_file(assignment);
         for (const Assignment &earlier : assignments)
           if (earlier.section == assignment.section && earlier.name == assignment.name)
             throw InputError(message(
@@ -200,6 +202,17 @@ namespace birdstrike
                "  Action: remove one of the two lines."}));
         assignments.push_back(assignment);
         assignment.add_to(result, path.string());
+      }
+
+      void find_file(Assignment &assignment)
+      {
+        if (assignment.is_default || !names_file(*known.find(section, assignment.name)))
+          return;
+        const FoundFile found = find_beside(assignment.value, folder());
+        refer_to("set " + assignment.name + " = ", assignment.value, found.path);
+        if (!found.warning.empty())
+          result.warnings.push_back(where.text() + ", '" + assignment.name + "': " + found.warning);
+        assignment.value = found.path;
       }
 
       void include(const std::string &name)
@@ -213,6 +226,7 @@ namespace birdstrike
                                     "  Action: include each file once."}));
         FileScanner inner(path.parent_path() / name, section, known, depth + 1, result);
         inner.includer = where;
+        refer_to("include ", name, (path.parent_path() / name).string());
         inner.scan();
         result.included.push_back((path.parent_path() / name).string());
       }
@@ -257,7 +271,9 @@ namespace birdstrike
 
   void scan_override(const std::string &text, const ParameterTree &known, ScannedParameters &result)
   {
-    const ScannedValue value = scan_value(text, {"--set " + quote(text), 0}, known);
+    ScannedValue value = scan_value(text, {"--set " + quote(text), 0}, known);
+    if (!value.is_default && names_file(*known.find(value.section, value.name)))
+      value.value = find_from_here(value.value, result.folder).path;
     for (const std::string &name : value.section)
       result.text += "subsection " + name + "\n";
     Assignment{value, 0}.add_to(result, "");

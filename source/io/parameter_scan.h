@@ -19,6 +19,21 @@ namespace birdstrike
     std::string text() const;
   };
 
+  /// A statement of a parameter file that names another file.
+  struct FileReference
+  {
+    std::size_t begin, end;  ///< of the statement in the text, without its line end
+    std::string statement;   ///< "include " or "set File = "
+    std::string typed, path; ///< the name as it was typed, and where the file is
+  };
+
+  /// A parameter file as it was read.
+  struct ScannedFile
+  {
+    std::string                path, text;
+    std::vector<FileReference> references = {};
+  };
+
   /// What is made of files and overrides.
   struct ScannedParameters
   {
@@ -27,6 +42,9 @@ namespace birdstrike
     GivenEntries             given;
     std::size_t              n_read = 0; ///< entries, in order
     std::vector<std::string> included;   ///< files, in the order of reading
+    std::vector<ScannedFile> files;      ///< all of them, the outermost first
+    std::vector<std::string> warnings;   ///< of where files were found
+    std::string              folder;     ///< of the outermost file
   };
 
   /// Adds the text of a parameter file as deal.II's ParameterHandler parses it: with the included files in their
@@ -55,7 +73,7 @@ namespace birdstrike
   /// Where a text stops to be UTF-8 (RFC 3629: no overlong forms, halves of pairs); its size if nowhere.
   std::size_t first_not_utf8(const std::string &text);
 
-  /// A parameter file as it is, read once, for it may be a pipe. Raises InputError for what cannot be read, is larger
-  /// than 16 MiB (/dev/zero never ends), no text or not in UTF-8.
+  /// The text of a parameter file (core/text/text_file.h), read once, for it may be a pipe. Raises InputError for what
+  /// cannot be read, is larger than 16 MiB (/dev/zero never ends), no text or in neither UTF-8 nor UTF-16.
   std::string read_parameter_text(const std::filesystem::path &path, const SourceLine &includer);
 } // namespace birdstrike

@@ -1,10 +1,12 @@
 #include "io/parameter_messages.h"
 #include "io/parameter_scan.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/text/text_file.h>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <utility>
 
 namespace birdstrike
 {
@@ -43,11 +45,13 @@ namespace birdstrike
     std::array<char, 65536> buffer;
     while (whole.size() <= largest && (file.read(buffer.data(), buffer.size()), file.gcount() > 0))
       whole.append(buffer.data(), static_cast<std::size_t>(file.gcount()));
-    const std::string included = includer.line > 0 ? "  Included by " + includer.text() + "." : "";
+    const std::string included  = includer.line > 0 ? "  Included by " + includer.text() + "." : "";
+    const bool        is_larger = whole.size() > largest;
+    whole                       = decode_text(std::move(whole));
     if (whole.find('\0') != std::string::npos)
       throw InputError(message({"'" + path.string() + "' is no parameter file: it holds bytes that are no text.",
-                                included, "  Allowed: text in UTF-8 (an editor may have saved it as UTF-16)."}));
-    if (whole.size() > largest)
+                                included, "  Allowed: text in UTF-8 or UTF-16."}));
+    if (is_larger)
       throw InputError(message({"'" + path.string() + "' is no parameter file: it is larger than 16 MiB.", included}));
     if (const std::size_t place = first_not_utf8(whole); place < whole.size())
       {

@@ -52,6 +52,8 @@ namespace birdstrike
         return "true or false";
       if (pattern == "[Anything]")
         return "any text";
+      if (pattern.starts_with("[FileName"))
+        return "name of a file";
       if (pattern == "[Double]")
         return "a number";
       if (pattern == "[Integer]")

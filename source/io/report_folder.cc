@@ -48,7 +48,7 @@ namespace birdstrike
   }
 
   ReportFolder::ReportFolder(const fs::path &directory, const ReportKind &kind, const bool keeps_results)
-    : directory(directory)
+    : directory(directory), kind(kind)
   {
     require_usable(directory, kind);
     std::error_code error;
@@ -63,8 +63,13 @@ namespace birdstrike
         ::close(lock);
         throw InputError("Another " + kind.name + " is writing into the folder '" + directory.string() + "'." + action);
       }
-    if (keeps_results)
-      return;
+    if (!keeps_results)
+      drop_results();
+  }
+
+  void ReportFolder::drop_results() const
+  {
+    std::error_code error;
     for (const std::string &stem : kind.stems) // other files are somebody's own
       for (const char *ending : {".csv", ".svg"})
         fs::remove(directory / (stem + ending), error);

@@ -40,7 +40,7 @@ namespace birdstrike
       std::string name = path.filename().string();
       if (name.ends_with(".part"))
         name.erase(name.size() - 5);
-      for (const char *known : {"original.prm", "parameters.prm", "log.txt", "blade.pvd", "bird.pvd"})
+      for (const char *known : {"original.prm", "parameters.prm", "resumed.prm", "log.txt", "blade.pvd", "bird.pvd"})
         if (name == known)
           return true;
       return std::ranges::find(results, name) != results.end() || is_numbered(name, "blade_", ".vtu") ||

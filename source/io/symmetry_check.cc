@@ -145,7 +145,8 @@ namespace birdstrike
       const BladeParameters::Supports &supports = blade.supports;
       if (blade.mesh.generator != MeshGenerator::file) // of a file the other half has the boundaries of this one
         {
-          require_both_edges(supports.clamped, "Supports/Clamped");
+          if (supports.clamped != supports.automatic) // the root
+            require_both_edges(supports.clamped, "Supports/Clamped");
           require_both_edges(supports.hub, "Supports/Hub");
           for (const auto &[key, motion] : parse_pairs(supports.driven, "Blade/Supports/Driven"))
             require_both_edges(key, "Supports/Driven");

@@ -7,6 +7,7 @@ namespace birdstrike
   {
     std::vector<std::string> all{"Case/Description",
                                  "Output/Directory",
+                                 "Output/Copy inputs",
                                  "Output/History interval",
                                  "Output/Field interval",
                                  "Output/Console interval",

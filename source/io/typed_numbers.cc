@@ -1,4 +1,5 @@
 #include "io/typed_numbers.h"
+#include "io/numbers/bracketed_lists.h"
 #include "io/parameter_messages.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/expression.h>
@@ -59,7 +60,9 @@ namespace birdstrike
       const auto byte = [&](const std::size_t k) { return static_cast<unsigned char>(text[k]); };
       if (at == 0 || (!std::isdigit(byte(at - 1)) && std::string(" .)").find(text[at - 1]) == std::string::npos))
         return false;
-      return std::isalpha(byte(at)) || text[at] == '%' || (text[at - 1] == ' ' && text.compare(at, 2, "1/") == 0);
+      const bool is_beyond_ascii = byte(at) >= 0xC0; // the first byte of a letter
+      return std::isalpha(byte(at)) || is_beyond_ascii || text[at] == '%' ||
+             (text[at - 1] == ' ' && text.compare(at, 2, "1/") == 0);
     }
 
     /// The split with the longest first part that can be evaluated; `is_known`: and the second be read as a unit.
@@ -78,15 +81,38 @@ namespace birdstrike
     /// Of a number or vector, in its first number that has one; empty if none has.
     std::string first_unit(const std::string &value)
     {
-      for (const std::string &number : dealii::Utilities::split_string_list(value, ','))
+      for (const std::string &number : split_outside_brackets(value, ','))
         if (const std::string unit = split(number, true).unit; !unit.empty())
+          return unit;
+      return "";
+    }
+
+    /// Whether a text may be meant as a unit: it begins with a letter, is no exponent and no part of a formula.
+    bool is_like_unit(const std::string &text)
+    {
+      const auto is_digit = [&](const std::size_t at) {
+        return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
+      };
+      return !text.empty() && !is_digit(0) &&
+             !((text[0] == 'e' || text[0] == 'E') && (is_digit(1) || text.find_first_of("+-") == 1)) &&
+             text.find_first_of("(),<>=+-:;") == std::string::npos;
+    }
+
+    /// A unit behind a number in an argument of a function; empty where there is none.
+    std::string find_unit_in_brackets(const std::string &text)
+    {
+      const std::size_t open = text.find('('), close = text.rfind(')');
+      if (open == std::string::npos || close == std::string::npos || close < open)
+        return "";
+      for (const std::string &argument : split_outside_brackets(text.substr(open + 1, close - open - 1), ','))
+        if (const std::string unit = split(argument, true).unit; !unit.empty())
           return unit;
       return "";
     }
 
     bool has_number_other_than_0(const std::string &value)
     {
-      const std::vector<std::string> numbers = dealii::Utilities::split_string_list(value, ',');
+      const std::vector<std::string> numbers = split_outside_brackets(value, ',');
       return std::ranges::any_of(
         numbers, [](const std::string &number) { return evaluate_arithmetic(number).value_or(0.) != 0.; });
     }
@@ -94,8 +120,7 @@ namespace birdstrike
     /// The last one of a vector, or all of a number.
     std::string last_number(const std::string &value)
     {
-      const std::size_t comma = value.rfind(',');
-      return trim(comma == std::string::npos ? value : value.substr(comma + 1));
+      return split_outside_brackets(value, ',').back();
     }
 
     class Reader
@@ -115,8 +140,10 @@ namespace birdstrike
           return convert(text, given);
         if (const auto value = evaluate_arithmetic(text))
           return text_of(*value);
-        if (const Quantity given = split(text, false); !given.unit.empty())
-          refuse(text, "the unit '" + given.unit + "' is not known");
+        require_no_unknown_unit(text);
+        if (const std::string unit = find_unit_in_brackets(text); !unit.empty())
+          refuse(text,
+                 "the unit '" + unit + "' stands inside a formula; it belongs behind, as in 'max(1, 2) " + unit + "'");
         return text;
       }
 
@@ -147,7 +174,7 @@ namespace birdstrike
       std::string list(const std::string &text) const
       {
         std::string result;
-        for (const std::string &item : share_unit(dealii::Utilities::split_string_list(text, ','), false))
+        for (const std::string &item : share_unit(split_list(text), false))
           result += (result.empty() ? "" : ", ") + number(item);
         return result;
       }
@@ -169,6 +196,9 @@ namespace birdstrike
               read = number(given);
             else if (!quantity.unit.empty() && (key.empty() || is_mine(quantity.unit)))
               read = convert(given, quantity);
+            else if (own && quantity.unit.empty() && mark == std::string::npos &&
+                     is_like_unit(split(given, false).unit))
+              require_no_unknown_unit(given);
             result += (begin > 0 ? ";" : "") +
                       (read == given ? piece : (begin > 0 && key.empty() ? " " : "") + key + read) + tail;
             begin = end + 1;
@@ -203,6 +233,12 @@ namespace birdstrike
                    own ? "  Unit of this entry: " + entry.unit + "; units that it takes: " + list_units_like(*own) + "."
                        : "  This entry is a plain number.",
                    "  A number without a unit is in " + (own ? entry.unit : std::string("no unit")) + "."}));
+      }
+
+      void require_no_unknown_unit(const std::string &text) const
+      {
+        if (const Quantity given = split(text, false); !given.unit.empty())
+          refuse(text, "the unit '" + given.unit + "' is not known");
       }
 
       bool is_mine(const std::string &unit) const

@@ -9,7 +9,8 @@ namespace birdstrike
 {
   /// What a person types for numbers, as the plain numbers that the entry takes: "2.5 mm" of an entry in m is "0.0025",
   /// "2*pi*50" of one in 1/s "314.1592653589793". A formula is arithmetic (core/expression.h), a unit follows it after
-  /// a blank and is one of the entry's dimension (units.h). A plain number stays as it is typed.
+  /// a blank and is one of the entry's dimension (units.h); functions may have several arguments. A plain number stays
+  /// as it is typed.
   ///
   /// Lists: each number has its own unit, or the last one has a unit that holds for all; no other mixture. Texts of
   /// entries with a unit are read piece by piece between semicolons, after the last ':' or '=' ("1: 4 mm; 2: 3 mm");

@@ -75,12 +75,42 @@ namespace birdstrike
       return units;
     }
 
+    /// Other spellings of these, which messages do not list.
+    const std::vector<std::pair<std::string, std::string>> &other_spellings()
+    {
+      static const std::vector<std::pair<std::string, std::string>> spellings{
+        {"inch", "in"},   {"inches", "in"}, {"foot", "ft"},   {"feet", "ft"},    {"µm", "um"},       {"μm", "um"},
+        {"micron", "um"}, {"sec", "s"},     {"msec", "ms"},   {"usec", "us"},    {"µs", "us"},       {"μs", "us"},
+        {"hr", "h"},      {"lbm", "lb"},    {"lbs", "lb"},    {"tonne", "t"},    {"tonnes", "t"},    {"gram", "g"},
+        {"kelvin", "K"},  {"°C", "degC"},   {"°", "deg"},     {"radian", "rad"}, {"radians", "rad"}, {"RPM", "rpm"},
+        {"kn", "knots"},  {"KT", "knots"},  {"KTS", "knots"}, {"kph", "kmh"},    {"hz", "Hz"}};
+      return spellings;
+    }
+
+    const Unit *find_exactly(const std::string &name)
+    {
+      static const std::vector<std::pair<std::string, Unit>> unlisted{
+        {"mil", {inch, -6, length}}, {"kmh", {1. / 3.6, 0, speed}}, {"cc", {1., -6, {{0, 3}}}}};
+      for (const auto *units : {&named_units(), &unlisted})
+        for (const auto &[known, unit] : *units)
+          if (known == name)
+            return &unit;
+      return nullptr;
+    }
+
     const Unit *find_named(const std::string &name)
     {
-      for (const auto &[known, unit] : named_units())
-        if (known == name)
-          return &unit;
-      return nullptr;
+      for (const auto &[spelling, meant] : other_spellings())
+        if (spelling == name)
+          return find_exactly(meant);
+      return find_exactly(name);
+    }
+
+    /// Bytes from 0x80 on are those of letters like the Greek one for a millionth.
+    bool is_letter_of_unit(const char letter)
+    {
+      const auto byte = static_cast<unsigned char>(letter);
+      return std::isalpha(byte) || letter == '%' || byte >= 0x80;
     }
 
     /// a times b^n.
@@ -153,7 +183,7 @@ namespace birdstrike
         else if (!take('1'))
           {
             const std::size_t begin = at;
-            while (at < text.size() && (std::isalpha(static_cast<unsigned char>(text[at])) || text[at] == '%'))
+            while (at < text.size() && is_letter_of_unit(text[at]))
               ++at;
             const Unit *named = find_named(text.substr(begin, at - begin));
             is_good           = is_good && named != nullptr;

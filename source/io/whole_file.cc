@@ -40,31 +40,45 @@ namespace birdstrike
     }
   } // namespace
 
-  void write_whole_file(const fs::path &file, const std::vector<std::string_view> &parts)
+  void write_whole_file(const fs::path &file, const FunctionRef<int(int descriptor)> write)
   {
     const fs::path aside      = file.string() + ".part";
-    const int      descriptor = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    bool           is_well    = descriptor >= 0;
-    for (const std::string_view part : parts)
-      is_well = is_well && write_all(descriptor, part);
-    is_well = is_well && ::fsync(descriptor) == 0;
-    int why = errno;
-    if (descriptor >= 0 && ::close(descriptor) != 0 && is_well)
+    const int      descriptor = ::open(aside.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    int            why        = descriptor < 0 ? errno : 0;
+    try
       {
-        is_well = false;
-        why     = errno;
+        if (why == 0)
+          why = write(descriptor);
       }
-    if (is_well && ::rename(aside.c_str(), file.c_str()) != 0)
+    catch (...)
       {
-        is_well = false;
-        why     = errno;
+        ::close(descriptor);
+        ::unlink(aside.c_str());
+        throw;
       }
-    if (!is_well)
+    const auto go_on = [&why](const int result) { why = why == 0 && result != 0 ? errno : why; };
+    if (why == 0)
+      go_on(::fsync(descriptor));
+    if (descriptor >= 0)
+      go_on(::close(descriptor));
+    if (why == 0)
+      go_on(::rename(aside.c_str(), file.c_str()));
+    if (why != 0)
       {
         ::unlink(aside.c_str());
         throw std::runtime_error("Cannot write " + file.string() + ": " + std::strerror(why));
       }
     flush_folder(file.parent_path());
+  }
+
+  void write_whole_file(const fs::path &file, const std::vector<std::string_view> &parts)
+  {
+    write_whole_file(file, [&](const int descriptor) {
+      for (const std::string_view part : parts)
+        if (!write_all(descriptor, part))
+          return errno;
+      return 0;
+    });
   }
 
   std::string read_whole_file(const fs::path &file)

@@ -29,6 +29,7 @@ namespace birdstrike
     std::string name;                       ///< empty in the file: the file's name without ".prm"
     std::string description;                ///< one sentence
     bool        has_symmetry_plane = false; ///< half of the scene is computed, mirrored at y = 0
+    bool        is_blade_alone     = false; ///< read by read_blade(): no bird, and nothing is asked of its entries
 
     BladeParameters blade;
     BirdParameters  bird;
@@ -55,6 +56,11 @@ namespace birdstrike
     /// Reads and checks a case; see ParameterFile::read. Raises InputError.
     void read(const std::string &path, const std::vector<std::string> &overrides = {});
 
+    /// Reads a case for a command that computes its blade alone (statics, modes). The case then has no bird, and the
+    /// rules between entries of birds are not checked. The first bird still tells which side is struck, and so the
+    /// signs of reports (mesh/orientation.h). Returns why it cannot tell, or an empty text. Raises InputError.
+    std::string read_blade(const std::string &path, const std::vector<std::string> &overrides = {});
+
     /// Those that are enabled, in the order of their numbers.
     std::vector<BirdCase> birds() const;
 
@@ -62,13 +68,19 @@ namespace birdstrike
     std::string run_directory() const;
 
   private:
+    void read_entries(const std::string &path, const std::vector<std::string> &overrides);
     void check_further_birds(const std::string &path) const;
+    void complete(const std::string &path);
   };
 
   /// Names of entries, "Section/Entry".
   using EntryNames = std::vector<std::string>;
 
+  /// Entries that name files which the case reads.
+  EntryNames file_entries(const CaseParameters &parameters);
+
   /// The first entry, in the order of declaration, whose values differ ("Bird/Velocity"), other than those named in
-  /// `ignored`; empty if none does. Numbers are compared as numbers, all else as text.
+  /// `ignored`; empty if none does. Numbers are compared as numbers, files by their contents, all else
+  /// as text.
   std::string first_difference(const CaseParameters &a, const CaseParameters &b, const EntryNames &ignored);
 } // namespace birdstrike

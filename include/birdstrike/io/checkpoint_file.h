@@ -27,13 +27,21 @@ namespace birdstrike
   };
 
   /// One file: a line of text, padded to 512 bytes, that says format, length and CRC-32 of the rest; then HDF5 (any
-  /// reader of HDF5 opens the whole, the line is its user block). /state holds the quantities one behind the other:
+  /// reader of HDF5 from 1.8 on opens the whole, the line is its user block; its superblock is of version 0, see
+  /// set_format). /state holds the quantities one behind the other:
   /// their `names` (each ends with a zero byte) and `shapes` (four numbers each: components, 1 for doubles and 0 for
   /// 64-bit integers, how many values, how many lengths of lists), then all values, `real` and `whole`, and all
   /// `lengths`. /parameters and /inputs are texts.
   ///
-  /// It is made in memory, written aside, flushed to the disk and renamed: under its name a file is complete, whatever
-  /// happens to the process. Throws std::runtime_error where the disk refuses; nothing is left behind then.
+  /// The file is written aside, flushed to the disk and renamed: under its name it is complete, whatever happens to the
+  /// process. Throws std::runtime_error where the disk refuses; nothing is left behind then.
+  ///
+  /// `describe` writes the state, whose sizes are those of `sizes`, and each piece goes to the disk: no copy of the
+  /// state stands in memory. `checkpoint.state` is not looked at.
+  void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint, const StateInventory &sizes,
+                        FunctionRef<void(StateSink &)> describe);
+
+  /// The same of a state in memory, `checkpoint.state`.
   void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint);
 
   /// Those of a run folder, newest first.

@@ -24,6 +24,7 @@ namespace birdstrike
     bool        blade_fields     = true;   ///< blade.pvd
     bool        bird_fields      = true;   ///< bird.pvd
     bool        hdf5             = true;   ///< results.h5 beside history.csv
+    bool        copies_inputs    = true;   ///< into the run folder
     bool        is_deformed      = false;  ///< blade's points in its fields
     bool        removed_fly_on   = false;  ///< in the bird's fields
 

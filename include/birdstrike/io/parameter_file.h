@@ -11,7 +11,8 @@
 namespace birdstrike
 {
   class ParameterTree;
-}
+  struct ScannedFile;
+} // namespace birdstrike
 namespace dealii
 {
   class ParameterHandler;
@@ -92,6 +93,12 @@ namespace birdstrike
     /// Whether the file, one that it includes or an override has set the entry "Section/Entry".
     bool is_given(const std::string &entry) const;
 
+    /// Whether the file sets or includes anything.
+    bool says_anything() const;
+
+    /// What they have set it to; empty where none has.
+    std::string given_value(const std::string &entry) const;
+
     /// Other entries of a section that were set by a file before another one, or the command line, gave its entry
     /// `name` another value, and still hold; those at their defaults left out. A file may have meant them for its own
     /// value.
@@ -103,6 +110,12 @@ namespace birdstrike
     /// Files that the one that was read includes, in the order of reading.
     const std::vector<std::string> &included_files() const;
 
+    /// All files that were read, the outermost first.
+    const std::vector<ScannedFile> &scanned_files() const;
+
+    /// Sentences about where the files were found that entries name; each begins with its line.
+    const std::vector<std::string> &file_warnings() const;
+
     /// A sentence for the printed file, beside the entry "Section/Entry".
     void annotate(const std::string &entry, const std::string &sentence);
 
@@ -112,7 +125,8 @@ namespace birdstrike
     /// Every entry with its text, unit, range and default, at its present value: a file that can be read again and
     /// gives the same values to the last digit. Sections that would inherit and are at their defaults are left out
     /// unless `with_unused`.
-    std::string as_prm(bool with_unused = false) const;
+    /// `other_values`: printed in the place of the present ones, by "Section/Entry".
+    std::string as_prm(bool with_unused = false, const std::map<std::string, std::string> &other_values = {}) const;
 
     /// The same as JSON: sections nest, an entry is {"text", "unit", "range", "default", "value"}.
     std::string as_json() const;
@@ -132,5 +146,7 @@ namespace birdstrike
     std::map<std::string, std::string>        notes; ///< by entry
     GivenEntries                              given;
     std::vector<std::string>                  included;
+    std::vector<ScannedFile>                  files;
+    std::vector<std::string>                  warnings;
   };
 } // namespace birdstrike

@@ -17,15 +17,18 @@ namespace birdstrike
   /// The folder of one comparison or study: its table, figures and data, and below it one run folder for each case that
   /// had to be run. It is recognised by a marker file. A missing or empty folder is taken, one with the marker is
   /// written over; a run folder, a folder of someone else's and one that another report is written into are refused
-  /// with an InputError. It is locked while this object lives.
+  /// with an InputError. It is locked while this object lives. Whether a report that is there may be lost is asked by
+  /// whoever writes the new one.
   class ReportFolder
   {
   public:
-    /// Drops the tables and figures of an earlier report of the kind unless it keeps them.
+    /// Drops the tables and figures of an earlier report of the kind, unless it keeps them until drop_results().
     ReportFolder(const std::filesystem::path &directory, const ReportKind &kind, bool keeps_results = false);
     ~ReportFolder();
     ReportFolder(const ReportFolder &)            = delete;
     ReportFolder &operator=(const ReportFolder &) = delete;
+
+    void drop_results() const;
 
     const std::filesystem::path &path() const;
 
@@ -42,6 +45,7 @@ namespace birdstrike
 
   private:
     std::filesystem::path directory;
+    ReportKind            kind;
     int                   lock = -1;
   };
 } // namespace birdstrike

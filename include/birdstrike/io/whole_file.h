@@ -1,5 +1,7 @@
 #pragma once
 
+#include <birdstrike/core/function_ref.h>
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -11,6 +13,10 @@ namespace birdstrike
   /// whole, whatever happens to the process or the machine. Throws std::runtime_error with what the system says; then
   /// nothing is left behind, and a file that had the name before still has it.
   void write_whole_file(const std::filesystem::path &file, const std::vector<std::string_view> &parts);
+
+  /// The same of what `write` writes to a descriptor, open for reading and writing: it returns 0, or errno of what
+  /// failed.
+  void write_whole_file(const std::filesystem::path &file, FunctionRef<int(int descriptor)> write);
 
   /// All bytes of a file. Throws InputError where it cannot be read.
   std::string read_whole_file(const std::filesystem::path &file);

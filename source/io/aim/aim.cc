@@ -1,6 +1,7 @@
 #include "io/aim/aim.h"
 #include "io/aim/row_slice.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/io/aimed_surface.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/structure/rotor.h>
 #include <birdstrike/structure/surface_map.h>
@@ -223,9 +224,41 @@ namespace birdstrike
                           fmt::format("{:.6g}, {:.6g} m", -row.half, row.half));
     }
 
-    /// What follows, "Section/Entry=value", into `found`.
-    void resolve(BirdParameters &bird, const BladeParameters &blade, const ParameterFile &file,
-                 std::vector<std::string> &found)
+    /// Where a bird that comes from a position will strike, nearly: to know the blade's faces by. The scene, which has
+    /// the surface itself, finds it exactly.
+    Point3 guess_aim(const BirdParameters &bird, const BladeParameters &blade, const Point3 &velocity)
+    {
+      const Point3 position(bird.position.data());
+      if (blade.mesh.generator == MeshGenerator::file || blade.kind == BladeKind::none || velocity.norm() == 0.)
+        return position;
+      const auto map = make_surface_map(blade);
+      if (!map)
+        return position;
+      const auto foot = [&](const Point3 &x) {
+        const auto [span, chord] = map->shares(x);
+        return map->position(span, chord);
+      };
+      const Rotor     rotor(blade.spin);
+      const HubMotion hub = rotor.motion(0.);
+      if (rotor.turns() && hub.axis.dot(velocity) != 0.) // when it comes through the row
+        {
+          const double time = hub.axis.dot(map->position(0.5, 0.5) - position) / hub.axis.dot(velocity);
+          return foot(hub.centre + rotor.turn(std::max(0., time)).back(position + time * velocity - hub.centre));
+        }
+      Point3 x = position;
+      for (unsigned int pass = 0; pass < 20; ++pass)
+        x = position + (foot(x) - position).dot(velocity) / velocity.squaredNorm() * velocity;
+      return x;
+    }
+
+    struct PlacedBird
+    {
+      Point3 point, velocity;
+    };
+
+    /// What follows of the slice, "Section/Entry=value", goes into `found`.
+    PlacedBird place(BirdParameters &bird, const BladeParameters &blade, const ParameterFile &file,
+                     std::vector<std::string> &found)
     {
       const auto              is_given = [&](const char *entry) { return file.is_given(bird.section + "/" + entry); };
       const Aim               aim(bird, blade);
@@ -237,16 +270,49 @@ namespace birdstrike
           row = aim.find_row(velocity());
           add_planes(bird, *row, is_given("Slice/Normal"), is_given("Slice/Between"), found);
         }
-      const Point3 point = aim.find_point(is_given("Aim point"), row);
+      bird.is_aim_given  = is_given("Aim point");
+      const Point3 point = bird.position.empty() || bird.is_aim_given ? aim.find_point(bird.is_aim_given, row)
+                                                                      : guess_aim(bird, blade, velocity());
       if (!bird.aim_span_fraction.empty())
         bird.aimed_place = to_array(aim.is_by_edge() ? row->edge : point);
       bird.aimed_surface = aim.find_surface(point);
+      return {point, velocity()};
+    }
+
+    /// What follows, "Section/Entry=value", into `found`.
+    void resolve(BirdParameters &bird, const BladeParameters &blade, const ParameterFile &file,
+                 std::vector<std::string> &found)
+    {
+      const auto [point, velocity] = place(bird, blade, file, found);
       if (to_array(point) != bird.aim_point)
         found.push_back(bird.section + "/Aim point=" + text_of(point));
-      if (const Point3 v = velocity(); to_array(v) != bird.velocity)
-        found.push_back(bird.section + "/Velocity=" + text_of(v));
+      if (to_array(velocity) != bird.velocity)
+        found.push_back(bird.section + "/Velocity=" + text_of(velocity));
+    }
+
+    /// Its aim and flight alone, before it is cut; one that a row would have placed aims at the leading edge.
+    BirdParameters without_body(const BirdParameters &bird)
+    {
+      BirdParameters flight;
+      flight.section            = bird.section;
+      flight.velocity           = bird.velocity;
+      flight.speed              = bird.speed;
+      flight.angle_to_surface   = bird.angle_to_surface;
+      flight.flight_direction   = bird.flight_direction;
+      flight.aim_point          = bird.aim_point;
+      flight.chordwise_offset   = bird.chordwise_offset;
+      flight.aim_span_fraction  = bird.aim_span_fraction;
+      flight.aim_chord_fraction = bird.aim_chord_fraction;
+      if (bird.slice_blades > 0 && !bird.aim_span_fraction.empty() && bird.aim_chord_fraction.empty())
+        flight.aim_chord_fraction = {0.};
+      return flight;
     }
   } // namespace
+
+  std::optional<AimedSurface> find_aimed_surface(const BirdParameters &bird, const BladeParameters &blade)
+  {
+    return Aim(bird, blade).find_surface(Point3(bird.aim_point.data()));
+  }
 
   void resolve_aim(CaseParameters &parameters)
   {
@@ -257,5 +323,27 @@ namespace birdstrike
       if (each.bird.enabled)
         resolve(each.bird, parameters.blade, parameters.file, found);
     parameters.file.set(found);
+  }
+
+  std::optional<BladeParameters::StrikingBird> find_struck_side(const CaseParameters &parameters,
+                                                                std::string          &why_unknown)
+  {
+    std::vector<std::string> not_set;
+    if (!parameters.bird.enabled)
+      return {};
+    for (BirdParameters bird : {parameters.bird, without_body(parameters.bird)})
+      try
+        {
+          bird.check();
+          const auto [point, velocity] = place(bird, parameters.blade, parameters.file, not_set);
+          bird.aim_point               = to_array(point);
+          why_unknown.clear();
+          return BladeParameters::StrikingBird{bird.target(), to_array(velocity)};
+        }
+      catch (const InputError &error)
+        {
+          why_unknown = error.what();
+        }
+    return {};
   }
 } // namespace birdstrike

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <birdstrike/structure/parameters.h>
+
+#include <optional>
+#include <string>
+
 namespace birdstrike
 {
   struct CaseParameters;
@@ -16,4 +21,10 @@ namespace birdstrike
   /// Velocity, Aim point, Slice/Normal and Between are what is used. Throws InputError,
   /// naming both entries, where they do not, for half an alternative, and for a blade that has no such surface.
   void resolve_aim(CaseParameters &parameters);
+
+  /// Where the first bird aims and how it flies, for the signs of a blade that is computed without it. A bird whose
+  /// slice cannot be cut (of a blade at rest there is none before it) flies as a whole. Nothing without a bird, and
+  /// for one that cannot be placed at all; `why_unknown` then says why, after which no error is raised.
+  std::optional<BladeParameters::StrikingBird> find_struck_side(const CaseParameters &parameters,
+                                                                std::string          &why_unknown);
 } // namespace birdstrike

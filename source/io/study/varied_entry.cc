@@ -12,6 +12,7 @@
 #include <cmath>
 #include <optional>
 
+#include "io/numbers/bracketed_lists.h"
 #include "io/parameter_messages.h"
 #include "io/parameter_scan.h"
 #include "io/typed_numbers.h"
@@ -28,18 +29,6 @@ namespace birdstrike
     [[noreturn]] void refuse(const std::string &text, const std::string &what)
     {
       throw InputError(message({std::string(option) + " " + quote(text) + ": " + what, allowed}));
-    }
-
-    std::vector<std::string> split(const std::string &text, const char separator)
-    {
-      std::vector<std::string> pieces;
-      for (std::size_t begin = 0; begin <= text.size();)
-        {
-          const std::size_t end = std::min(text.find(separator, begin), text.size());
-          pieces.push_back(dealii::Utilities::trim(text.substr(begin, end - begin)));
-          begin = end + 1;
-        }
-      return pieces;
     }
 
     std::optional<double> as_number(const std::string &text)
@@ -68,10 +57,11 @@ namespace birdstrike
 
       VariedEntry read(const bool may_repeat)
       {
-        const std::vector<std::string> bounds    = split(list, ':');
+        const std::vector<std::string> bounds    = split_outside_brackets(list, ':');
         const char                     separator = list.find('|') != std::string::npos ? '|' : ',';
         VariedEntry                    varied    = {"", "-", {}, {}};
-        if (bounds.size() == 3 && list.find_first_of("|,;") == std::string::npos)
+        if (bounds.size() == 3 && split_outside_brackets(list, ',').size() == 1 &&
+            list.find_first_of("|;") == std::string::npos)
           varied.values = range(bounds);
         else
           for (const std::string &typed : with_units(items(separator), false))
@@ -106,7 +96,7 @@ namespace birdstrike
       {
         const std::string &pattern   = entry().pattern;
         const bool         is_vector = pattern.starts_with("[List") && !pattern.ends_with("0...1 (inclusive)]");
-        return separator == ',' && is_vector ? std::vector{list} : split(list, separator);
+        return separator == ',' && is_vector ? std::vector{list} : split_outside_brackets(list, separator);
       }
 
       std::vector<std::string> with_units(const std::vector<std::string> &typed, const bool is_range) const

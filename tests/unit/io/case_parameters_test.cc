@@ -177,3 +177,39 @@ TEST(CaseParameters, IncludedFilesAreAmongTheInputsWithTheirContents)
   second.read(file);
   EXPECT_NE(birdstrike::list_input_files(second)[0].fingerprint, before[0].fingerprint);
 }
+
+// A slice that a blade at rest cannot cut refuses a strike. Statics and modes of the same file need no bird, and have
+// the signs of one that flies this way.
+TEST(CaseParameters, ABladeAloneAsksNothingOfItsBird)
+{
+  const ScratchFolder scratch;
+  const std::string   head = "subsection Bird\n set Velocity = 10, 0, -100\n set Aim point = 0.2, 0, 0\n",
+                    slice  = " subsection Slice\n  set Number of blades = 22\n end\nend\n";
+  for (const std::string &rest : {slice, " set Particle spacing = 1\nend\n" + std::string(),
+                                  " subsection Equation of state\n  set Type = porous\n end\n"
+                                  " set Formulation = standard\n set Reconstruction = linear\nend\n" +
+                                    std::string("subsection Bird 2\n set Enabled = true\n set Mass = 1e6\nend\n")})
+    {
+      const std::string file = scratch.write("case.prm", head + rest);
+      CaseParameters    whole, alone;
+      EXPECT_THROW(whole.read(file), birdstrike::InputError) << rest;
+      EXPECT_EQ(alone.read_blade(file), "");
+      EXPECT_TRUE(alone.birds().empty());
+      ASSERT_TRUE(alone.blade.bird.has_value());
+      EXPECT_EQ(alone.blade.bird->velocity, (std::array<double, 3>{{10., 0., -100.}}));
+      EXPECT_EQ(alone.blade.bird->target, (std::array<double, 3>{{0.2, 0., 0.}}));
+    }
+}
+
+TEST(CaseParameters, ABladeAloneSaysWhyItsStruckSideIsUnknown)
+{
+  const ScratchFolder scratch;
+  CaseParameters      parameters;
+  const std::string why = parameters.read_blade(scratch.write("case.prm", "subsection Bird\n set Speed = 100\nend\n"));
+  EXPECT_NE(why.find("Angle to surface is missing"), std::string::npos) << why;
+  EXPECT_FALSE(parameters.blade.bird.has_value());
+  EXPECT_EQ(parameters.read_blade(scratch.write("none.prm", "subsection Bird\n set Enabled = false\nend\n")), "");
+  EXPECT_THROW(parameters.read_blade(scratch.write("blade.prm", "subsection Blade\n subsection Mesh\n"
+                                                                "  set Elements along span = 0\n end\nend\n")),
+               birdstrike::InputError);
+}

@@ -1,5 +1,6 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/checkpoint_file.h>
+#include <birdstrike/io/hdf5_handle.h>
 #include <birdstrike/io/whole_file.h>
 
 #include <gtest/gtest.h>
@@ -14,6 +15,23 @@
 #include "scratch_folder.h"
 
 using namespace birdstrike;
+
+// HDF5 File Format Specification, II.A: the version of the superblock follows the eight letters of the signature.
+TEST(CheckpointFile, HasTheFormatThatWeSetWhateverLibraryWrites)
+{
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  ASSERT_TRUE(set_format(access));
+  H5F_libver_t low = H5F_LIBVER_LATEST, high = H5F_LIBVER_LATEST;
+  ASSERT_GE(H5Pget_libver_bounds(access, &low, &high), 0);
+  EXPECT_EQ(low, H5F_LIBVER_EARLIEST);
+  EXPECT_EQ(high, H5F_LIBVER_V18);
+  const ScratchFolder scratch;
+  const auto          file = scratch.path() / "a.h5";
+  write_checkpoint(file, {"", {}, "", 0., 0, {}});
+  const std::string bytes = read_whole_file(file), signature = "\x89HDF\r\n\x1a\n";
+  ASSERT_EQ(bytes.substr(512, signature.size()), signature);
+  EXPECT_EQ(bytes[512 + signature.size()], 0);
+}
 
 namespace
 {
@@ -75,6 +93,47 @@ TEST(CheckpointFile, ReadsBackToTheLastBit)
   EXPECT_EQ(find_difference(written.state, read.state), "") << "bits, so that NaN and -0 count";
   EXPECT_EQ(read.state.size(), written.state.size());
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
+}
+
+// In pieces and in any order, each in its place.
+TEST(CheckpointFile, OfAStateThatComesInPiecesIsTheSameFile)
+{
+  const ScratchFolder scratch;
+  const auto          at_once = scratch.path() / "at_once.h5", in_pieces = scratch.path() / "in_pieces.h5";
+  Checkpoint          checkpoint = some_checkpoint();
+  write_checkpoint(at_once, checkpoint);
+  StateInventory sizes;
+  for (const auto &[name, quantity] : checkpoint.state)
+    sizes.take(name, quantity);
+  const ArchivedState state = std::move(checkpoint.state);
+  checkpoint.state.clear();
+  const auto describe = [&](StateSink &to) {
+    for (auto entry = state.rbegin(); entry != state.rend(); ++entry)
+      {
+        ArchivedQuantity  one = entry->second, rest = one;
+        const std::size_t n = one.size() / 2;
+        if (one.is_real)
+          {
+            one.real.resize(n);
+            rest.real.erase(rest.real.begin(), rest.real.begin() + static_cast<std::ptrdiff_t>(n));
+          }
+        else
+          {
+            one.whole.resize(n);
+            rest.whole.erase(rest.whole.begin(), rest.whole.begin() + static_cast<std::ptrdiff_t>(n));
+          }
+        rest.lengths.clear();
+        to.take(entry->first, one);
+        to.take(entry->first, rest);
+      }
+  };
+  write_checkpoint(in_pieces, checkpoint, sizes, describe);
+  EXPECT_EQ(find_difference(read_checkpoint(at_once).state, read_checkpoint(in_pieces).state), "");
+  EXPECT_EQ(find_difference(read_checkpoint(in_pieces).state, state), "");
+
+  const auto describe_less = [&](StateSink &to) { to.take(state.begin()->first, state.begin()->second); };
+  EXPECT_THROW(write_checkpoint(scratch.path() / "less.h5", checkpoint, sizes, describe_less), std::logic_error);
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / "less.h5")) << "half a state is none";
 }
 
 TEST(CheckpointFile, IsHdf5BehindALineOfText)

@@ -117,6 +117,37 @@ TEST(ParameterScan, MissingFileNamesTheNearest)
   EXPECT_THROW(small.file.read("/no/such/folder/case.prm"), birdstrike::InputError);
 }
 
+namespace
+{
+  double read_mass(const std::string &text)
+  {
+    const ScratchFolder scratch;
+    scratch.write("heavy.prm", "subsection Bird\n  set Mass = 3\nend\n");
+    SmallCase small;
+    small.file.read(scratch.write("case.prm", text));
+    return small.values.mass;
+  }
+} // namespace
+
+// A path of Windows at the end of a comment is no reason to lose the line below.
+TEST(ParameterScan, ACommentEndsWithItsLine)
+{
+  EXPECT_EQ(read_mass("# from C:\\cases\\\ninclude heavy.prm\n"), 3.);
+  EXPECT_EQ(read_mass("# from C:\\cases\\ \t\r\ninclude heavy.prm\r\n"), 3.) << "Windows";
+  EXPECT_EQ(read_mass("# an old Mac \\\rsubsection Bird # and its lines\r  set Mass = 3\rend\r"), 3.);
+  EXPECT_EQ(read_mass("subsection Bird\n  set Mass = 2 # kg \\\n  set Shape = flat\nend\n"), 2.);
+  EXPECT_EQ(read_mass("subsection Bird\n  # set Mass = 1 \\\n  set Mass = 2\nend\n"), 2.);
+  EXPECT_EQ(read_mass("\xEF\xBB\xBF# C:\\\ninclude heavy.prm"), 3.) << "with the mark of UTF-8";
+}
+
+TEST(ParameterScan, LinesThatEndInABackslashGoOnAndMayHoldComments)
+{
+  EXPECT_EQ(read_mass("subsection Bird\n  set Mass = \\ # a formula\n    1 + \\\n    1\nend\n"), 2.);
+  EXPECT_EQ(read_mass("subsection Bird\n  set Mass = 1 + \\\n  # 5 + \\\n    1\nend\n"), 2.) << "a line taken out";
+  EXPECT_EQ(read_mass("subsection Bird\n  set Mass = 2\nend\\"), 2.) << "the file ends there";
+  expect_parts(read_bad("subsection Bird\n  set Mass = 1 + \\\n\n  set Mass = 2\nend\n"), {"line 2", "'1 +'"});
+}
+
 TEST(ParameterScan, DefaultGivesAnEntryOfAnyKindBack)
 {
   const ScratchFolder scratch;
@@ -161,6 +192,23 @@ TEST(ParameterScan, IncludedFilesAreFoundBesideTheFileAndMayBeOverruled)
     }
   const std::string loop = scratch.write("loop.prm", "include loop.prm\n");
   EXPECT_THROW(small.file.read(loop), birdstrike::InputError);
+}
+
+TEST(ParameterScan, EachEncodingAndEndOfLineIsRead)
+{
+  const std::string text  = "subsection Bird\n  set Mass = 2.5\nend\n";
+  std::string       utf16 = "\xFF\xFE", carriage_returns = text;
+  for (const char letter : text)
+    utf16 += {letter, '\0'};
+  std::replace(carriage_returns.begin(), carriage_returns.end(), '\n', '\r');
+  for (const std::string &each : {text, utf16, utf16.substr(2), "\xEF\xBB\xBF" + text, carriage_returns})
+    {
+      const ScratchFolder scratch;
+      SmallCase           small;
+      small.file.read(scratch.write("case.prm", each), {});
+      EXPECT_EQ(small.values.mass, 2.5);
+      EXPECT_EQ(small.file.original(), text);
+    }
 }
 
 TEST(ParameterScan, ReadsCommentsContinuationsAndCapitalKeywords)

@@ -53,6 +53,45 @@ namespace
   }
 } // namespace
 
+TEST(TypedNumbers, FunctionsHaveSeveralArguments)
+{
+  EXPECT_EQ(value("Bird/Mass", "max(1, 2)"), 2.);
+  EXPECT_EQ(value("Bird/Mass", "min(1,2) kg"), 1.);
+  EXPECT_EQ(value("Bird/Mass", "max(500, pow(2, 3)) g"), 0.5);
+  EXPECT_NEAR(value("Bird/Yaw", "atan2(1, 1)*180/pi"), 45., 1e-13);
+  EXPECT_EQ(value("Bird/Mass", "if(1<2, 3, 4)"), 3.);
+  EXPECT_EQ(value("Bird/Speed", "max(100, 150)"), 150.) << "of a list of at most one number";
+  EXPECT_EQ(read("Bird/Velocity", "0, min(1, 2), max(3, 4)"), "0, 1, 4");
+  EXPECT_EQ(read("Bird/Velocity", "0, 0, max(36, 72) km/h"), "0, 0, 20");
+  EXPECT_EQ(read("Bird/Mass", "(1, 2)"), "(1, 2)") << "no number: left to the entry's pattern";
+  EXPECT_EQ(read("Bird/Mass", "1, 2, 3"), "1, 2, 3");
+}
+
+TEST(TypedNumbers, UnitsInsideFunctionsAndUnknownOnesAreNamed)
+{
+  EXPECT_NE(refusal_of_number("Bird/Mass", "max(1 kg, 2 kg)").find("'kg' stands inside a formula"), std::string::npos);
+  EXPECT_NE(refusal_of_number("Blade/Thickness/Value", "0.168 parsec").find("the unit 'parsec' is not known"),
+            std::string::npos);
+  for (const char *formula : {"0.003 + 0.001*x", "1e-3*exp(-x/1e-2)", "4e-3*x", "3e-3", "if(x<0.1, 0.004, 0.002)"})
+    EXPECT_EQ(read("Blade/Thickness/Value", formula), formula);
+  EXPECT_EQ(read("Blade/Loads/Pressure", "1e6*exp(-t/1e-4)"), "1e6*exp(-t/1e-4)");
+}
+
+// One mil is a thousandth of an inch of 25.4 mm; the others are other spellings of units.
+TEST(Units, AreKnownByOtherSpellingsToo)
+{
+  EXPECT_NEAR(one("mil"), 25.4e-6, 1e-20);
+  EXPECT_EQ(one("µs"), one("us"));
+  EXPECT_EQ(one("μm"), one("um"));
+  EXPECT_EQ(one("lbm"), one("lb"));
+  EXPECT_EQ(one("g/cc"), one("g/cm^3"));
+  EXPECT_EQ(one("m/sec"), one("m/s"));
+  EXPECT_EQ(one("tonne"), 1000.);
+  EXPECT_EQ(one("KT"), one("knots"));
+  EXPECT_EQ(parse_unit("°C")->offset, 273.15);
+  EXPECT_NEAR(value("Time/End time", "2000 µs"), 2e-3, 1e-18);
+}
+
 // Exact by definition: NIST SP 811 (2008), appendix B.8; to round-off.
 TEST(Units, AreThoseOfTheStandards)
 {

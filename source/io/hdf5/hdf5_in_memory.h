@@ -1,16 +1,16 @@
 #pragma once
 
+#include "io/hdf5/hdf5_on_disk.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/hdf5_handle.h>
 
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
-/// HDF5 files in memory, of arrays of doubles, 64-bit integers and letters.
+/// HDF5 files of arrays of doubles, 64-bit integers and letters: written piece by piece, read in memory.
 namespace birdstrike::hdf5_in_memory
 {
   inline void require(const bool is_well, const char *what)
@@ -59,6 +59,13 @@ namespace birdstrike::hdf5_in_memory
         return H5Dwrite(data, native<T>(), memory, file, H5P_DEFAULT, values);
       });
     }
+    /// At another place, which moves on behind them.
+    bool write(std::size_t &place, const std::vector<T> &values)
+    {
+      at    = place;
+      place = at + values.size();
+      return place <= n && write(values.data(), values.size());
+    }
 
   private:
     template <class Transfer>
@@ -77,15 +84,15 @@ namespace birdstrike::hdf5_in_memory
     std::size_t n, at = 0;
   };
 
-  /// HDF5 in memory: a disk that is full is not its business.
+  /// A file that goes to the disk as it is made.
   class Writer
   {
   public:
-    /// Memory is taken for so many bytes, and as many again whenever they do not suffice.
-    explicit Writer(const std::size_t n_bytes)
-      : access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), file(create(access, n_bytes), H5Fclose)
+    /// The target outlives it, and is asked for errors of the disk once this has gone.
+    explicit Writer(hdf5_on_disk::Target &target)
+      : access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), file(create(access, target), H5Fclose)
     {
-      require(file >= 0, "make a file in memory");
+      require(file >= 0, "make a file");
     }
 
     template <class T>
@@ -103,21 +110,17 @@ namespace birdstrike::hdf5_in_memory
       require(to.is_open() && to.write(values.data(), values.size()), "take values");
     }
 
-    /// The whole file, while this lives and nothing more is written.
-    std::string_view image()
+    /// Hands over what HDF5 still holds.
+    void finish()
     {
-      void **memory = nullptr; // of the core driver: the address of its address
-      require(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, "end a file in memory");
-      const ssize_t n = H5Fget_file_image(file, nullptr, 0);
-      require(n > 0 && H5Fget_vfd_handle(file, H5P_DEFAULT, reinterpret_cast<void **>(&memory)) >= 0,
-              "hand over a file in memory");
-      return {static_cast<const char *>(*memory), static_cast<std::size_t>(n)};
+      require(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, "end a file");
     }
 
   private:
-    static hid_t create(const hid_t access, const std::size_t n_bytes)
+    static hid_t create(const hid_t access, hdf5_on_disk::Target &target)
     {
-      H5Pset_fapl_core(access, n_bytes, false);
+      require(hdf5_on_disk::set_target(access, target), "take a file of the system");
+      require(set_format(access), "choose the format of a file");
       return H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access);
     }
 

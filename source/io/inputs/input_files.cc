@@ -1,4 +1,4 @@
-#include "io/parameter_tree.h"
+#include "io/inputs/file_entries.h"
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/input_files.h>
 
@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
 
 namespace birdstrike
@@ -24,19 +23,26 @@ namespace birdstrike
     }
   } // namespace
 
+  std::string fingerprint_of(const std::filesystem::path &file)
+  {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error))
+      return "";
+    std::ifstream in(file, std::ios::binary);
+    return in ? fmt::format("{:016x}", fingerprint(in)) : "";
+  }
+
   std::vector<InputFile> list_input_files(const CaseParameters &parameters)
   {
     const ParameterTree   &tree = parameters.file.tree();
     std::vector<InputFile> files;
     const auto             add = [&files](const std::string &name, const bool is_included) {
-      std::error_code error;
-      if (name.empty() || !std::filesystem::is_regular_file(name, error))
-        return;
-      if (std::ifstream in(name, std::ios::binary); in)
-        files.push_back({name, fmt::format("{:016x}", fingerprint(in)), is_included});
+      if (const std::string fingerprint = fingerprint_of(name); !fingerprint.empty())
+        files.push_back({name, fingerprint, is_included});
     };
     for (const KnownEntry &entry : tree.entries())
-      add(entry.value, false);
+      if (names_file(entry))
+        add(entry.value, false);
     for (const std::string &name : parameters.file.included_files())
       add(name, true);
     return files;
