@@ -1,9 +1,9 @@
 #include <birdstrike/core/numerical_failure.h>
+#include <birdstrike/core/simd/larger.h>
 #include <birdstrike/report/balance.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -59,14 +59,14 @@ namespace birdstrike
       for (const MomentumReport *part : {&state.bird_momentum, &state.blade_momentum})
         for (const MomentumKind &kind : momentum_kinds)
           if (kind.is_axial == is_axial && kind.is_scale)
-            largest = std::max(largest, norm(part->*kind.value));
+            largest = larger(largest, norm(part->*kind.value));
       return largest;
     }
 
     double relative_distance(const Vector &now, const Vector &reference, const double scale)
     {
       const Vector difference{now[0] - reference[0], now[1] - reference[1], now[2] - reference[2]};
-      return scale > 0. ? norm(difference) / scale : 0.;
+      return scale == 0. ? 0. : norm(difference) / scale;
     }
 
     /// Of the sums of m |v| and m |x| |v|: momenta that are smaller count as so much.
@@ -79,6 +79,29 @@ namespace birdstrike
         if (const double value = entry.value(state); value != 0.)
           text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", entry.column, value);
       return "Energies in J: " + text + ".";
+    }
+
+    struct Entry
+    {
+      std::string what;
+      double      value;
+    };
+
+    /// The first entry of any account, memoranda too, that is no number; without words where there is none.
+    Entry find_no_number(const SystemState &state)
+    {
+      static constexpr std::array<const char *, 4> parts{{"bird", "blade", "contact", "self-contact"}};
+      for (std::size_t p = 0; p < parts.size(); ++p)
+        for (const EnergyKind &kind : energy_kinds)
+          if (const double value = state.*parts_of_system[p].*kind.value; !std::isfinite(value))
+            return {std::string(parts[p]) + ", energy '" + kind.name + "'", value};
+      for (const auto &[part, name] :
+           {std::pair(&SystemState::bird_momentum, "bird"), {&SystemState::blade_momentum, "blade"}})
+        for (const MomentumKind &kind : momentum_kinds)
+          for (const double value : state.*part.*kind.value)
+            if (!std::isfinite(value))
+              return {std::string(name) + ", " + kind.name, value};
+      return {};
     }
 
     std::string advise(const SystemState &state)
@@ -101,8 +124,8 @@ namespace birdstrike
     const double work = std::abs(external_work_of(state) - spun_up);
     if (driven == 0. && reference_driven == 0.)
       return std::abs(reference_energy) + work;
-    const double strike = std::max(std::abs(reference_energy - reference_driven), state.seen_from_hub);
-    return std::max({scale, strike + work + std::abs(state.blade.kinetic - driven), least_of_rotation * driven});
+    const double strike = larger(std::abs(reference_energy - reference_driven), state.seen_from_hub);
+    return larger(larger(scale, strike + work + std::abs(state.blade.kinetic - driven)), least_of_rotation * driven);
   }
 
   void Balance::update(const SystemState &state, const double time, const unsigned long step)
@@ -118,9 +141,9 @@ namespace birdstrike
         has_reference     = true;
       }
     scale = scale_of(state);
-    error.update(scale > 0. ? (current_energy - reference_energy) / scale : 0.);
-    most_dissipated = std::max(most_dissipated, state.contact.dissipated);
-    fall            = std::max({fall, most_dissipated - state.contact.dissipated, state.contact_dissipation_fall});
+    error.update(scale == 0. ? 0. : (current_energy - reference_energy) / scale);
+    most_dissipated = larger(most_dissipated, state.contact.dissipated);
+    fall            = larger(larger(fall, most_dissipated - state.contact.dissipated), state.contact_dissipation_fall);
     update(linear, false, &MomentumReport::impulse_scale, &MomentumReport::largest_momentum);
     update(angular, true, &MomentumReport::moment_scale, &MomentumReport::largest_angular_momentum);
     check(time, step);
@@ -129,16 +152,17 @@ namespace birdstrike
   void Balance::RelativeError::update(const double value)
   {
     now     = value;
-    largest = std::max(largest, std::abs(value));
+    largest = larger(largest, std::abs(value));
   }
 
   void Balance::update(Momentum &momentum, const bool is_axial, double MomentumReport::*const smallest_scale,
                        double MomentumReport::*const of_one_body)
   {
-    momentum.largest_of_one_body = std::max(momentum.largest_of_one_body, last.bird_momentum.*of_one_body);
+    momentum.largest_of_one_body = larger(momentum.largest_of_one_body, last.bird_momentum.*of_one_body);
     const double against =
-      std::max({norm(momentum.reference), momentum.largest_of_one_body, largest_norm(last, is_axial),
-                smallest_share * (last.bird_momentum.*smallest_scale + last.blade_momentum.*smallest_scale)});
+      larger(larger(norm(momentum.reference), momentum.largest_of_one_body),
+             larger(largest_norm(last, is_axial),
+                    smallest_share * (last.bird_momentum.*smallest_scale + last.blade_momentum.*smallest_scale)));
     momentum.error.update(relative_distance(momentum_of(last, is_axial), momentum.reference, against));
   }
 
@@ -153,6 +177,8 @@ namespace birdstrike
       facts.advice  = advise(last) + advice;
       throw NumericalFailure(std::move(facts));
     };
+    if (const auto [what, value] = find_no_number(last); !what.empty())
+      fail({"An entry of the balance is no number", what, value, ""});
     if (!(std::abs(error.now) <= limit))
       {
         const Origins from = origins();
@@ -169,7 +195,7 @@ namespace birdstrike
     for (const LedgerEntry &entry : ledger)
       if (const double value = entry.value(last); entry.rules().is_positive && !(value >= -negative_limit * scale))
         fail({"An energy that cannot be negative is", std::string(entry.column), value, "J", -negative_limit * scale});
-    if (fall > negative_limit * scale)
+    if (!(fall <= negative_limit * scale))
       fail({"Contact has made energy", "fall of contact_dissipated", fall, "J", negative_limit * scale});
   }
 

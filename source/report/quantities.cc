@@ -289,11 +289,11 @@ namespace birdstrike
     return all;
   }
 
-  const Quantity &quantity(const std::string &key)
+  const Quantity &quantity(const std::string_view key)
   {
     for (const Quantity &each : quantities())
       if (each.key == key)
         return each;
-    throw std::logic_error("There is no quantity '" + key + "'.");
+    throw std::logic_error("There is no quantity '" + std::string(key) + "'.");
   }
 } // namespace birdstrike

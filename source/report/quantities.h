@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -46,5 +47,5 @@ namespace birdstrike
   const std::vector<Quantity> &quantities();
 
   /// By its key. Throws std::logic_error if there is none.
-  const Quantity &quantity(const std::string &key);
+  const Quantity &quantity(std::string_view key);
 } // namespace birdstrike

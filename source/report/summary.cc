@@ -7,6 +7,7 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -59,16 +60,22 @@ namespace birdstrike
 
     std::vector<AimValue> values_of(const StrikeAim &aim)
     {
-      return {{"point", "m", aim.point},
-              {"span", "share", aim.span},
-              {"chord", "share", aim.chord},
-              {"velocity", "m/s", aim.velocity},
-              {"speed", "m/s", aim.speed},
-              {"angle", "degree", aim.angle},
-              {"normal_speed", "m/s", aim.normal_speed},
-              {"hugoniot_pressure", "Pa", aim.hugoniot_pressure},
-              {"stagnation_pressure", "Pa", aim.stagnation_pressure},
-              {"duration", "s", aim.duration}};
+      std::vector<AimValue> values{{"point", "m", aim.point},
+                                   {"span", "share", aim.span},
+                                   {"chord", "share", aim.chord},
+                                   {"velocity", "m/s", aim.velocity},
+                                   {"speed", "m/s", aim.speed},
+                                   {"angle", "degree", aim.angle},
+                                   {"normal_speed", "m/s", aim.normal_speed},
+                                   {"hugoniot_pressure", "Pa", aim.hugoniot_pressure},
+                                   {"stagnation_pressure", "Pa", aim.stagnation_pressure},
+                                   {"duration", "s", aim.duration}};
+      if (!std::isnan(aim.arrival))
+        {
+          values.push_back({"position", "m", aim.position});
+          values.push_back({"arrival_time", "s", aim.arrival});
+        }
+      return values;
     }
 
     /// Each bird of several, in SI units as "bird", "aim" and "contact" have them for all.
@@ -206,8 +213,12 @@ namespace birdstrike
   void Summary::set_inputs(const std::vector<InputFile> &files)
   {
     for (const InputFile &file : files)
-      json["inputs"].push_back(
-        {{"name", file.name}, {"fingerprint", file.fingerprint}, {"role", file.is_included ? "include" : "entry"}});
+      {
+        json["inputs"].push_back(
+          {{"name", file.name}, {"fingerprint", file.fingerprint}, {"role", file.is_included ? "include" : "entry"}});
+        if (!file.copy.empty())
+          json["inputs"].back()["copy"] = file.copy;
+      }
   }
 
   double Summary::number(const std::string &key) const

@@ -20,23 +20,32 @@ namespace birdstrike
     constexpr unsigned int most_orders    = 12;
     constexpr double       least_likeness = 0.5; // of shapes that are one mode's
 
+    /// Frequency over that of the hub, of so many digits; `none` of a hub that stands still and of an unstable mode.
+    std::string engine_order(const VibrationModes::Mode &mode, const double speed, const int digits, const char *none)
+    {
+      const double turns = std::abs(speed) / (2. * std::numbers::pi);
+      return turns > 0. && !mode.is_unstable() ? fmt::format("{:.{}g}", mode.frequency / turns, digits) : none;
+    }
+
     std::string table_of(const std::vector<ModesAtSpeed> &speeds, const std::size_t n)
     {
       const auto  followed = follow_modes(speeds, n);
       std::string text     = "# 1: speed of the hub [rad/s]\n# 2: mode of the first speed that it goes on from [-]\n"
                              "# 3: natural frequency [Hz]\n# 4: over the frequency of the hub: engine order [-]\n"
                              "# 5, 6, 7: share of the blade's mass that moves along x, y, z [-]\n"
-                             "speed,mode,frequency,engine_order,effective_mass_x,effective_mass_y,effective_mass_z\n";
+                             "# 8: of an unstable mode, without a frequency, rate of its growth [1/s]\n"
+                             "speed,mode,frequency,engine_order,effective_mass_x,effective_mass_y,effective_mass_z,"
+                             "growth_rate\n";
       for (std::size_t s = 0; s < speeds.size(); ++s)
         for (std::size_t k = 0; k < followed[s].size(); ++k)
           {
             if (followed[s][k] == no_mode)
               continue;
-            const auto  &mode  = speeds[s].modes.modes[followed[s][k]];
-            const double turns = std::abs(speeds[s].speed) / (2. * std::numbers::pi);
-            text += fmt::format("{:.10g},{},{:.10g},{},{:.6g},{:.6g},{:.6g}\n", speeds[s].speed, k + 1, mode.frequency,
-                                turns > 0. ? fmt::format("{:.6g}", mode.frequency / turns) : "", mode.effective_mass[0],
-                                mode.effective_mass[1], mode.effective_mass[2]);
+            const auto &mode = speeds[s].modes.modes[followed[s][k]];
+            text += fmt::format("{:.10g},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g}\n", speeds[s].speed, k + 1,
+                                mode.is_unstable() ? "" : fmt::format("{:.10g}", mode.frequency),
+                                engine_order(mode, speeds[s].speed, 6, ""), mode.effective_mass[0],
+                                mode.effective_mass[1], mode.effective_mass[2], mode.growth_rate);
           }
       return text;
     }
@@ -51,12 +60,16 @@ namespace birdstrike
           FigureLine line{fmt::format("mode {}", k + 1), {}, {}, static_cast<unsigned int>(k), true};
           for (std::size_t s = 0; s < speeds.size() && followed[s][k] != no_mode; ++s)
             {
+              const auto &mode = speeds[s].modes.modes[followed[s][k]];
+              if (mode.is_unstable())
+                continue;
               line.x.push_back(speeds[s].speed);
-              line.y.push_back(speeds[s].modes.modes[followed[s][k]].frequency);
+              line.y.push_back(mode.frequency);
               fastest = std::max(fastest, std::abs(line.x.back()));
               highest = std::max(highest, line.y.back());
             }
-          panel.lines.push_back(std::move(line));
+          if (!line.x.empty())
+            panel.lines.push_back(std::move(line));
         }
       for (unsigned int order = 1; order <= most_orders && fastest > 0.; ++order)
         if (const double end = order * fastest / (2. * std::numbers::pi); end < 1.2 * highest)
@@ -102,13 +115,16 @@ namespace birdstrike
     std::string text = fmt::format("Modes at {:.6g} rad/s ({:.5g} rpm), {} unknowns\n", at.speed, rpm * at.speed,
                                    format_count(at.modes.n_unknowns));
     text += "  mode   frequency [Hz]   engine order   mass that moves along x, y, z\n";
-    const double turns = std::abs(at.speed) / (2. * std::numbers::pi);
     for (std::size_t k = 0; k < std::min(n, at.modes.modes.size()); ++k)
       {
         const auto &mode = at.modes.modes[k];
-        text += fmt::format("  {:4d}   {:14.6g}   {:>12}   {:.3f} {:.3f} {:.3f}\n", k + 1, mode.frequency,
-                            turns > 0. ? fmt::format("{:.4g}", mode.frequency / turns) : "-", mode.effective_mass[0],
-                            mode.effective_mass[1], mode.effective_mass[2]);
+        text += fmt::format("  {:4d}   {:>14}   {:>12}   {:.3f} {:.3f} {:.3f}{}\n", k + 1,
+                            mode.is_unstable() ? "unstable" : fmt::format("{:.6g}", mode.frequency),
+                            engine_order(mode, at.speed, 4, "-"), mode.effective_mass[0], mode.effective_mass[1],
+                            mode.effective_mass[2],
+                            mode.is_unstable() ? fmt::format("   grows tenfold in {}",
+                                                             format_quantity(std::log(10.) / mode.growth_rate, "s"))
+                                               : "");
       }
     return text;
   }
@@ -118,6 +134,14 @@ namespace birdstrike
   {
     std::vector<std::string> said;
     folder.write_text("modes.csv", table_of(speeds, n));
+    for (const ModesAtSpeed &at : speeds)
+      if (const auto n_unstable = std::ranges::count_if(at.modes.modes, &VibrationModes::Mode::is_unstable);
+          n_unstable > 0)
+        said.push_back(fmt::format(
+          "The static equilibrium at {:.6g} rad/s is unstable: {} of its modes grow{} instead of vibrating. The blade "
+          "buckles before it carries these loads. Lower the loads or the speed.{}",
+          at.speed, n_unstable, n_unstable == 1 ? "s" : "",
+          at.speed != 0. ? " Coriolis' forces, which the modes leave out, can hold pairs of such modes." : ""));
     if (speeds.size() < 2)
       return said;
     const auto followed = follow_modes(speeds, n);

@@ -11,7 +11,8 @@ namespace birdstrike
     std::vector<std::string> prm_files;
     std::vector<std::string> blade_kinds; ///< each file once for each of these values of Blade/Kind; empty: as they are
     std::vector<std::string> overrides;   ///< "Section/Entry=value", for all cases
-    std::string              output = "runs/compare";
+    std::string              output    = "runs/compare";
+    bool                     is_forced = false; ///< runs of other entries and tables of other cases are replaced
   };
 
   /// Runs the cases, or takes runs that are complete and were made of the same parameters by this build: in the

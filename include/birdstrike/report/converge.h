@@ -28,7 +28,8 @@ namespace birdstrike
     std::size_t              n_places = 1;     ///< of the bird's lattice, over which a level's values are averaged
     std::size_t              n_jobs   = 0;     ///< levels side by side; 0: one a core
     std::vector<std::string> overrides;
-    std::string              output; ///< folder; empty: runs/converge/<the file's name>
+    std::string              output;            ///< folder; empty: runs/converge/<the file's name>
+    bool                     is_forced = false; ///< as of a study
   };
 
   /// Runs a case on a ladder of refinements, of which it is the finest level (of time steps the coarsest: they cannot

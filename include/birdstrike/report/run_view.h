@@ -51,6 +51,8 @@ namespace birdstrike
     double                angle               = none;        ///< degrees, between velocity and surface
     double                hugoniot_pressure   = none;        ///< Pa, of the normal speed
     double                stagnation_pressure = none;        ///< Pa
+    std::array<double, 3> position{{none, none, none}};      ///< m, of its centre at time 0, where the case gives it,
+    double                arrival  = none;                   ///< s, and of the first touch then
     double                duration = none; ///< s, length (of a slice: along the velocity) over speed; none of a slab
   };
 

@@ -17,6 +17,7 @@ namespace birdstrike
     std::string              launcher;              ///< words before each run's command, "srun -n 1"
     std::string              task_list;             ///< file for the command lines; not empty: nothing is run
     bool                     only_collects = false; ///< nothing is run: what is there goes into the table
+    bool                     is_forced     = false; ///< runs of other entries and tables of other points are replaced
   };
 
   /// Runs a case once for each point of a grid of values (or of pairs), side by side, each in a process and a run
@@ -26,6 +27,9 @@ namespace birdstrike
   /// *.svg). A point that was refused or lost keeps its row, with the reason.
   ///
   /// With a task list it writes a line of shell for each point that is still to run, and runs none.
+  ///
+  /// Where the folder holds finished runs of other entries or files, or a table with points that this study lacks,
+  /// InputError is thrown before anything is run, unless the study is forced.
   ///
   /// Throws InputError for what the user must change and, after everything has been written, what the points that came
   /// to no result ask for, as compare_cases does.

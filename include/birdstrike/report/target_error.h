@@ -16,6 +16,7 @@ namespace birdstrike
     std::string              output;          ///< folder; empty: runs/target/<the file's name>
     std::string              bird_order = {}; ///< of the ladder of the particles, where it is known: "1", "1:2"
     std::size_t              n_places   = 1;  ///< of the bird's lattice, over which a level's values are averaged
+    bool is_forced = false;                   ///< runs of other entries and the table of another quantity are replaced
   };
 
   /// Expected run time of a case on one core (s).

@@ -1,10 +1,10 @@
 #include "report/comparison/case_run.h"
 #include <birdstrike/core/child_process.h>
+#include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/log.h>
 
 #include <spdlog/logger.h>
 
-#include <csignal>
 #include <stdexcept>
 
 namespace birdstrike
@@ -30,11 +30,8 @@ namespace birdstrike
 
   void end_if_stopped(const int signal, const std::string &text)
   {
-    if (signal == 0)
-      return;
-    log().info("{}", text);
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
+    if (signal != 0)
+      throw Interrupted(text);
   }
 
   RunRecord read_record(const std::filesystem::path &folder)
@@ -55,6 +52,10 @@ namespace birdstrike
   {
     const auto result =
       run_child_if_found({{"gnuplot", "--default-settings", "figures.gp"}, folder.path().string(), true});
+    if (result)
+      end_if_stopped(result->stopped_by,
+                     "Stopped before all figures were drawn. The tables are written; draw the rest: (cd " +
+                       folder.path().string() + " && gnuplot figures.gp).");
     if (!result)
       log().info("The curves are not drawn, for gnuplot is not installed: apt-get install gnuplot-nox, then "
                  "(cd {} && gnuplot figures.gp).",

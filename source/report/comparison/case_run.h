@@ -20,8 +20,7 @@ namespace birdstrike
                                           const std::vector<std::string> &overrides,
                                           const std::filesystem::path    &folder);
 
-  /// Says `text` and ends this process as the signal would have ended it: whoever called the program sees why. Nothing
-  /// for 0.
+  /// Throws Interrupted with `text` unless the signal is 0: every command that is stopped has the same exit code.
   void end_if_stopped(int signal, const std::string &text);
 
   /// A record that cannot be read is a loss of its own case only: it is returned as unreadable.

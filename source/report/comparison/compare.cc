@@ -102,6 +102,7 @@ namespace birdstrike
         runs.push_back({planned.name, read_record(planned.folder)});
       const ComparisonTable table(runs);
       const auto            figures = make_comparison_figures(runs);
+      folder.drop_results();
       folder.write_text("comparison.csv", table.as_csv());
       folder.write_text("comparison.md", make_report(table, figures, cases));
       folder.write_text("figures.gp", script_of(figures));
@@ -126,7 +127,7 @@ namespace birdstrike
       else
         validate(planned);
 
-    const ReportFolder folder(request.output, comparison_kind()); // takes it before hours of computing
+    const ReportFolder folder(request.output, comparison_kind(), !request.is_forced); // taken before hours of computing
     Losses             losses;
     std::size_t        number = 0;
     for (PlannedCase &planned : cases)

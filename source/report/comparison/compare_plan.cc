@@ -2,11 +2,14 @@
 
 #include "report/comparison/run_reuse.h"
 #include "report/comparison/way_on.h"
+#include "report/comparison/written_table.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/report_folder.h>
 #include <birdstrike/io/telling_entries.h>
 
 #include <fmt/format.h>
+
+#include <set>
 
 namespace birdstrike
 {
@@ -78,7 +81,7 @@ namespace birdstrike
         }
     }
 
-    /// The comparison's own folder may hold an earlier run of this case, of which nothing is lost when it is replaced.
+    /// The comparison's own folder may hold an earlier run of this case.
     void require_own_folder(const PlannedCase &planned)
     {
       const std::string other = name_of_run_in(planned.folder);
@@ -100,6 +103,26 @@ namespace birdstrike
       planned.why_run   = found.why_not;
       if (!planned.is_reused)
         planned.goes_on_from = find_way_on(planned.folder, *planned.parameters);
+    }
+
+    /// What is there of other entries, or in a table of other cases.
+    void require_no_loss(const std::vector<PlannedCase> &cases, const fs::path &folder)
+    {
+      std::set<std::string> names;
+      for (const PlannedCase &planned : cases)
+        {
+          names.insert(planned.name);
+          if (planned.is_reused || planned.goes_on_from)
+            continue;
+          const std::string why = reason_to_keep(planned.folder, *planned.parameters);
+          refuse_loss_of_runs(planned.folder, why, why.empty() ? 0 : 1);
+        }
+      const WrittenTable       table(folder / "comparison.csv");
+      std::vector<std::string> lost;
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+        if (const std::string &name = table.field(row, "case"); !names.contains(name))
+          lost.push_back(name);
+      refuse_loss_of(lost, folder, comparison_kind(), "the same cases again, or with more of them");
     }
   } // namespace
 
@@ -129,6 +152,8 @@ namespace birdstrike
         require_own_folder(planned);
         look_for_run(planned);
       }
+    if (!request.is_forced)
+      require_no_loss(cases, request.output);
     return cases;
   }
 } // namespace birdstrike

@@ -19,7 +19,7 @@ namespace birdstrike
       if (row.values.empty())
         return row.texts[run].empty() ? nothing : row.texts[run];
       const double value = row.values[run];
-      return std::isnan(value) ? nothing : format_value(value, row.unit);
+      return std::isnan(value) ? nothing : format_value(value, row.unit) + (row.is_rising(run) ? "+" : "");
     }
 
     std::string show_difference(const ComparisonRow &row, const std::size_t run)
@@ -84,6 +84,15 @@ namespace birdstrike
     const bool        is_pure = row.unit == "count" || row.unit == "share";
     const std::string unit    = row.unit.empty() ? "" : " [" + (is_pure ? "-" : row.unit) + "]";
     return csv_field(row.group + ": " + row.quantity + unit);
+  }
+
+  std::string list_rising(const std::vector<ComparisonRow> &rows, const std::size_t run)
+  {
+    std::string names;
+    for (const ComparisonRow &row : rows)
+      if (row.is_rising(run))
+        names += (names.empty() ? "" : "; ") + row.group + ": " + row.quantity;
+    return names;
   }
 
   std::string csv_cell(const ComparisonRow &row, const std::size_t run)
@@ -162,7 +171,7 @@ namespace birdstrike
     for (const ComparisonRow &row : all)
       if (!row.values.empty())
         text += "," + csv_field("difference of " + row.group + ": " + row.quantity + " [%]");
-    text += ",warnings\n";
+    text += ",still rising,warnings\n";
     for (std::size_t run = 0; run < names.size(); ++run)
       {
         text += csv_field(names[run]);
@@ -171,7 +180,7 @@ namespace birdstrike
         for (const ComparisonRow &row : all)
           if (!row.values.empty())
             text += "," + csv_number(100. * row.difference(run));
-        text += "," + csv_field(list_codes(warned[run])) + '\n';
+        text += "," + csv_field(list_rising(all, run)) + "," + csv_field(list_codes(warned[run])) + '\n';
       }
     return text;
   }

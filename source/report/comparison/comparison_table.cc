@@ -101,6 +101,11 @@ namespace birdstrike
     return !rises.empty() && rises[run];
   }
 
+  bool ComparisonRow::is_any_rising() const
+  {
+    return std::ranges::find(rises, true) != rises.end();
+  }
+
   ComparisonTable::ComparisonTable(const std::vector<ComparedRun> &runs)
   {
     if (runs.size() > 1)
@@ -186,6 +191,8 @@ namespace birdstrike
           remarks.push_back(quantity(key).text + " of " + pushed +
                             ": the bird still loads the blade at the end, it may be no peak yet.");
       }
+    if (std::ranges::any_of(all, [](const ComparisonRow &row) { return row.is_any_rising(); }))
+      remarks.emplace_back("+: a value that is no peak yet.");
   }
 
   void ComparisonTable::say_what_root_stress_is(const std::vector<ComparedRun> &runs)

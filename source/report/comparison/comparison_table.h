@@ -27,6 +27,7 @@ namespace birdstrike
     std::vector<bool> rises = {};      ///< per run: a peak (or its time) that may be none: at the end, or pushed still
 
     bool is_rising(std::size_t run) const;
+    bool is_any_rising() const;
 
     /// (value - value of the first run) / |value of the first run|; NaN where one is absent or the first is zero.
     double difference(std::size_t run) const;
@@ -79,4 +80,7 @@ namespace birdstrike
   /// "Tip: peak [m]" and the value of a run, with all digits; empty where there is none.
   std::string csv_heading(const ComparisonRow &row);
   std::string csv_cell(const ComparisonRow &row, std::size_t run);
+
+  /// "Tip: peak; Root: peak bending moment": what of a run still rises at its end and is no peak yet.
+  std::string list_rising(const std::vector<ComparisonRow> &rows, std::size_t run);
 } // namespace birdstrike

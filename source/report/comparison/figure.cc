@@ -57,7 +57,16 @@ namespace birdstrike
         add("error bar of " + panel.y.quantity, panel.y, line.bar);
       if (!line.colour.empty())
         add(panel.colour.quantity, panel.colour, line.colour);
+      if (!line.is_rising.empty())
+        add("still rising, no peak yet: " + (line.colour.empty() ? panel.y : panel.colour).quantity, {"", "-", "-"},
+            line.is_rising);
       return columns;
+    }
+
+    /// The column of is_rising, if there is one: the last one of a line.
+    std::size_t column_of_rising(const FigurePanel &panel, const FigureLine &line, const std::size_t first)
+    {
+      return first + columns_of(panel, line).size() - 1;
     }
 
     std::vector<DataColumn> columns_of(const Figure &figure)
@@ -105,6 +114,8 @@ namespace birdstrike
     /// read on it.
     constexpr auto map_colours = "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#35b779')\n";
 
+    constexpr auto meaning_of_rising = "still rising at the end of the run, no peak yet";
+
     /// `column`: number of x in the file.
     std::string plot_map(const FigurePanel &panel, const FigureLine &line, const std::string &file,
                          const unsigned int column)
@@ -114,15 +125,43 @@ namespace birdstrike
                         value            = fmt::format("(${}*{})", column + 2, panel.colour.factor);
       std::string text                   = head_of(panel) + map_colours + "set cblabel " + quote(label(panel.colour)) +
                          " noenhanced\nplot " + place + ":" + value + " with image pixels notitle";
-      if (line.x.size() <= most_written)
-        text += ", \\\n     " + place + ":(sprintf('%.4g'," + value +
-                ")) with labels font ',11' textcolor rgb 'white' notitle";
+      const bool        is_written = line.x.size() <= most_written;
+      const std::string rises      = fmt::format("${}>0", column_of_rising(panel, line, column));
+      if (is_written)
+        text += ", \\\n     " + place +
+                (line.is_rising.empty() ? ":(sprintf('%.4g'," + value + "))"
+                                        : fmt::format(":(sprintf('%.4g%s',{},{} ? '+' : ''))", value, rises)) +
+                " with labels font ',11' textcolor rgb 'white' notitle";
+      if (!line.is_rising.empty()) // where the number has its '+', no more than the legend's words
+        text += fmt::format(", \\\n     {} using ({} ? ${} : NaN):{} with points pt {} lc rgb 'white' title '+: {}'",
+                            quote(file), rises, column, column + 1, is_written ? 0 : 1, meaning_of_rising);
       return text + "\n";
+    }
+
+    /// White discs with a ring, over the markers of values that still rise. The legend has them once.
+    std::string plot_open_markers(const FigurePanel &panel, const std::string &file, std::size_t column)
+    {
+      std::string text;
+      for (const FigureLine &line : panel.lines)
+        {
+          const std::string place =
+            fmt::format("{} using (${}*{}):(${}>0 ? ${}*{} : NaN) with points", quote(file), column, panel.x.factor,
+                        column_of_rising(panel, line, column), column + 1, panel.y.factor);
+          if (!line.is_rising.empty())
+            text +=
+              fmt::format(", \\\n     {0} pt 7 ps 1.1 lc rgb 'white' notitle, \\\n     {0} pt 6 ps 1.1 lw 2 lc rgb "
+                          "'{1}' {2}",
+                          place, palette[line.style % palette.size()],
+                          text.empty() ? "title " + quote(meaning_of_rising) : "notitle");
+          column += columns_of(panel, line).size();
+        }
+      return text;
     }
 
     /// `column`: number of the first line's x in the file.
     std::string plot_of(const FigurePanel &panel, const std::string &file, unsigned int column)
     {
+      const std::string open_markers = plot_open_markers(panel, file, column);
       if (!panel.lines.front().colour.empty())
         return plot_map(panel, panel.lines.front(), file, column);
       std::string text = head_of(panel) + "plot ";
@@ -147,7 +186,7 @@ namespace birdstrike
       for (const FigureLevel &level : panel.levels)
         text += fmt::format(", \\\n     {} with lines lw 1 dt 3 lc rgb '#404040' {}", level.y * panel.y.factor,
                             level.title.empty() ? "notitle" : "title " + quote(level.title));
-      return text + "\n";
+      return text + open_markers + "\n";
     }
   } // namespace
 

@@ -15,6 +15,10 @@ namespace birdstrike
     bool                has_points = false; ///< each value is marked
     std::vector<double> bar        = {};    ///< half the length of an error bar, of y's unit; empty: no bars
     std::vector<double> colour     = {};    ///< not empty: cells of a map, one about each (x, y), and what they show
+
+    /// 1 for a value that still rises at the end of its run and is no peak yet, else 0; empty: no value does. Such a
+    /// value has an open marker, in a map a '+' behind its number.
+    std::vector<double> is_rising = {};
   };
 
   /// A value that a reader looks for: a horizontal line across a panel, of the axis' SI unit.
@@ -56,8 +60,8 @@ namespace birdstrike
   };
 
   /// The data of a figure: a head that numbers the columns with their units as history.csv does, a line of names, then
-  /// for each line of each panel a column x, a column y and, where there are, one of bars and one of colours; shorter
-  /// ones end in empty fields.
+  /// for each line of each panel a column x, a column y and, where there are, one of bars, one of colours and one that
+  /// marks values that still rise; shorter ones end in empty fields.
   std::string data_of(const Figure &figure);
 
   /// A gnuplot script that reads the figures' data and draws stem.svg for each, run in their folder.

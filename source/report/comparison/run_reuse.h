@@ -22,6 +22,16 @@ namespace birdstrike
   /// Empty if so, else why not, in words that follow "because".
   std::string reason_not_to_reuse(const std::filesystem::path &folder, const CaseParameters &wanted);
 
+  /// Whether a run into this folder would lose what it cannot give back: a run of other entries or input files, or one
+  /// that has come to its end by another build, or in other steps. Runs that stopped early or are damaged are not worth
+  /// keeping beside the same run anew.
+  ///
+  /// Empty if nothing is lost, else why the folder's run is another one, in words that follow "because".
+  std::string reason_to_keep(const std::filesystem::path &folder, const CaseParameters &wanted);
+
+  /// Throws InputError where `why`, of the first folder and of `n` in all, is not empty.
+  void refuse_loss_of_runs(const std::filesystem::path &folder, const std::string &why, std::size_t n);
+
   /// A run that can be taken for one's own, or why there is none.
   struct FoundRun
   {

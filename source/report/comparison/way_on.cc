@@ -5,6 +5,7 @@
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/checkpoint_file.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -35,6 +36,17 @@ namespace birdstrike
     }
   } // namespace
 
+  namespace
+  {
+    /// Whether the files of the case are what the run began with.
+    bool reads_the_same(const Checkpoint &checkpoint, const CaseParameters &wanted)
+    {
+      std::vector<InputFile> now = list_input_files(wanted);
+      std::erase_if(now, [](const InputFile &file) { return file.is_included; });
+      return std::ranges::equal(now, checkpoint.inputs, {}, &InputFile::fingerprint, &InputFile::fingerprint);
+    }
+  } // namespace
+
   std::optional<double> find_way_on(const fs::path &folder, const CaseParameters &wanted)
   {
     const fs::path prm = folder / "parameters.prm";
@@ -48,7 +60,8 @@ namespace birdstrike
       {
         CaseParameters made_from;
         made_from.read(prm.string());
-        if (!first_difference(wanted, made_from, entries_that_may_differ()).empty())
+        if (!first_difference(wanted, made_from, entries_that_may_differ()).empty() ||
+            !reads_the_same(*checkpoint, wanted))
           return std::nullopt;
       }
     catch (const InputError &)

@@ -36,6 +36,7 @@ namespace birdstrike
     {
       constexpr std::size_t increment = 1 << 20;
       H5Pset_fapl_core(access, increment, false);
+      require(set_format(access) ? 0 : -1);
       return H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access);
     }
 

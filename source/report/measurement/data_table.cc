@@ -1,79 +1,21 @@
 #include "report/measurement/data_table.h"
+#include "report/measurement/table_layout.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/log.h>
+#include <birdstrike/core/text/text_file.h>
+
+#include <spdlog/logger.h>
 
 #include <algorithm>
-#include <charconv>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace birdstrike
 {
   namespace
   {
-    std::string trim(std::string text)
-    {
-      const auto begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
-      return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
-    }
-
-    /// Fields of a line, without what stands around them. One that begins with a quotation mark ends with one, and
-    /// holds separators and doubled marks as letters. Empty where a mark is not closed.
-    std::vector<std::string> split(const std::string &line, const char separator)
-    {
-      std::vector<std::string> fields(1);
-      bool                     is_quoted = false;
-      for (std::size_t k = 0; k < line.size(); ++k)
-        {
-          std::string &field = fields.back();
-          if (line[k] == '"' && is_quoted && k + 1 < line.size() && line[k + 1] == '"')
-            field += line[++k];
-          else if (line[k] == '"' && (is_quoted || trim(field).empty()))
-            is_quoted = !is_quoted;
-          else if (line[k] == separator && !is_quoted)
-            fields.emplace_back();
-          else
-            field += line[k];
-        }
-      if (is_quoted)
-        return {};
-      std::ranges::transform(fields, fields.begin(), trim);
-      return fields;
-    }
-
-    /// Of a line of names: semicolons before tabulators before commas.
-    char find_separator(const std::string &names)
-    {
-      for (const char separator : {';', '\t'})
-        if (split(names, separator).size() > 1)
-          return separator;
-      return ',';
-    }
-
-    bool parse(const std::string &text, double &value)
-    {
-      const char *begin       = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
-      const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-      return error == std::errc() && end == text.data() + text.size() && value - value == 0.;
-    }
-
-    /// "force [kN]" -> "force" and "kN".
-    void take_unit(TableColumn &column)
-    {
-      const auto open = column.name.rfind('[');
-      if (open == std::string::npos || column.name.back() != ']')
-        return;
-      column.unit = trim(column.name.substr(open + 1, column.name.size() - open - 2));
-      column.name = trim(column.name.substr(0, open));
-    }
-
-    struct Line
-    {
-      std::size_t number;
-      std::string text;
-    };
-
     struct UnitAt
     {
       std::string unit;
@@ -81,76 +23,86 @@ namespace birdstrike
     };
 
     /// Units by names from comments "# 3: force [kN]".
-    void read_comment(const Line &line, std::map<std::string, UnitAt> &units)
+    void read_comment(const TableLine &line, std::map<std::string, UnitAt> &units)
     {
       const auto colon = line.text.find(": ");
       if (colon == std::string::npos || line.text.find_first_not_of("# 0123456789") != colon)
         return;
-      TableColumn column{trim(line.text.substr(colon + 2)), "", {}};
-      take_unit(column);
-      units[column.name] = {column.unit, line.number};
+      std::string name = trim_field(line.text.substr(colon + 2)), unit;
+      take_unit(name, unit);
+      units[name] = {unit, line.number};
     }
 
-    constexpr const char *nothing = " \t\r,;\"";
+    constexpr const char *nothing = " \t,;\"";
 
     class Reader
     {
     public:
       explicit Reader(const std::filesystem::path &file) : path(file)
       {
-        std::ifstream in(file);
-        if (!in || std::filesystem::is_directory(file))
+        const auto text = read_text_file(file);
+        if (!text)
           throw InputError("Cannot read the table " + file.string() + ": there is no such file.");
-        std::size_t number = 0;
+        if (const std::string what = describe_no_text(*text); !what.empty())
+          throw InputError(file.string() + " holds no table of text. It holds " + what + ".");
+        std::istringstream  in(*text);
+        std::optional<char> named;
+        std::size_t         number = 0;
         for (std::string line; std::getline(in, line);)
           {
             ++number;
-            if (number == 1 && line.starts_with("\xEF\xBB\xBF")) // as spreadsheets begin UTF-8
-              line.erase(0, 3);
-            if (const auto first = line.find_first_not_of(" \t\r\""); first != std::string::npos && line[first] == '#')
+            if (const auto separator = named_separator(line); separator && lines.empty())
+              named = separator;
+            else if (const auto first = line.find_first_not_of(" \t\"");
+                     first != std::string::npos && line[first] == '#')
               read_comment({number, line}, units);
             else if (line.find_first_not_of(nothing) != std::string::npos) // spreadsheets end with rows of separators
               lines.push_back({number, line});
           }
         if (lines.size() < 2)
           throw InputError(file.string() + " holds no table: a line of names and rows of numbers are needed.");
+        layout = find_layout(lines, named);
       }
 
-      std::vector<TableColumn> read()
+      std::vector<TableColumn> read(std::vector<std::size_t> &lines_of_rows)
       {
-        separator = find_separator(lines[0].text);
         std::vector<TableColumn> columns;
-        for (const std::string &name : fields_of(lines[0]))
+        for (const std::string &name : without_empty_end(fields_of(names())))
           add(columns, name);
-        std::size_t row = 1;
-        double      number;
-        auto        fields = fields_of(lines[1]);
-        if (std::ranges::none_of(fields, [&](const std::string &field) { return parse(field, number); }) &&
-            fields.size() == columns.size())
+        if (layout.units)
+          read_units(lines[*layout.units], columns);
+        for (std::size_t row = layout.first_row; row < lines.size(); ++row)
           {
-            for (std::size_t k = 0; k < columns.size(); ++k)
-              if (!fields[k].empty())
-                {
-                  columns[k].unit         = fields[k].starts_with('[') && fields[k].ends_with(']')
-                                              ? trim(fields[k].substr(1, fields[k].size() - 2))
-                                              : fields[k];
-                  columns[k].line_of_unit = lines[1].number;
-                }
-            ++row;
+            read_row(lines[row], columns);
+            lines_of_rows.push_back(lines[row].number);
           }
-        for (; row < lines.size(); ++row)
-          read_row(lines[row], columns);
         for (TableColumn &column : columns)
           if (column.fault.empty())
             convert(column);
+        if (layout.names > 0)
+          log().info("{}: the names are in line {}; lines of text above it: {}, passed over.", path.string(),
+                     names().number, layout.names);
         return columns;
       }
 
     private:
       std::filesystem::path         path;
       std::map<std::string, UnitAt> units;
-      std::vector<Line>             lines;
-      char                          separator = ',';
+      std::vector<TableLine>        lines;
+      TableLayout                   layout;
+
+      const TableLine &names() const
+      {
+        return lines[layout.names];
+      }
+
+      /// Some programs end each line with a separator.
+      static std::vector<std::string> without_empty_end(std::vector<std::string> fields)
+      {
+        while (fields.size() > 1 && fields.back().empty())
+          fields.pop_back();
+        return fields;
+      }
 
       std::string at(const std::size_t line, const std::string &why) const
       {
@@ -162,24 +114,25 @@ namespace birdstrike
         throw InputError(at(line, why));
       }
 
-      std::vector<std::string> fields_of(const Line &line) const
+      std::vector<std::string> fields_of(const TableLine &line) const
       {
-        auto fields = split(line.text, separator);
+        auto fields = split_fields(line.text, layout.separator);
         if (fields.empty())
           refuse(line.number, "a quotation mark is not closed.");
         return fields;
       }
 
-      void add(std::vector<TableColumn> &columns, const std::string &name)
+      void add(std::vector<TableColumn> &columns, const std::string &written)
       {
-        TableColumn column{name, "", {}};
-        double      number;
-        if (name.empty())
-          refuse(lines[0].number, "column " + std::to_string(columns.size() + 1) + " has no name.");
-        if (parse(name, number))
-          refuse(lines[0].number, "'" + name + "' is no name: the first line that is no comment holds the names.");
-        take_unit(column);
-        column.line_of_unit = lines[0].number;
+        TableColumn column{written, "", {}};
+        if (written.empty())
+          refuse(names().number, "column " + std::to_string(columns.size() + 1) + " has no name.");
+        if (parse_cell(written))
+          refuse(names().number,
+                 "'" + written + "' is no name: the line above the first row of numbers holds the names.");
+        column.written = written;
+        take_unit(column.name, column.unit);
+        column.line_of_unit = names().number;
         if (const auto found = units.find(column.name); column.unit.empty() && found != units.end())
           {
             column.unit         = found->second.unit;
@@ -187,25 +140,40 @@ namespace birdstrike
           }
         for (TableColumn &other : columns)
           if (other.name == column.name)
-            other.fault = at(lines[0].number, "two columns are called '" + column.name + "'.");
+            other.twice = column.twice = at(names().number, "two columns are called '" + column.name + "'.");
         columns.push_back(std::move(column));
       }
 
-      void read_row(const Line &line, std::vector<TableColumn> &columns) const
+      void read_units(const TableLine &line, std::vector<TableColumn> &columns) const
       {
         const auto fields = fields_of(line);
+        for (std::size_t k = 0; k < columns.size() && k < fields.size(); ++k)
+          if (const std::string &field = fields[k]; !field.empty())
+            {
+              const bool is_bracketed =
+                (field.starts_with('[') && field.ends_with(']')) || (field.starts_with('(') && field.ends_with(')'));
+              columns[k].unit         = is_bracketed ? trim_field(field.substr(1, field.size() - 2)) : field;
+              columns[k].line_of_unit = line.number;
+            }
+      }
+
+      void read_row(const TableLine &line, std::vector<TableColumn> &columns) const
+      {
+        auto fields = fields_of(line);
+        while (fields.size() > columns.size() && fields.back().empty())
+          fields.pop_back();
         if (fields.size() != columns.size())
           refuse(line.number, std::to_string(fields.size()) + " fields, where there are " +
-                                std::to_string(columns.size()) + " names." +
-                                (separator == ',' ? " Numbers have a decimal point, no comma." : ""));
+                                std::to_string(columns.size()) + " names in line " + std::to_string(names().number) +
+                                "." + (layout.separator == ',' ? " Numbers have a decimal point, no comma." : ""));
         for (std::size_t k = 0; k < fields.size(); ++k)
           {
-            double value = std::numeric_limits<double>::quiet_NaN();
-            if (!fields[k].empty() && !parse(fields[k], value) && columns[k].fault.empty())
+            const auto value = parse_cell(fields[k]);
+            if (!value && !fields[k].empty() && columns[k].fault.empty())
               columns[k].fault = at(
                 line.number, "'" + fields[k] + "' in column '" + columns[k].name + "' is no number" +
                                (fields[k].find(',') != std::string::npos ? ": write a decimal point, no comma." : "."));
-            columns[k].values.push_back(value);
+            columns[k].values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
           }
       }
 
@@ -237,31 +205,46 @@ namespace birdstrike
     return microstrains.contains(name) ? parse_unit("um/m") : parse_unit(name);
   }
 
-  DataTable::DataTable(const std::filesystem::path &file) : path(file), all(Reader(file).read())
+  DataTable::DataTable(const std::filesystem::path &file) : path(file), all(Reader(file).read(lines_of_rows))
   {
+  }
+
+  const TableColumn *DataTable::find(const std::string &name) const
+  {
+    const auto written = std::ranges::find(all, name, &TableColumn::written);
+    const auto found   = written != all.end() && std::ranges::count(all, name, &TableColumn::written) == 1
+                           ? written
+                           : std::ranges::find(all, name, &TableColumn::name);
+    return found == all.end() ? nullptr : &*found;
   }
 
   const TableColumn &DataTable::column(const std::string &name) const
   {
-    std::string names;
-    for (const TableColumn &column : all)
+    if (const TableColumn *found = find(name))
       {
-        if (column.name == name)
-          {
-            if (!column.fault.empty())
-              throw InputError(column.fault);
-            return column;
-          }
-        names += (names.empty() ? "" : ", ") + column.name;
+        const bool is_by_name = found->written != name || found->name == name;
+        if (is_by_name && !found->twice.empty())
+          throw InputError(found->twice);
+        if (!found->fault.empty())
+          throw InputError(found->fault);
+        return *found;
       }
+    std::string list;
+    for (const TableColumn &column : all)
+      list += (list.empty() ? "" : ", ") + column.name;
     constexpr std::size_t most = 400;
     throw InputError("There is no column '" + name + "' in " + path.string() +
-                     ".\nIt has: " + (names.size() > most ? names.substr(0, most) + " ..." : names) + ".");
+                     ".\nIt has: " + (list.size() > most ? list.substr(0, most) + " ..." : list) + ".");
   }
 
   bool DataTable::has(const std::string &name) const
   {
-    return std::ranges::any_of(all, [&](const TableColumn &column) { return column.name == name; });
+    return find(name) != nullptr;
+  }
+
+  std::size_t DataTable::line_of_row(const std::size_t row) const
+  {
+    return lines_of_rows[row];
   }
 
   std::vector<std::string> DataTable::names() const

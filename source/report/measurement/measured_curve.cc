@@ -2,7 +2,9 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/units.h>
+#include <birdstrike/report/text.h>
 
+#include <fmt/format.h>
 #include <spdlog/logger.h>
 
 #include <algorithm>
@@ -11,6 +13,7 @@
 #include <cstdlib>
 #include <functional>
 #include <set>
+#include <vector>
 
 namespace birdstrike
 {
@@ -51,8 +54,8 @@ namespace birdstrike
       return table.column(table.names().front());
     }
 
-    /// Of the rows in which both have a number.
-    Curve join(const DataTable &table, const TableColumn &x, const TableColumn &y)
+    /// Of the rows in which both have a number; `rows`: their places in the table.
+    Curve join(const DataTable &table, const TableColumn &x, const TableColumn &y, std::vector<std::size_t> &rows)
     {
       Curve curve;
       for (std::size_t k = 0; k < x.values.size(); ++k)
@@ -60,11 +63,37 @@ namespace birdstrike
           {
             curve.x.push_back(x.values[k]);
             curve.y.push_back(y.values[k]);
+            rows.push_back(k);
           }
       if (const std::size_t n_empty = x.values.size() - curve.x.size(); n_empty > 0)
         log().info("{}: {} of {} rows have no '{}' or no '{}' and are passed over.", table.file().string(), n_empty,
                    x.values.size(), x.name, y.name);
       return curve;
+    }
+
+    void require_rising(const DataTable &table, const TableColumn &x, const Curve &curve,
+                        const std::vector<std::size_t> &rows, const bool is_profile)
+    {
+      const auto found = std::ranges::adjacent_find(curve.x, std::greater_equal<>());
+      if (found == curve.x.end())
+        return;
+      const auto        k    = static_cast<std::size_t>(found - curve.x.begin());
+      const std::string unit = is_profile ? "m" : "s";
+      throw InputError(fmt::format(
+        "{}, line {}: '{}' does not rise: {} follows {} of line {}.\n{}", table.file().string(),
+        table.line_of_row(rows[k + 1]), x.name, format_quantity(x.values[rows[k + 1]], unit),
+        format_quantity(x.values[rows[k]], unit), table.line_of_row(rows[k]),
+        x.values[rows[k + 1]] == x.values[rows[k]]
+          ? "Keep one row of each " + std::string(is_profile ? "place" : "time") + ", or write it with more digits."
+          : "It is no " + std::string(is_profile ? "place" : "time") + ": --time-column names another column."));
+    }
+
+    /// A bracket that is part of the name may have been meant as a unit.
+    void warn_of_bracket(const TableColumn &column)
+    {
+      if (column.unit.empty() && column.name.ends_with(')'))
+        log().warn("Column '{}' has no unit that is known: its values are taken as SI. Write it '[unit]'.",
+                   column.name);
     }
   } // namespace
 
@@ -79,16 +108,16 @@ namespace birdstrike
     if (!is_of_one_dimension(y.unit, of_run.unit))
       throw InputError("Column '" + y.name + "' of " + table.file().string() + " is in " + y.unit + ", " +
                        of_run.quantity + " in " + of_run.unit + ": they cannot be compared.");
-    Curve        curve  = join(table, x, y);
-    const double offset = of_run.is_profile ? 0. : read_offset(request.time_offset);
+    warn_of_bracket(x);
+    warn_of_bracket(y);
+    std::vector<std::size_t> rows;
+    Curve                    curve  = join(table, x, y, rows);
+    const double             offset = of_run.is_profile ? 0. : read_offset(request.time_offset);
     for (double &t : curve.x)
       t += offset;
     if (curve.x.empty())
       throw InputError("Column '" + y.name + "' of " + table.file().string() + " holds no number.");
-    if (std::ranges::adjacent_find(curve.x, std::greater_equal<>()) != curve.x.end())
-      throw InputError("Column '" + x.name + "' of " + table.file().string() +
-                       " does not rise from row to row: it is no " + (of_run.is_profile ? "place" : "time") +
-                       ".\n--time-column names another column.");
+    require_rising(table, x, curve, rows, of_run.is_profile);
     return curve;
   }
 } // namespace birdstrike

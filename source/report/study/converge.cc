@@ -1,5 +1,6 @@
 #include "report/comparison/case_run.h"
 #include "report/comparison/losses.h"
+#include "report/comparison/written_table.h"
 #include "report/study/convergence_table.h"
 #include "report/study/lattice_places.h"
 #include "report/study/section_masses.h"
@@ -24,7 +25,7 @@ namespace birdstrike
     {
       const std::optional<OrderRange> orders = birdstrike::read_orders(request.order, "--order");
       if (orders && request.n_levels < fewest_of_an_interval)
-        throw InputError(fmt::format("--order: {} levels leave no interval worth the name.\n  Allowed: {} to 8.",
+        throw InputError(fmt::format("--order: {} levels leave no interval worth the name.\n  Allowed: {} to 12.",
                                      request.n_levels, fewest_of_an_interval));
       return orders;
     }
@@ -46,13 +47,17 @@ namespace birdstrike
     const LadderPlaces             places = make_lattice_places(parameters, request.n_places);
     const StudyPlan                plan   = make_ladder_plan(refinement, levels, places.size());
 
-    RunOptions options{request.prm_file, request.overrides, request.n_jobs, "", "ladder"};
+    RunOptions options{request.prm_file, request.overrides, request.n_jobs, "", "ladder", request.is_forced};
     auto       runs = plan_runs(make_ladder_points(levels, places), output, options);
     log().info("{} levels{}, {} of them are there", levels.size(),
                places.size() > 1 ? fmt::format(" at {} places, {} runs", places.size(), runs.size()) : "",
                std::ranges::count_if(runs, &PointRun::is_done));
-    const ReportFolder folder(output, kind);
+    if (!request.is_forced)
+      refuse_loss_of(find_lost_points(output / "levels.csv", plan, runs), output, kind,
+                     "the same ladder again, or with more levels");
+    const ReportFolder folder(output, kind, !request.is_forced);
     run_points(runs, options);
+    folder.drop_results();
 
     const StudyTable       table(plan, runs);
     const ConvergenceTable convergence(refinement, levels, places.size(), table, orders);

@@ -153,7 +153,21 @@ namespace birdstrike
 
   bool ConvergingRow::is_rising() const
   {
-    return std::ranges::find(row->rises, true) != row->rises.end();
+    return row->is_any_rising();
+  }
+
+  std::vector<double> ConvergingRow::rising_levels() const
+  {
+    std::vector<double> rising;
+    const std::size_t   n_places = row->values.size() / values.size();
+    for (std::size_t run = row->values.size(); run-- > 0 && is_rising();)
+      {
+        if (run % n_places == n_places - 1)
+          rising.push_back(0.);
+        if (row->is_rising(run))
+          rising.back() = 1.;
+      }
+    return rising;
   }
 
   const std::vector<ConvergingRow> &ConvergenceTable::rows() const
@@ -233,7 +247,7 @@ namespace birdstrike
         FigurePanel panel{each.row->group + ": " + each.row->quantity + ", " + describe(each.estimate.trend),
                           make_axis(size_name(refinement), size_unit(refinement)),
                           make_axis(each.row->quantity, each.row->unit),
-                          {{"levels", sizes, each.values, 0, true}}};
+                          {{"levels", sizes, each.values, 0, true, {}, {}, each.rising_levels()}}};
         panel.x_begin = -0.03 * sizes.back(); // what stands at h = 0 would lie on the frame
         panel.x_end   = 1.05 * sizes.back();
         add_bar(panel, sizes.front(), each.values.front(), each);

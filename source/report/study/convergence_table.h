@@ -24,6 +24,9 @@ namespace birdstrike
 
     /// Whether on a level it still rises, or is pushed, at the end: it may be no peak then.
     bool is_rising() const;
+
+    /// The same by level, from the finest on: 1 where it does at any place, else 0; empty where it does on none.
+    std::vector<double> rising_levels() const;
   };
 
   /// What the levels of a ladder say about every response of the scene.

@@ -1,6 +1,7 @@
 #include "report/comparison/case_run.h"
 #include "report/comparison/comparison_figures.h"
 #include "report/comparison/losses.h"
+#include "report/comparison/written_table.h"
 #include "report/study/study_figures.h"
 #include "report/study/study_table.h"
 #include <birdstrike/core/errors.h>
@@ -51,6 +52,7 @@ namespace birdstrike
     void write(const ReportFolder &folder, const StudyPlan &plan, const std::vector<PointRun> &runs)
     {
       const StudyTable table(plan, runs);
+      folder.drop_results();
       folder.write_text("study.csv", table.as_csv());
       table.write_hdf5(folder.file("study.h5"));
       auto figures = make_study_figures(plan, runs, table);
@@ -103,13 +105,18 @@ namespace birdstrike
     const StudyPlan plan   = read_plan(request);
     const auto      points = make_points(plan);
     RunOptions      options{request.prm_file, request.overrides, request.n_jobs, request.launcher};
-    auto            runs       = plan_runs(points, output, options);
-    const auto      n_done     = std::ranges::count_if(runs, [](const PointRun &run) { return run.is_done; });
-    const auto      n_to_go_on = std::ranges::count_if(runs, [](const PointRun &run) { return run.goes_on; });
+    options.may_lose      = request.is_forced || request.only_collects;
+    auto       runs       = plan_runs(points, output, options);
+    const auto n_done     = std::ranges::count_if(runs, [](const PointRun &run) { return run.is_done; });
+    const auto n_to_go_on = std::ranges::count_if(runs, [](const PointRun &run) { return run.goes_on; });
     log().info("{} points, {} of them are there{}", runs.size(), n_done,
                n_to_go_on > 0 ? fmt::format(", {} will go on from a checkpoint", n_to_go_on) : "");
-    const ReportFolder folder(output, kind, !request.task_list.empty());
-    if (!request.task_list.empty())
+    const bool makes_table = request.task_list.empty();
+    if (makes_table && !request.is_forced)
+      refuse_loss_of(find_lost_points(output / "study.csv", plan, runs), output, kind,
+                     "the same study again, or with more values");
+    const ReportFolder folder(output, kind, !makes_table || !request.is_forced);
+    if (!makes_table)
       return write_task_list(request.task_list, runs, options);
     if (!request.only_collects)
       run_points(runs, options);

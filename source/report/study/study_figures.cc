@@ -67,6 +67,8 @@ namespace birdstrike
           FigureLine &line = panel.lines[is_family ? at[1] : 0];
           line.x.push_back(place_of(plan.entries[0], at[0], false));
           line.y.push_back(row.values[k]);
+          if (row.is_any_rising())
+            line.is_rising.push_back(row.is_rising(k) ? 1. : 0.);
         }
       return panel;
     }
@@ -76,10 +78,12 @@ namespace birdstrike
       FigurePanel panel{title_of(row), axis_of(plan, 0, true), axis_of(plan, 1, true), {{}}};
       panel.colour     = make_axis(row.quantity, row.unit);
       FigureLine &line = panel.lines[0];
-      for (const PointRun &run : runs)
+      for (std::size_t k = 0; k < runs.size(); ++k)
         {
-          line.x.push_back(place_of(plan.entries[0], run.point.at[0], true));
-          line.y.push_back(place_of(plan.entries[1], run.point.at[1], true));
+          line.x.push_back(place_of(plan.entries[0], runs[k].point.at[0], true));
+          line.y.push_back(place_of(plan.entries[1], runs[k].point.at[1], true));
+          if (row.is_any_rising())
+            line.is_rising.push_back(row.is_rising(k) ? 1. : 0.);
         }
       line.colour = row.values;
       return panel;

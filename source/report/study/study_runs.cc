@@ -51,7 +51,24 @@ namespace birdstrike
         run.state = "stopped at " + format_quantity(*time, "s") + ", will go on";
     }
 
-    void look_for_run(PointRun &run, const RunOptions &options)
+    /// Runs that would be lost.
+    struct KeptRuns
+    {
+      fs::path    first;
+      std::string why;
+      std::size_t n = 0;
+
+      void add(const fs::path &folder, const std::string &reason)
+      {
+        if (!reason.empty() && n++ == 0)
+          {
+            first = folder;
+            why   = reason;
+          }
+      }
+    };
+
+    void look_for_run(PointRun &run, const RunOptions &options, KeptRuns &kept)
     {
       CaseParameters parameters;
       parameters.read(options.prm_file, overrides_of(run.point, options));
@@ -63,6 +80,8 @@ namespace birdstrike
       run.state                   = run.is_done ? "done" : "not run";
       if (!run.is_done)
         look_for_way_on(run, parameters);
+      if (!run.is_done && !run.goes_on && !options.may_lose)
+        kept.add(run.folder, reason_to_keep(run.folder, parameters));
     }
 
     /// The program's own file, for those who start it by another program.
@@ -182,6 +201,7 @@ namespace birdstrike
   {
     std::vector<PointRun> runs;
     std::string           refusal;
+    KeptRuns              kept;
     bool                  is_first = true;
     for (const StudyPoint &point : points)
       {
@@ -196,7 +216,7 @@ namespace birdstrike
                   options.overrides.emplace_back("Time/Threads=1");
                 is_first = false;
               }
-            look_for_run(run, options);
+            look_for_run(run, options, kept);
           }
         catch (const InputError &error)
           {
@@ -209,6 +229,7 @@ namespace birdstrike
       }
     if (std::ranges::all_of(runs, [](const PointRun &run) { return run.exit_code != 0; }))
       throw InputError(refusal);
+    refuse_loss_of_runs(kept.first, kept.why, kept.n);
     return runs;
   }
 

@@ -28,15 +28,17 @@ namespace birdstrike
     std::size_t              n_jobs   = 0;       ///< side by side; 0: one a core
     std::string              launcher = {};      ///< words before each command
     std::string              what     = "study"; ///< of what, in words on the screen
+    bool                     may_lose = false;   ///< runs of other entries in folders of points
   };
 
   /// Reads every point's case, and looks into its folder, a folder of `directory`, for a run that can be taken. Runs
-  /// nothing, writes nothing. A point whose entries are refused is marked so; throws that InputError where all are.
+  /// nothing, writes nothing. A point whose entries are refused is marked so; throws that InputError where all are, and
+  /// another one where a run of other entries would be lost (reason_to_keep) that may not be.
   std::vector<PointRun> plan_runs(const std::vector<StudyPoint> &points, const std::filesystem::path &directory,
                                   RunOptions &options);
 
   /// Runs the points that are neither done nor refused, side by side, telling of each as it ends; those with a
-  /// checkpoint go on from it, and anew where `resume` refuses. Ends this process where a signal stops it.
+  /// checkpoint go on from it, and anew where `resume` refuses. Throws Interrupted where a signal stops it.
   void run_points(std::vector<PointRun> &runs, const RunOptions &options);
 
   /// What a run that was refused says why, of all that it has said: behind its warnings.

@@ -1,6 +1,7 @@
 #include "report/study/study_table.h"
 #include "report/comparison/case_run.h"
 #include "report/comparison/warning_digest.h"
+#include "report/comparison/written_table.h"
 #include "report/histories/history_hdf5.h"
 #include <birdstrike/report/text.h>
 
@@ -41,6 +42,8 @@ namespace birdstrike
       return std::isnan(value) ? "-" : format_value(value, unit);
     }
 
+    constexpr auto behind_quantities = "still rising"; ///< heading of the column there
+
     constexpr auto of_rising = "+: still rising at the end of the run, no peak yet, or still pushed by the bird.\n";
   } // namespace
 
@@ -65,6 +68,49 @@ namespace birdstrike
   {
     static const std::set<std::string> others{"Case", "Balance", "Cost"};
     return row.texts.empty() && !others.contains(row.group) && !row.quantity.starts_with("largest penetration");
+  }
+
+  namespace
+  {
+    std::string heading_of(const VariedEntry &each)
+    {
+      return each.entry + " [" + each.unit + "]";
+    }
+
+    /// Whether the table varies these entries and no other: behind them stand quantities, "Group: name".
+    bool is_of(const WrittenTable &table, const StudyPlan &plan)
+    {
+      const auto &names = table.headings();
+      for (std::size_t e = 0; e < plan.entries.size(); ++e)
+        if (e + 1 >= names.size() || names[e + 1] != heading_of(plan.entries[e]))
+          return false;
+      const std::size_t next = plan.entries.size() + 1;
+      return next < names.size() && (names[next].find(": ") != std::string::npos || names[next] == behind_quantities);
+    }
+  } // namespace
+
+  std::vector<std::string> find_lost_points(const std::filesystem::path &csv, const StudyPlan &plan,
+                                            const std::vector<PointRun> &runs)
+  {
+    const WrittenTable                 table(csv);
+    std::set<std::vector<std::string>> points;
+    for (const PointRun &run : runs)
+      {
+        std::vector<std::string> values;
+        for (std::size_t e = 0; e < plan.entries.size(); ++e)
+          values.push_back(plan.entries[e].values[run.point.at[e]]);
+        points.insert(values);
+      }
+    std::vector<std::string> lost;
+    for (std::size_t row = 0; row < table.n_rows(); ++row)
+      {
+        std::vector<std::string> values;
+        for (std::size_t e = 0; e < plan.entries.size(); ++e)
+          values.push_back(table.field(row, e + 1));
+        if (table.field(row, "state") == "done" && !(is_of(table, plan) && points.contains(values)))
+          lost.push_back(std::filesystem::path(table.field(row, "folder")).filename().string());
+      }
+    return lost;
   }
 
   StudyTable::StudyTable(const StudyPlan &plan, const std::vector<PointRun> &runs)
@@ -167,10 +213,10 @@ namespace birdstrike
   {
     std::string text = "point";
     for (const VariedEntry &each : plan.entries)
-      text += "," + csv_field(each.entry + " [" + each.unit + "]");
+      text += "," + csv_field(heading_of(each));
     for (const ComparisonRow &row : all)
       text += "," + csv_heading(row);
-    text += ",still rising,warnings,state,folder\n";
+    text += std::string(",") + behind_quantities + ",warnings,state,folder\n";
     for (std::size_t k = 0; k < runs.size(); ++k)
       {
         text += std::to_string(k + 1);
@@ -178,11 +224,8 @@ namespace birdstrike
           text += "," + csv_field(plan.entries[e].values[runs[k].point.at[e]]);
         for (const ComparisonRow &row : all)
           text += "," + csv_cell(row, k);
-        std::string rising;
-        for (const ComparisonRow &row : all)
-          if (row.is_rising(k))
-            rising += (rising.empty() ? "" : "; ") + row.group + ": " + row.quantity;
-        for (const std::string &last : {rising, list_codes(warned[k]), runs[k].state, runs[k].folder.string()})
+        for (const std::string &last :
+             {list_rising(all, k), list_codes(warned[k]), runs[k].state, runs[k].folder.string()})
           text += "," + csv_field(last);
         text += "\n";
       }
@@ -210,6 +253,11 @@ namespace birdstrike
       if (!row.values.empty())
         results.write("quantities/" + row.group, row.quantity,
                       {row.quantity, row.unit, row.group + ": " + row.quantity}, shape, row.values);
+    for (const ComparisonRow &row : all)
+      if (row.is_any_rising())
+        results.write("still rising/" + row.group, row.quantity,
+                      {row.quantity, "-", "1: still rises at the end of the run, no peak yet"}, shape,
+                      {row.rises.begin(), row.rises.end()});
     std::vector<double> are_done;
     for (const PointRun &run : runs)
       are_done.push_back(run.is_done ? 1. : 0.);

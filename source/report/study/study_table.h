@@ -29,7 +29,8 @@ namespace birdstrike
     /// A line for each code of warnings, with the points that have it and the sentence of the first.
     std::string warnings_as_text() const;
 
-    /// varied/<entry>, quantities/<group>/<quantity>, state/done, each [points along the first entry][along the second]
+    /// varied/<entry>, quantities/<group>/<quantity>, still rising/<group>/<quantity> (1 where the value is no peak
+    /// yet; of quantities where one is not), state/done, each [points along the first entry][along the second]
     /// ..., of pairs [points]. Throws std::runtime_error if the disk refuses.
     void write_hdf5(const std::filesystem::path &file) const;
 
@@ -41,6 +42,11 @@ namespace birdstrike
 
     void add(std::size_t point, const std::vector<ComparisonRow> &rows);
   };
+
+  /// Points with values in the table of an earlier study (its CSV) that a new one of these points lacks, by their
+  /// folders. Values are compared as texts, as the names of the folders are.
+  std::vector<std::string> find_lost_points(const std::filesystem::path &csv, const StudyPlan &plan,
+                                            const std::vector<PointRun> &runs);
 
   /// Whether a row is an answer of the scene, and not its size, its cost or a measure of the computation's own errors.
   bool is_response(const ComparisonRow &row);

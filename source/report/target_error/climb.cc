@@ -1,16 +1,14 @@
 #include "report/target_error/climb.h"
-#include "report/study/study_table.h"
+#include "report/target_error/asked_quantity.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/report/text.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace birdstrike
 {
@@ -41,31 +39,6 @@ namespace birdstrike
         largest = std::max(largest, std::abs(values[k] - values.back()));
       return largest;
     }
-
-    /// Letters and digits in lower case, all else parts them.
-    std::vector<std::string> words_of(std::string text)
-    {
-      for (char &letter : text)
-        letter = std::isalnum(static_cast<unsigned char>(letter)) != 0
-                   ? static_cast<char>(std::tolower(static_cast<unsigned char>(letter)))
-                   : ' ';
-      std::istringstream       in(text);
-      std::vector<std::string> words;
-      for (std::string word; in >> word;)
-        words.push_back(word);
-      return words;
-    }
-
-    std::string name_of(const ComparisonRow &row)
-    {
-      return row.group + " " + row.quantity;
-    }
-
-    bool has_all(const std::vector<std::string> &words, const std::vector<std::string> &wanted)
-    {
-      return std::ranges::all_of(
-        wanted, [&](const std::string &word) { return std::ranges::find(words, word) != words.end(); });
-    }
   } // namespace
 
   ErrorTarget read_error_target(const std::string &text)
@@ -75,63 +48,29 @@ namespace birdstrike
                        "\n  Allowed: a quantity of the run and an error, \"tip peak = 2 %\", \"impulse = 0.5 %\".");
     };
     const std::size_t equals = text.find('='), percent = text.find('%');
-    if (equals == std::string::npos || words_of(text.substr(0, equals)).empty())
+    if (equals == std::string::npos || words_in(text.substr(0, equals)).empty())
       refuse("no quantity.");
     double            value  = 0.;
     const std::size_t begin  = std::min(text.find_first_not_of(' ', equals + 1), text.size());
     const auto [end, error]  = std::from_chars(text.data() + begin, text.data() + text.size(), value);
     const std::string behind = {end, text.data() + text.size()};
-    if (error != std::errc() || percent == std::string::npos || words_of(behind).size() > 0 ||
+    if (error != std::errc() || percent == std::string::npos || words_in(behind).size() > 0 ||
         behind.find_first_not_of(" %") != std::string::npos)
       refuse("no error in percent.");
     if (!(value > 0.) || value > 100. * largest_share)
       refuse(fmt::format("an error of {:g} %; above 0, at most {:g} %.", value, 100. * largest_share));
-    return {text.substr(0, equals), 0.01 * value};
-  }
-
-  const ComparisonRow &find_row(const std::vector<ComparisonRow> &rows, const std::string &quantity)
-  {
-    const std::vector<std::string>     wanted = words_of(quantity);
-    std::size_t                        fewest = std::numeric_limits<std::size_t>::max();
-    std::vector<const ComparisonRow *> found;
-    std::string                        there;
-    for (const ComparisonRow &row : rows)
-      {
-        if (!is_response(row))
-          continue;
-        there += (there.empty() ? "" : ", ") + name_of(row);
-        const std::vector<std::string> words = words_of(name_of(row));
-        if (!has_all(words, wanted) || words.size() > fewest)
-          continue;
-        if (words.size() < fewest)
-          found.clear();
-        fewest = words.size();
-        found.push_back(&row);
-      }
-    if (found.size() != 1)
-      throw InputError("--target-error: " + std::string(found.empty() ? "no quantity" : "more than one quantity") +
-                       " of this run is '" + quantity + "'.\n  There are: " + there + ".");
-    return *found[0];
-  }
-
-  void require_known(const std::string &quantity)
-  {
-    const std::vector<std::string> wanted = words_of(quantity);
-    const ComparisonTable          of_nothing({});
-    std::string                    there;
-    for (const ComparisonRow &row : of_nothing.rows())
-      if (is_response(row))
-        {
-          if (has_all(words_of(name_of(row)), wanted))
-            return;
-          there += (there.empty() ? "" : ", ") + name_of(row);
-        }
-    throw InputError("--target-error: no quantity of any run is '" + quantity + "'.\n  There are: " + there + ".");
+    const std::string quantity = text.substr(0, equals);
+    return {quantity.substr(0, quantity.find_last_not_of(' ') + 1), 0.01 * value};
   }
 
   bool ClimbAxis::is_refined() const
   {
     return sizes.size() > 1;
+  }
+
+  bool ClimbAxis::is_unknown() const
+  {
+    return is_there && !is_refined();
   }
 
   GridConvergence ClimbAxis::estimate() const

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "report/comparison/comparison_table.h"
 #include "report/study/error_fit.h"
 #include "report/study/grid_convergence.h"
 
@@ -20,13 +19,6 @@ namespace birdstrike
   /// Throws InputError for what is no quantity with a percentage above 0, at most 50.
   ErrorTarget read_error_target(const std::string &text);
 
-  /// The row whose group and quantity hold all of the words, with the fewest others: "tip peak" is "Tip: peak
-  /// (mid-chord)". Throws InputError, naming what there is, where none does or two do alike.
-  const ComparisonRow &find_row(const std::vector<ComparisonRow> &rows, const std::string &quantity);
-
-  /// Throws InputError for a quantity that no run can have, whatever its parts.
-  void require_known(const std::string &quantity);
-
   /// One direction of refinement: values on its levels, the coarsest first, while all else is at its coarsest.
   struct ClimbAxis
   {
@@ -39,8 +31,14 @@ namespace birdstrike
     /// Half the 95 % interval of the finest level's value, where several runs tell it; else 0.
     double noise = 0.;
 
+    /// False where the case has no bird, or no mesh: then there is no error of one.
+    bool is_there = true;
+
     /// False for a direction that cannot be refined: it has one level, and its error is in no bar.
     bool is_refined() const;
+
+    /// Whether there is an error that nobody knows: of a mesh from a file.
+    bool is_unknown() const;
 
     /// Of all levels.
     GridConvergence estimate() const;

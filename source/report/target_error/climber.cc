@@ -1,4 +1,5 @@
 #include "report/target_error/climber.h"
+#include "report/comparison/written_table.h"
 #include "report/study/lattice_places.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
@@ -15,22 +16,18 @@ namespace birdstrike
   {
     /// The last of them is the case's own.
     constexpr std::size_t n_first_levels = 3;
-
-    ErrorTarget read_known_target(const std::string &text)
-    {
-      ErrorTarget target = read_error_target(text);
-      require_known(target.quantity);
-      return target;
-    }
   } // namespace
 
   Climber::Climber(const TargetRequest &request, const RunTimeForecast &forecast,
                    const std::filesystem::path &directory)
     : request(request)
     , forecast(forecast)
-    , target(read_known_target(request.target))
-    , known(request, directory, target.quantity)
+    , target(read_error_target(request.target))
+    , quantity(find_quantity(target.quantity))
+    , known(request, directory, quantity)
   {
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      axes[a].is_there = known.is_there(a);
     axes[0].name         = "bird";
     axes[1].name         = "mesh";
     axes[0].known_orders = read_orders(request.bird_order, "--bird-order");
@@ -191,6 +188,15 @@ namespace birdstrike
         forecasts[at] = forecast(request.prm_file, overrides);
       }
     return forecasts[at];
+  }
+
+  std::vector<std::string> Climber::find_lost_tables(const std::filesystem::path &csv) const
+  {
+    const WrittenTable table(csv);
+    for (const std::string &heading : table.headings())
+      if (heading.find(": ") != std::string::npos && !heading.starts_with(quantity.name() + " ["))
+        return {heading.substr(0, heading.find(" ["))};
+    return {};
   }
 
   const LevelRuns &Climber::runs() const

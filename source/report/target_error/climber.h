@@ -41,13 +41,24 @@ namespace birdstrike
 
     Answer climb(); ///< throws NumericalFailure where nothing can be claimed
 
+    /// The quantity of an earlier table in the folder, if it is another one.
+    std::vector<std::string> find_lost_tables(const std::filesystem::path &csv) const;
+
+    /// Which quantity is meant, and which error will stay unknown.
+    std::string describe_target() const;
+
     std::string      describe(const Answer &answer) const;
+    std::string      as_json(const Answer &answer) const; ///< an error that is unknown is null
     const LevelRuns &runs() const;
+
+    /// Throws NumericalFailure where a part of the error is unknown.
+    void require_whole_error() const;
 
   private:
     const TargetRequest      request;
     const RunTimeForecast   &forecast;
     const ErrorTarget        target;
+    const AskedQuantity      quantity;
     LevelRuns                known;
     std::array<ClimbAxis, 2> axes;      ///< bird, mesh
     std::map<Levels, double> forecasts; ///< of a run, s
@@ -64,7 +75,8 @@ namespace birdstrike
     void                  extend(double allowed);
     [[noreturn]] void     refuse() const;
     std::string           advise() const;
-    std::string           name_of_quantity() const;
+    bool                  is_whole_known() const;
+    std::string           describe_errors(const Answer &answer) const;
 
     double      allowed_error() const;
     double      cost(const Levels &at);

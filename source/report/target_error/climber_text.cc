@@ -4,7 +4,9 @@
 #include <birdstrike/report/text.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 /// What the climb says: of what it claims, and why it claims nothing.
@@ -25,9 +27,27 @@ namespace birdstrike
     }
   } // namespace
 
-  std::string Climber::name_of_quantity() const
+  bool Climber::is_whole_known() const
   {
-    return known.quantity().group + ": " + known.quantity().quantity;
+    return std::ranges::none_of(axes, &ClimbAxis::is_unknown);
+  }
+
+  std::string Climber::describe_target() const
+  {
+    const bool is_mesh_unknown = known.is_there(1) && known.n_levels(1) == 1;
+    return fmt::format("Target: {}, with an error of {} at most.{}", quantity.name(), format_share(target.share),
+                       is_mesh_unknown ? " Mesh: unknown. It comes from a file and is not refined, so that the bird's "
+                                         "error alone is estimated, and no error of the whole is claimed."
+                                       : "");
+  }
+
+  void Climber::require_whole_error() const
+  {
+    if (!is_whole_known())
+      throw NumericalFailure(
+        "The target error cannot be claimed: the error of the mesh is unknown, for it comes from "
+        "a file.\n  Action: birdstrike study with a finer file each, --vary \"Blade/Mesh/File=a.msh, "
+        "b.msh\", shows what the mesh adds.");
   }
 
   void Climber::refuse() const
@@ -39,7 +59,7 @@ namespace birdstrike
     throw NumericalFailure(fmt::format(
       "The target error of {} is not reached, and none is claimed: {} is near {}.\n"
       "  {}.\n  {}.\n{}{}  Action: {}.",
-      format_share(target.share), name_of_quantity(), format_value(value, unit), describe_axis(0), describe_axis(1),
+      format_share(target.share), quantity.name(), format_value(value, unit), describe_axis(0), describe_axis(1),
       axes[0].is_refined() && axes[1].is_refined() ? describe_interaction(whole_interaction(), unit) : "",
       describe_places(), advise()));
   }
@@ -62,8 +82,10 @@ namespace birdstrike
 
   std::string Climber::describe_axis(const std::size_t a) const
   {
-    if (!axes[a].is_refined())
-      return axes[a].name + ": not refined, its error is in no bar";
+    if (!axes[a].is_there)
+      return axes[a].name + ": none, and no error of one";
+    if (axes[a].is_unknown())
+      return axes[a].name + ": unknown; it comes from a file and is not refined, its error is in no bar";
     if (const auto fit = axes[a].limit())
       return fmt::format("{}: {} levels to {}, order {} as given{}: {} more takes the finest to h = 0, +- {}",
                          axes[a].name, axes[a].sizes.size(), format_quantity(axes[a].sizes.back(), "m"),
@@ -100,18 +122,52 @@ namespace birdstrike
                        known.folder(at).string());
   }
 
+  /// "of the bird 2.1 %, mesh: unknown".
+  std::string Climber::describe_errors(const Answer &answer) const
+  {
+    std::string text;
+    const auto  add = [&](const std::string &part) { text += (text.empty() ? "" : ", ") + part; };
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      if (axes[a].is_unknown())
+        add(axes[a].name + ": unknown");
+      else if (axes[a].is_there)
+        add("of the " + axes[a].name + " " + show_share(a == 0 ? answer.bird : answer.mesh, answer.value));
+    if (axes[0].is_refined() && axes[1].is_refined())
+      add("of both together " + show_share(answer.interaction, answer.value));
+    return text;
+  }
+
   std::string Climber::describe(const Answer &answer) const
   {
-    const double      added = axes[0].correction(answer.levels.first);
-    const std::string unit  = known.quantity().unit;
-    return fmt::format("{} {} +- {}{}\n  of the bird {}, of the mesh {}, of both together {}\n  {}\n  {}\n{}{}",
-                       name_of_quantity(), format_value(answer.value, unit), show_share(answer.bar(), answer.value),
+    const double      added    = axes[0].correction(answer.levels.first);
+    const std::string unit     = known.quantity().unit;
+    const std::string headline = is_whole_known()
+                                   ? fmt::format(" +- {}", show_share(answer.bar(), answer.value))
+                                   : fmt::format("; {}; no error of the whole is claimed", describe_errors(answer));
+    return fmt::format("{} {}{}{}\n  {}\n  {}\n  {}\n{}{}", quantity.name(), format_value(answer.value, unit), headline,
                        added != 0. ? (known.n_places() == 1 ? "\n  a run's " : "\n  the runs' ") +
                                        format_value(answer.value - added, unit) + ", and " + format_value(added, unit) +
                                        " to h = 0 of the particles"
                                    : "",
-                       show_share(answer.bird, answer.value), show_share(answer.mesh, answer.value),
-                       show_share(answer.interaction, answer.value), describe_axis(0), describe_axis(1),
-                       describe_places(), describe_runs(answer.levels));
+                       describe_errors(answer), describe_axis(0), describe_axis(1), describe_places(),
+                       describe_runs(answer.levels));
+  }
+
+  std::string Climber::as_json(const Answer &answer) const
+  {
+    const auto known_or_null = [](const bool is_known, const double error) {
+      return is_known ? nlohmann::ordered_json(error) : nlohmann::ordered_json(nullptr);
+    };
+    nlohmann::ordered_json json;
+    json["quantity"] = quantity.name();
+    json["unit"]     = known.quantity().unit;
+    json["value"]    = answer.value;
+    json["target"]   = target.share;
+    json["error"]    = {{"whole", known_or_null(is_whole_known(), answer.bar())},
+                        {"bird", known_or_null(!axes[0].is_unknown(), answer.bird)},
+                        {"mesh", known_or_null(!axes[1].is_unknown(), answer.mesh)},
+                        {"both_together", known_or_null(is_whole_known(), answer.interaction)}};
+    json["run"]      = known.folder(answer.levels).string();
+    return json.dump(2) + "\n";
   }
 } // namespace birdstrike

@@ -46,6 +46,12 @@ namespace birdstrike
       return made;
     }
 
+    /// A rigid rectangle is exact.
+    bool has_mesh(const BladeParameters &blade)
+    {
+      return blade.is_deformable() || (blade.kind == BladeKind::rigid && blade.rigid.surface == RigidSurface::mesh);
+    }
+
     [[noreturn]] void refuse(const std::string &why)
     {
       throw NumericalFailure("The target error cannot be claimed: " + why);
@@ -53,17 +59,23 @@ namespace birdstrike
   } // namespace
 
   LevelRuns::LevelRuns(const TargetRequest &request, const std::filesystem::path &directory,
-                       const std::string &quantity)
+                       const AskedQuantity &quantity)
     : request(request), directory(directory), asked(quantity)
   {
     CaseParameters parameters;
     parameters.read(request.prm_file, request.overrides);
     for (std::size_t a = 0; a < levels.size(); ++a)
       levels[a] = make_levels(parameters, a);
+    are_there = {parameters.bird.enabled, has_mesh(parameters.blade)};
     if (levels[0].size() == 1 && levels[1].size() == 1)
       throw InputError("There is neither a bird nor a built-in mesh that could be refined.\n  Action: run the case "
                        "without --target-error.");
     places = make_lattice_places(parameters, request.n_places);
+  }
+
+  bool LevelRuns::is_there(const std::size_t axis) const
+  {
+    return are_there[axis];
   }
 
   std::size_t LevelRuns::n_levels(const std::size_t axis) const
@@ -130,7 +142,7 @@ namespace birdstrike
           }
     if (points.empty())
       return;
-    RunOptions options{request.prm_file, request.overrides, 0, "", "climb"};
+    RunOptions options{request.prm_file, request.overrides, 0, "", "climb", request.is_forced};
     auto       made = plan_runs(points, directory, options);
     run_points(made, options);
     std::string why;

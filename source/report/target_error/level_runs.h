@@ -3,6 +3,7 @@
 #include "report/comparison/comparison_table.h"
 #include "report/comparison/warning_digest.h"
 #include "report/study/refinement.h"
+#include "report/target_error/asked_quantity.h"
 #include <birdstrike/report/target_error.h>
 
 #include <array>
@@ -26,7 +27,9 @@ namespace birdstrike
 
     /// Throws InputError for a mesh too coarse to have coarser ones, where neither bird nor mesh can be refined, and as
     /// make_lattice_places does.
-    LevelRuns(const TargetRequest &request, const std::filesystem::path &directory, const std::string &quantity);
+    LevelRuns(const TargetRequest &request, const std::filesystem::path &directory, const AskedQuantity &quantity);
+
+    bool is_there(std::size_t axis) const; ///< a bird (0), a mesh (1), whether it can be refined or not
 
     /// How many there are of the bird (0) and the mesh (1), and h of one (m); a single one where nothing can be
     /// refined.
@@ -38,7 +41,7 @@ namespace birdstrike
 
     /// Runs those that are not known yet, and reads the quantity of all that are done. Then throws NumericalFailure
     /// where one is not, has no value, or one that still rises, and where levels are of different blades; InputError
-    /// where the runs have no such quantity, or several; what plan_runs and run_points throw.
+    /// where the runs have no such quantity; what plan_runs and run_points throw.
     void run(const std::vector<Levels> &wanted);
 
     std::size_t n_places() const;
@@ -64,7 +67,8 @@ namespace birdstrike
 
     const TargetRequest                     request;
     const std::filesystem::path             directory;
-    const std::string                       asked; ///< the quantity, as it was typed
+    const AskedQuantity                     asked;
+    std::array<bool, 2>                     are_there{};
     std::array<std::vector<LadderLevel>, 2> levels;
     LadderPlaces                            places;
     std::map<Levels, std::vector<KnownRun>> runs;      ///< by place

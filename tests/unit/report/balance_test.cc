@@ -173,3 +173,38 @@ TEST(Balance, StopsTheRunPastTheLimitAndOnNaN)
       EXPECT_NE(std::string(error.what()).find("step 17"), std::string::npos);
     }
 }
+
+// Each entry of each ledger by itself: whichever is no number ends the run, and at the latest then.
+TEST(Balance, EndsWithWhatIsNoNumberInAnyEntry)
+{
+  constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+  const auto       ends      = [](const SystemState &state) {
+    Balance balance(0.05);
+    balance.update(before(), 0., 0);
+    try
+      {
+        balance.update(state, 1e-4, 10);
+      }
+    catch (const NumericalFailure &)
+      {
+        return true;
+      }
+    return false;
+  };
+  EXPECT_FALSE(ends(merged()));
+  for (auto part : {&SystemState::bird, &SystemState::blade})
+    for (const EnergyKind &kind : energy_kinds)
+      {
+        SystemState state         = merged();
+        (state.*part).*kind.value = no_number;
+        EXPECT_TRUE(ends(state)) << kind.name;
+      }
+  for (auto part : {&SystemState::bird_momentum, &SystemState::blade_momentum})
+    for (const MomentumKind &kind : momentum_kinds)
+      for (const int component : {0, 2})
+        {
+          SystemState state                      = merged();
+          ((state.*part).*kind.value)[component] = no_number;
+          EXPECT_TRUE(ends(state)) << kind.name << component;
+        }
+}

@@ -1,3 +1,4 @@
+#include "report/target_error/asked_quantity.h"
 #include "report/target_error/climb.h"
 #include <birdstrike/core/errors.h>
 
@@ -9,15 +10,6 @@ using namespace birdstrike;
 
 namespace
 {
-  const std::vector<ComparisonRow> rows{{"Case", "elements", "count", {1.}, {}},
-                                        {"Tip", "peak (mid-chord)", "m", {0.3}, {}},
-                                        {"Tip", "time of the peak", "s", {0.01}, {}},
-                                        {"Root", "peak bending moment", "N m", {470.}, {}},
-                                        {"Contact", "peak force", "N", {4e5}, {}},
-                                        {"Root", "peak force", "N", {5e3}, {}},
-                                        {"Contact", "peak force, filtered", "N", {3e4}, {}},
-                                        {"Contact", "impulse (norm)", "N s", {16.}, {}}};
-
   /// f = 1 + c h^p on sizes that shrink by 1.5.
   ClimbAxis axis_of_power(const double p, const double c, const std::size_t n)
   {
@@ -36,7 +28,7 @@ namespace
 TEST(Climb, ReadsTargets)
 {
   const ErrorTarget target = read_error_target("tip peak = 2 %");
-  EXPECT_EQ(find_row(rows, target.quantity).quantity, "peak (mid-chord)");
+  EXPECT_EQ(find_quantity(target.quantity).name(), "Tip: peak (mid-chord)");
   EXPECT_DOUBLE_EQ(target.share, 0.02);
   EXPECT_DOUBLE_EQ(read_error_target("impulse=0.5%").share, 0.005);
   for (const char *text : {"tip peak", "tip peak = 2", "= 2 %", "tip peak = two %", "tip peak = 0 %", "tip peak = -1 %",
@@ -44,22 +36,66 @@ TEST(Climb, ReadsTargets)
     EXPECT_THROW(read_error_target(text), InputError) << text;
 }
 
-TEST(Climb, KnowsBeforeAnyRunWhatCanBeAskedFor)
+TEST(Climb, KnowsBeforeAnyRunWhichQuantityIsMeant)
 {
-  for (const char *quantity : {"tip peak", "impulse", "permanent deflection", "peak force", "plastic work"})
-    EXPECT_NO_THROW(require_known(quantity)) << quantity << " may be one of several, which the run decides";
-  for (const char *quantity : {"tip of the iceberg", "impulze", "elements", "wall"})
-    EXPECT_THROW(require_known(quantity), InputError) << quantity;
+  for (const auto &[words, name] :
+       std::vector<std::pair<std::string, std::string>>{{"tip peak", "Tip: peak (mid-chord)"},
+                                                        {"Tip: peak (mid-chord)", "Tip: peak (mid-chord)"},
+                                                        {"peak tip deflection", "Tip: peak (mid-chord)"},
+                                                        {"tip deflection at the end", "Tip: deflection at the end"},
+                                                        {"permanent deflection", "Tip: permanent deflection"},
+                                                        {"tip time", "Tip: time of the peak"},
+                                                        {"Root peak moment", "Root: peak bending moment"},
+                                                        {"root stress", "Root: peak normal stress"},
+                                                        {"contact peak force", "Contact: peak force"},
+                                                        {"filtered peak force", "Contact: peak force, filtered"},
+                                                        {"plastic work", "Plasticity: plastic work"},
+                                                        {"impulse", "Contact: impulse (norm)"}})
+    EXPECT_EQ(find_quantity(words).name(), name) << words;
+  for (const char *words : {"tip of the iceberg", "impulze", "elements", "wall", "energy balance"})
+    EXPECT_THROW(find_quantity(words), InputError) << words;
 }
 
-TEST(Climb, FindsTheQuantityWithTheFewestOtherWords)
+// Whichever of them a run has: permanent deflections are there of long runs only.
+TEST(Climb, RefusesWordsOfSeveralMeaningsWithAllOfThem)
 {
-  EXPECT_EQ(find_row(rows, "Root peak moment").quantity, "peak bending moment");
-  EXPECT_EQ(find_row(rows, "contact peak force").quantity, "peak force");
-  EXPECT_EQ(find_row(rows, "filtered peak force").quantity, "peak force, filtered");
-  EXPECT_THROW(find_row(rows, "tip of the iceberg"), InputError);
-  EXPECT_THROW(find_row(rows, "elements"), InputError) << "no answer of the scene";
-  EXPECT_THROW(find_row(rows, "peak force"), InputError) << "of the root or of contact?";
+  for (const auto &[words, names] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+         {"tip deflection", {"Tip peak (mid-chord)", "Tip deflection at the end", "Tip permanent deflection"}},
+         {"peak force", {"Root peak force", "Contact peak force", "Contact peak force, filtered"}},
+         {"contact force", {"Contact peak force", "Contact peak force, filtered"}},
+         {"plasticity", {"Plasticity peak plastic strain", "Plasticity plastic work"}},
+         {"root peak", {"Root peak force", "Root peak bending moment", "Root peak normal stress"}}})
+    try
+      {
+        find_quantity(words);
+        ADD_FAILURE() << words;
+      }
+    catch (const InputError &error)
+      {
+        std::string list;
+        for (const std::string &name : names)
+          list += (list.empty() ? "" : "; ") + name;
+        EXPECT_NE(std::string(error.what()).find("'" + words + "' is ambiguous.\n  It may be: " + list + "."),
+                  std::string::npos)
+          << error.what();
+      }
+}
+
+TEST(Climb, ARunMayLackTheQuantity)
+{
+  const std::vector<ComparisonRow> rows{{"Case", "elements", "count", {1.}, {}},
+                                        {"Tip", "peak (mid-chord)", "m", {0.3}, {}}};
+  EXPECT_EQ(&find_row(rows, find_quantity("tip peak")), &rows[1]);
+  EXPECT_THROW(find_row(rows, find_quantity("impulse")), InputError);
+}
+
+TEST(Climb, AMeshThatIsThereAndNotRefinedHasAnUnknownError)
+{
+  ClimbAxis mesh{"mesh", {0.}, {1.}};
+  EXPECT_TRUE(mesh.is_unknown());
+  mesh.is_there = false;
+  EXPECT_FALSE(mesh.is_unknown()) << "a rigid plate has no mesh, and no error of one";
+  EXPECT_FALSE(axis_of_power(1., 0.1, 4).is_unknown());
 }
 
 TEST(Climb, ErrorsOfALadderThatConvergesHoldTheTruth)

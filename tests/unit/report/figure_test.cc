@@ -86,11 +86,46 @@ TEST(Figure, LeavesTicksOutWhereTheyWouldOverlap)
   EXPECT_NE(script.find("set ytics ('101' 1, '102' 2, "), std::string::npos);
 }
 
+TEST(Figure, AValueThatStillRisesHasAnOpenMarkerAndAColumn)
+{
+  Figure figure                       = make_figure();
+  figure.panels[1].lines[0].is_rising = {0., 1., 0.};
+  EXPECT_NE(data_of(figure).find("\n# 3: it's a_case, here: still rising, no peak yet: moment [-]\n"),
+            std::string::npos)
+    << data_of(figure);
+  const std::string script = script_of({figure});
+  for (const char *text :
+       {"'tip.csv' using ($1*1000):($3>0 ? $2*1 : NaN) with points pt 6",
+        "title 'still rising at the end of the run, no peak yet'", "'tip.csv' using ($4*1000):($5*1)"})
+    EXPECT_NE(script.find(text), std::string::npos) << text << "\n" << script;
+}
+
+TEST(Figure, ACellThatStillRisesHasAPlus)
+{
+  Figure figure{"map", 1, {{"Map", {"a", "-", "-", 1., {"1", "2"}}, {"b", "-", "-", 1., {"3", "4"}}, {{}}}}};
+  figure.panels[0].colour          = {"peak", "m", "mm", 1e3};
+  figure.panels[0].lines[0].x      = {1., 2., 1., 2.};
+  figure.panels[0].lines[0].y      = {1., 1., 2., 2.};
+  figure.panels[0].lines[0].colour = {0.1, 0.2, 0.3, 0.4};
+  EXPECT_EQ(script_of({figure}).find("'+'"), std::string::npos) << "nothing rises";
+  figure.panels[0].lines[0].is_rising = {0., 1., 0., 0.};
+  EXPECT_NE(script_of({figure}).find("sprintf('%.4g%s',($3*1000),$4>0 ? '+' : '')"), std::string::npos);
+  const ScratchFolder scratch;
+  scratch.write("map.csv", data_of(figure));
+  scratch.write("figures.gp", script_of({figure}));
+  const auto result = birdstrike::run_child({{"gnuplot", "figures.gp"}, scratch.path().string(), true});
+  EXPECT_EQ(result.output, "");
+  const std::string svg = read_text(scratch.path() / "map.svg");
+  for (const char *text : {">100<", ">200+<", "+: still rising at the end of the run, no peak yet"})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+}
+
 TEST(Figure, GnuplotDrawsIt)
 {
   const ScratchFolder scratch;
-  Figure              figure = make_figure();
-  figure.panels[1].levels    = {{"yield stress", 3.5}};
+  Figure              figure          = make_figure();
+  figure.panels[1].levels             = {{"yield stress", 3.5}};
+  figure.panels[1].lines[1].is_rising = {1., 0.};
   scratch.write("tip.csv", data_of(figure));
   scratch.write("figures.gp", script_of({figure}));
   const auto result = birdstrike::run_child({{"gnuplot", "figures.gp"}, scratch.path().string(), true});

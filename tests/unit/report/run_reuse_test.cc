@@ -186,3 +186,45 @@ TEST_F(RunReuse, TheRecordOfAKilledRunEndsWithItsLastWholeRow)
   scratch.write("run/results.h5", "no HDF5");
   EXPECT_THROW(RunRecord(folder).dataset("a/b"), std::runtime_error);
 }
+
+// A run anew gives back what was stopped or damaged, and nothing else.
+TEST_F(RunReuse, WhatARunAnewCannotGiveBackIsKept)
+{
+  const auto to_keep = [&](const std::vector<std::string> &overrides = {}) {
+    CaseParameters wanted;
+    wanted.read(prm, overrides);
+    return reason_to_keep(folder, wanted);
+  };
+  EXPECT_EQ(to_keep(), "") << "there is nothing";
+  run.write(folder, prm);
+  EXPECT_EQ(to_keep(), "");
+  EXPECT_EQ(to_keep({"Bird/Mass=0.2"}), "Bird/Mass differs");
+  scratch.write("run/results.h5", "no HDF5");
+  EXPECT_EQ(to_keep(), "") << "the same run, damaged";
+  edit_summary('"' + program_identity().build + '"', "\"0123\"");
+  EXPECT_EQ(to_keep(), "another build of the program made it");
+  scratch.write("run/summary.json", "no JSON");
+  EXPECT_EQ(to_keep(), "");
+  EXPECT_EQ(to_keep({"Bird/Mass=0.2"}), "Bird/Mass differs") << "whatever its summary says";
+  std::filesystem::remove(folder / "summary.json");
+  EXPECT_EQ(to_keep({"Bird/Mass=0.2"}), "") << "neither results nor a checkpoint";
+  run.reason = end_reasons().name(EndReason::signal);
+  run.write(folder, prm);
+  EXPECT_EQ(to_keep(), "") << "it was stopped";
+  EXPECT_EQ(to_keep({"Bird/Mass=0.2"}), "Bird/Mass differs");
+}
+
+TEST_F(RunReuse, ALossOfRunsIsRefusedWithTheFirstOfThem)
+{
+  EXPECT_NO_THROW(refuse_loss_of_runs("", "", 0));
+  try
+    {
+      refuse_loss_of_runs("runs/a", "Bird/Mass differs", 3);
+      FAIL();
+    }
+  catch (const InputError &error)
+    {
+      for (const char *words : {"'runs/a'", "Bird/Mass differs", "2 folders more", "--force", "--output"})
+        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+}

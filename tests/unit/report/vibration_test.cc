@@ -53,3 +53,16 @@ TEST(Vibration, TheMostAlikeGoFirst)
                                          at(1., {{105., {s, c, 0.}}, {106., {c, -s, 0.}}})};
   EXPECT_EQ(follow_modes(speeds, 2), (std::vector<std::vector<std::size_t>>{{0, 1}, {1, 0}}));
 }
+
+// An unstable mode has no frequency, and no engine order: the table says so and how fast it grows.
+TEST(Vibration, AnUnstableModeIsCalledSo)
+{
+  using namespace vibration_test;
+  ModesAtSpeed at_speed               = at(100., {{0., flap}, {110., torsion}});
+  at_speed.modes.modes[0].growth_rate = 100. * std::log(10.); // tenfold in 10 ms
+  const std::string text              = describe_modes(at_speed, 2);
+  EXPECT_NE(text.find("unstable"), std::string::npos) << text;
+  EXPECT_NE(text.find("tenfold in 10 ms"), std::string::npos) << text;
+  EXPECT_NE(text.find("110"), std::string::npos) << text;
+  EXPECT_EQ(text.find(" -1"), std::string::npos) << text;
+}
