@@ -26,18 +26,22 @@ namespace birdstrike
       return fmt::format("{}{:012}.h5", checkpoint_stem, step);
     }
 
-    /// Infinite may be what is not limited yet; NaN is nothing.
-    void require_numbers(const ArchivedState &state)
+    /// Sizes of a state that is good to go on from. Infinite may be what is not limited yet; NaN is nothing.
+    class SoundInventory : public StateInventory
     {
-      for (const auto &[name, quantity] : state)
-        for (const double value : quantity.real)
+    public:
+      void take(const std::string &name, const ArchivedQuantity &piece) override
+      {
+        StateInventory::take(name, piece);
+        for (const double value : piece.real)
           if (std::isnan(value))
             {
               FailureFacts facts{"The state holds what is no number, and no checkpoint is written of it", name, value};
               facts.advice = "Reduce Time/Step scale and Time/Bird step scale, and look at the last fields.";
               throw NumericalFailure(std::move(facts));
             }
-    }
+      }
+    };
 
     double seconds_since(const std::chrono::steady_clock::time_point then)
     {
@@ -88,12 +92,14 @@ namespace birdstrike
   void Checkpoints::write(BirdStrike &strike, const bool is_wanted)
   {
     strike.require_sound_state();
-    next.time = strike.time();
-    next.step = strike.n_steps_done();
-    next.state.clear();
-    Archive archive = Archive::writing(next.state);
-    strike.archive(archive);
-    require_numbers(next.state);
+    next.time           = strike.time();
+    next.step           = strike.n_steps_done();
+    const auto describe = [&](StateSink &to) {
+      Archive archive = Archive::writing(to);
+      strike.archive(archive);
+    };
+    SoundInventory sizes;
+    describe(sizes);
     last_step           = next.step; // also of one that fails: the next is tried an interval later
     last_time           = next.time;
     last_clock          = std::chrono::steady_clock::now();
@@ -101,15 +107,13 @@ namespace birdstrike
     try
       {
         fs::create_directories(folder);
-        write_checkpoint(file, next);
+        write_checkpoint(file, next, sizes, describe);
       }
     catch (const std::runtime_error &error) // a disk without room for it may have room for the results
       {
-        next.state.clear();
         log().warn("No checkpoint at t = {}: {}. The run goes on.", format_quantity(next.time, "s"), error.what());
         return;
       }
-    next.state.clear();
     last_file      = file.string();
     last_file_time = next.time;
     log().log(is_wanted ? spdlog::level::info : spdlog::level::debug, "Checkpoint {}, {}", describe_last(),

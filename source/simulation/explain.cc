@@ -3,7 +3,6 @@
 #include "simulation/scene.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
-#include <birdstrike/core/prices.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/fields.h>
 #include <birdstrike/report/text.h>
@@ -47,7 +46,6 @@ namespace birdstrike
                               format_quantity(parameters.shear_modulus, "Pa")));
       table.add("kinetic energy", bird.energies().kinetic, "J");
       table.add("momentum", vector_text(bird.momenta().momentum, "N s"));
-      table.add("memory, about", format_bytes(prices::bytes_per_particle * static_cast<double>(bird.state().size())));
     }
 
     /// As the entry Angle to surface has it, or in words where the velocity has a part along the span.
@@ -84,8 +82,11 @@ namespace birdstrike
       if (const auto &moved = projectile.first_touch.moved_by; Point3(moved.data()).norm() > least_distance)
         table.add("moved by spin and steady loads", vector_text(moved, "m"));
       table.add("velocity", vector_text(projectile.parameters.velocity, "m/s"));
+      if (const auto &position = projectile.parameters.position; !position.empty())
+        table.add("position at t = 0", vector_text({{position[0], position[1], position[2]}}, "m"));
       if (projectile.parameters.arrival > 0.)
-        table.add("arrival", projectile.parameters.arrival, "s");
+        table.add(projectile.parameters.position.empty() ? "arrival" : "first touch, from there",
+                  projectile.parameters.arrival, "s");
       table.add("velocity relative to the blade",
                 fmt::format("{:.5g} m/s, {}", aim.speed, vector_text(aim.velocity, "m/s")));
       table.add("angle to its surface", fmt::format("{:.4g} degrees, normal speed {:.5g} m/s{}", aim.angle,
@@ -125,6 +126,8 @@ namespace birdstrike
       table.add("time steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
       table.add("run time on one core, about", format_duration(compute_run_time(parameters, scene)));
       table.add("threads", std::to_string(parameters.time.n_threads()));
+      if (const double bytes = compute_run_memory(parameters, scene); bytes > 0.)
+        table.add("memory of the program and the run, about", format_bytes(bytes));
     }
 
     void add_files(TextTable &table, const CaseParameters &parameters, const Scene &scene)
@@ -144,33 +147,7 @@ namespace birdstrike
         }
       table.add("field files, before compression, at most", format_bytes(compute_field_bytes(parameters, scene)));
     }
-
-    /// How long a particle is computed in the mean, s: it arrives, and crosses the blade at the bird's speed before it
-    /// is removed. Measured with coarse particles: frontal 2.1 ms (here 2.05), oblique 1.4 (1.2).
-    double compute_bird_time(const Projectile &projectile, const Scene &scene, const double end_time)
-    {
-      const BirdParameters &bird  = projectile.parameters;
-      const StrikeAim      &aim   = projectile.aim;
-      const double          whole = std::max(end_time - bird.arrival, 0.);
-      if (!projectile.contact || !bird.retire || !(aim.speed > 0.) || std::isnan(aim.duration))
-        return whole;
-      const Box    blade = scene.compute_reach_of_blade(0., 0.);
-      const double across =
-        std::hypot(blade.high[0] - blade.low[0], blade.high[1] - blade.low[1], blade.high[2] - blade.low[2]);
-      return std::min(whole, 0.5 * aim.duration + across / aim.speed);
-    }
   } // namespace
-
-  double compute_run_time(const CaseParameters &parameters, const Scene &scene)
-  {
-    const Schedule &schedule = scene.last_plan();
-    double          ns       = 0.; // over the time of a step
-    for (const Projectile &each : scene.birds)
-      ns += compute_bird_time(each, scene, parameters.time.end_time) * schedule.n_bird * each.bird->step_price();
-    if (scene.blade)
-      ns += parameters.time.end_time * schedule.n_blade * scene.blade->prices().of_step;
-    return 1e-9 * ns / schedule.step;
-  }
 
   double compute_field_bytes(const CaseParameters &parameters, const Scene &scene)
   {

@@ -1,4 +1,5 @@
 #include "simulation/explain_parts.h"
+#include "simulation/warnings/equilibrium_warning.h"
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/material/metal_constants.h>
 #include <birdstrike/structure/blade.h>
@@ -68,6 +69,28 @@ namespace birdstrike
       return text + " m";
     }
 
+    /// "solid-shell and one point", of the elements of a section.
+    std::string formulations_of(const std::size_t section, const BladeCensus &census)
+    {
+      std::string text;
+      for (const FormulationCensus &each : census.formulations)
+        if (each.section == section)
+          text += (text.empty() ? "" : " and ") + element_formulations().name(each.formulation);
+      return text;
+    }
+
+    /// Of a solid from a file that `automatic` makes of two kinds of bricks.
+    void add_mixtures(TextTable &table, const BladeCensus &census)
+    {
+      for (const FormulationCensus &one : census.formulations)
+        for (const FormulationCensus &other : census.formulations)
+          if (one.section == other.section && one.n_layers == 1 && other.n_layers != 1)
+            table.add("bricks alone in the thickness",
+                      fmt::format("{} ({}); {} others ({})", format_count(one.n_elements),
+                                  element_formulations().name(one.formulation), format_count(other.n_elements),
+                                  element_formulations().name(other.formulation)));
+    }
+
     void add_spin(TextTable &table, const Blade &blade)
     {
       const Rotor *const rotor = blade.rotor();
@@ -85,8 +108,8 @@ namespace birdstrike
                                                             : "none at the start: Blade/Spin/Prestress is false");
       else
         table.add("centrifugal tension",
-                  fmt::format("from static equilibrium, {} unknowns, {} iterations; root {}, tip {} off its mesh",
-                              format_count(found.n_unknowns), found.n_iterations,
+                  fmt::format("from static equilibrium, {}, {} unknowns, {} iterations; root {}, tip {} off its mesh",
+                              describe_stability(found), format_count(found.n_unknowns), found.n_iterations,
                               format_quantity(blade.root_section().normal_force, "N"),
                               format_quantity(blade.tip_deflection().mid_chord, "m")));
     }
@@ -96,7 +119,7 @@ namespace birdstrike
   {
     const BladeCensus census = blade.census();
     table.add_heading("Blade: " + blade_kinds().name(blade.kind()) +
-                      (blade.is_deformable() ? ", " + parameters.formulation_name() : ""));
+                      (blade.is_deformable() ? ", " + formulations_of(census.formulations[0].section, census) : ""));
     table.add("elements, nodes", format_count(blade.n_elements()) + ", " + format_count(blade.n_nodes()));
     if (!blade.is_deformable())
       return;
@@ -124,7 +147,7 @@ namespace birdstrike
     for (const SectionCensus &section : census.sections)
       table.add(section.number == 0 ? "the blade's own section" : "section " + std::to_string(section.number),
                 fmt::format("{} elements ({}) of {}, {:.4g} kg", format_count(section.n_elements),
-                            of.at(section.number).formulation_name(),
+                            formulations_of(section.number, census),
                             of.at(section.number).is_laminate() ? "a laminate" : of.at(section.number).material.name,
                             section.mass));
     for (const auto &[number, of_section] : of)
@@ -138,6 +161,7 @@ namespace birdstrike
       table.add("failure strain by size" + (of.size() == 1 ? "" : " of section " + std::to_string(sizes.number)),
                 fmt::format("times {:.4g} to {:.4g}, elements of {} to {}", sizes.lowest, sizes.highest,
                             format_quantity(sizes.smallest, "m"), format_quantity(sizes.largest, "m")));
+    add_mixtures(table, census);
     add_mass_scaling(table, census.mass_scaling, census.n_elements);
     table.add("memory", format_bytes(census.bytes));
   }

@@ -29,4 +29,11 @@ namespace birdstrike
     show(warnings);
     return warnings;
   }
+
+  std::string read_blade(CaseParameters &parameters, const CaseRequest &request)
+  {
+    std::string why_unknown = parameters.read_blade(request.prm_file, request.overrides);
+    show(find_input_warnings(parameters));
+    return why_unknown;
+  }
 } // namespace birdstrike

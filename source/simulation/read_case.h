@@ -16,4 +16,7 @@ namespace birdstrike
   /// Reads and checks a case; the command line's folder wins over the file's. Warnings of the entries are shown at
   /// once, for what is built of a wrong unit may take long, and returned.
   Warnings read_case(CaseParameters &parameters, const CaseRequest &request);
+
+  /// The same of a case whose blade alone is used (CaseParameters::read_blade). Returns why the struck side is unknown.
+  std::string read_blade(CaseParameters &parameters, const CaseRequest &request);
 } // namespace birdstrike

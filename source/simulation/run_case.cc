@@ -10,6 +10,7 @@
 #include <birdstrike/core/numerical_failure.h>
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/input_copies.h>
 #include <birdstrike/io/run_folder.h>
 #include <birdstrike/io/telling_entries.h>
 #include <birdstrike/report/failure_record.h>
@@ -17,6 +18,7 @@
 #include <birdstrike/report/text.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/logger.h>
 
 #include <csignal>
@@ -27,9 +29,9 @@ namespace birdstrike
   namespace
   {
     /// What a run that goes on may change: how long it goes, what it tells and in which steps; not what it computes.
-    const EntryNames may_change =
-      telling_entries_and({"Time/End time", "Time/Threads", "Time/Maximum wall time", "Time/Energy error limit",
-                           "Time/Stop at tip peak", "Time/Tip peak wait", "Time/Step scale", "Time/Bird step scale"});
+    const EntryNames may_change = telling_entries_and(
+      {"Time/End time", "Time/Threads", "Time/Force threads", "Time/Maximum wall time", "Time/Energy error limit",
+       "Time/Stop at tip peak", "Time/Tip peak wait", "Time/Step scale", "Time/Bird step scale"});
 
     void stop_on_signal(int)
     {
@@ -70,14 +72,28 @@ namespace birdstrike
       return of_inputs;
     }
 
-    void write_parameters(const CaseParameters &parameters, RunFolder &folder)
+    /// Of birds that come from a position: where they aim and when they arrive.
+    void write_what_follows(CaseParameters &parameters, const Scene &scene)
     {
-      folder.write_text("original.prm", parameters.file.original());
-      folder.write_text("parameters.prm", parameters.file.as_prm());
+      std::vector<std::string> entries;
+      for (const Projectile &each : scene.birds)
+        if (const BirdParameters &bird = each.parameters; !bird.position.empty() && each.contact)
+          {
+            entries.push_back(fmt::format("{}/Arrival time={}", bird.section, bird.arrival));
+            entries.push_back(fmt::format("{}/Aim point={}", bird.section, fmt::join(bird.aim_point, ", ")));
+          }
+      parameters.file.set(entries);
+    }
+
+    void write_parameters(const InputCopies &copies, RunFolder &folder)
+    {
+      copies.write(folder.path());
+      folder.write_text("original.prm", copies.original());
+      folder.write_text("parameters.prm", copies.parameters());
     }
 
     /// A bad case is refused before a folder is touched; one that is lost on the way to its first step leaves a record.
-    Scene make_scene(const CaseParameters &parameters)
+    Scene make_scene(const CaseParameters &parameters, const InputCopies &copies)
     {
       try
         {
@@ -86,7 +102,7 @@ namespace birdstrike
       catch (const NumericalFailure &failure)
         {
           RunFolder folder(parameters.run_directory());
-          write_parameters(parameters, folder);
+          write_parameters(copies, folder);
           folder.fail(failure.what(), make_failure_record(failure.facts()));
           throw;
         }
@@ -170,13 +186,12 @@ namespace birdstrike
                   "Step scale and Bird step scale, and intervals of Output.\n  Action: run the changed case anew.");
       const std::vector<InputFile> inputs = list_input_files(now);
       for (const InputFile &input : checkpoint.inputs)
-        if (!std::filesystem::exists(input.name))
+        if (std::ranges::find(inputs, input.fingerprint, &InputFile::fingerprint) == inputs.end())
           throw InputError("The file '" + input.name +
-                           "' is not there, seen from this folder.\n  Action: resume from the "
-                           "folder in which the run was begun, or put it back.");
-        else if (std::ranges::find(inputs, input) == inputs.end())
-          throw InputError("The file '" + input.name +
-                           "' is not what it was when the run began.\n  Action: put it back, or run the case anew.");
+                           (inputs.size() < checkpoint.inputs.size()
+                              ? "' is not there, neither in the run folder nor seen from the working directory"
+                              : "' is not what it was when the run began") +
+                           ".\n  Action: put it back, or run the case anew.");
     }
 
     /// Those that the checkpoint tells of, and those that it goes on with.
@@ -206,21 +221,22 @@ namespace birdstrike
       throw InputError("The folder '" + directory + "' holds a run.\n  Action: --output DIR for another folder, " +
                        (can_go_on ? "'birdstrike resume " + directory + "' to go on with it, " : "") +
                        "or --force to replace it.");
-    const auto inputs = list_input_files(parameters);
-    Scene      scene  = make_scene(parameters);
+    const InputCopies copies(parameters);
+    Scene             scene = make_scene(parameters, copies);
+    write_what_follows(parameters, scene);
     require_bounded_run(parameters, scene);
     const auto forecast = explain(parameters, scene);
 
     listen_to_signals();
     RunFolder folder(directory);
     log_to_file(folder.file("log.txt").string());
-    write_parameters(parameters, folder);
+    write_parameters(copies, folder);
     log().info("{}", forecast);
     const Warnings warnings = find_all_warnings(of_inputs, parameters, scene);
     BirdStrike     strike(parameters, scene, folder.path(), warnings);
     Checkpoints    checkpoints(parameters.output.checkpoints, folder.path(),
-                               {parameters.file.as_prm(), without_included(inputs), program(), 0., 0, {}}, strike);
-    finish_run(strike, checkpoints, folder, parameters, inputs);
+                               {copies.parameters(), without_included(copies.inputs()), program(), 0., 0, {}}, strike);
+    finish_run(strike, checkpoints, folder, parameters, copies.inputs());
   }
 
   void resume_run(const ResumeRequest &request)
@@ -228,8 +244,8 @@ namespace birdstrike
     survive_signals();
     RunFolder folder = RunFolder::of_resumed_run(request.run);
     log_to_file(folder.file("log.txt").string(), true);
-    const Checkpoint  checkpoint = read_newest(folder.path());
-    const std::string of_run     = std::string(checkpoint_folder) + "/parameters.prm";
+    Checkpoint        checkpoint = read_newest(folder.path());
+    const std::string of_run     = "resumed.prm";     // in the folder from which its paths are meant
     folder.write_text(of_run, checkpoint.parameters); // whatever has become of the file beside
     CaseParameters then, now;
     const auto     prm = folder.file(of_run).string(), here = set_directory(request.run);
@@ -238,6 +254,7 @@ namespace birdstrike
     overrides.push_back(here);
     const Warnings of_inputs = read_case(now, {prm, overrides, ""});
     require_the_same_case(checkpoint, then, now);
+    find_copies(checkpoint.inputs, folder.path(), now);
     if (now.time.end_time <= checkpoint.time * (1. + 1e-12))
       throw InputError("The run has reached its end, t = " + format_quantity(checkpoint.time, "s") +
                        ".\n  Action: give a later one, --set \"Time/End time=...\".");
@@ -249,7 +266,7 @@ namespace birdstrike
     require_bounded_run(now, scene);
     listen_to_signals();
     folder.go_on();
-    folder.write_text("parameters.prm", now.file.as_prm());
+    folder.write_text("parameters.prm", parameters_seen_from(folder.path(), now));
     remove_later_checkpoints(folder.path(), checkpoint.step); // damaged, or they would have been taken
     Warnings   warnings = find_all_warnings(of_inputs, now, scene);
     const auto changes  = collect_changes(checkpoint, then.time, now.time);
@@ -261,8 +278,9 @@ namespace birdstrike
     Archive    archive = Archive::reading(checkpoint.state);
     strike.archive(archive);
     archive.finish();
-    Checkpoints checkpoints(now.output.checkpoints, folder.path(),
-                            {now.file.as_prm(), checkpoint.inputs, program(), 0., 0, {}, changes}, strike);
+    Checkpoints checkpoints(
+      now.output.checkpoints, folder.path(),
+      {parameters_seen_from(folder.path(), now), checkpoint.inputs, program(), 0., 0, {}, changes}, strike);
     finish_run(strike, checkpoints, folder, now, checkpoint.inputs);
   }
 } // namespace birdstrike

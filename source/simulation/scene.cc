@@ -1,12 +1,15 @@
 #include "simulation/scene.h"
+
 #include "simulation/projectile/bird_phase.h"
 #include "simulation/projectile/first_touch.h"
+#include "simulation/projectile/from_position.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/plane_folds.h>
 #include <birdstrike/contact/self_contact.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/machine.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/patch_forces.h>
 #include <birdstrike/report/row_history.h>
@@ -83,6 +86,7 @@ namespace birdstrike
     if (blade && blade->rotor() != nullptr)
       blade->rotor()->require_known_until(parameters.time.end_time);
     plan(parameters.time.end_time);
+    trim_memory(); // building takes more than is kept
   }
 
   void Scene::place_birds()
@@ -93,8 +97,11 @@ namespace birdstrike
         each.first_id = n_ids;
         n_ids += each.bird->state().n_ids;
         if (!blade || !parameters.contact.is_enabled)
-          continue;
-        each.place(*blade, parameters.contact);
+          {
+            move_to_position(*each.bird, each.parameters);
+            continue;
+          }
+        each.place(*blade, parameters.blade, parameters.contact);
         if (blade->rotor() != nullptr)
           seen_from_hub += each.bird->energies().kinetic * std::pow(each.first_touch.closing_speed, 2) /
                            std::max(1e-300, Point3(each.parameters.velocity.data()).squaredNorm());

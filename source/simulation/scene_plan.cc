@@ -2,6 +2,7 @@
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/simd/larger.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/structure/blade.h>
 
@@ -27,9 +28,9 @@ namespace birdstrike
 
       void add(const double step)
       {
-        if (!std::isfinite(step))
+        if (std::isinf(step))
           return;
-        smallest = std::min(smallest, step);
+        smallest = smaller(smallest, step);
         squares += 1. / (step * step);
         ++n;
       }
@@ -99,15 +100,15 @@ namespace birdstrike
         own.limit.value *= parameters.time.bird_step_scale;
         const StepLimit touches = each.contact ? each.contact->step_limit() : StepLimit();
         of_touches.add(touches.value);
-        if (touches.value < in_touch.value)
+        if (goes_before(touches.value, in_touch.value))
           in_touch = touches;
-        if (touches.value < own.limit.value)
+        if (goes_before(touches.value, own.limit.value))
           own.limit = touches;
         each.smallest_step.check(own.limit, remaining,
                                  "Reduce Bird/Courant number or Time/Bird step scale, and look at the last fields.");
         if (vote)
           own.price += vote->price;
-        if (!vote || own.limit.value < vote->limit.value)
+        if (!vote || goes_before(own.limit.value, vote->limit.value))
           vote = own;
         vote->price = own.price;
       }
@@ -118,7 +119,7 @@ namespace birdstrike
               !vote || step < vote->limit.value)
             vote = StepVote{{step, "birds that wait", {}}, 1.};
     in_touch.value = of_touches.step();
-    if (vote && in_touch.value < vote->limit.value)
+    if (vote && goes_before(in_touch.value, vote->limit.value))
       vote->limit = in_touch;
     return vote;
   }

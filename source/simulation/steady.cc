@@ -1,4 +1,5 @@
 #include "simulation/read_case.h"
+#include "simulation/warnings/equilibrium_warning.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
@@ -33,12 +34,13 @@ namespace birdstrike
     struct SteadyBlade
     {
       CaseParameters            parameters;
+      std::string               why_side_unknown; ///< that the bird strikes
       std::optional<ThreadPool> pool;
       std::unique_ptr<Blade>    blade;
 
       explicit SteadyBlade(const CaseRequest &request)
       {
-        read_case(parameters, {request.prm_file, request.overrides, ""});
+        why_side_unknown = read_blade(parameters, request);
         pool.emplace(parameters.time.n_threads());
         blade = make_blade(parameters.blade, *pool);
         if (!blade)
@@ -61,6 +63,7 @@ namespace birdstrike
       for (const double r : report.residuals)
         falling += fmt::format("{}{:.2g}", falling.empty() ? "" : ", ", r);
       table.add("forces left over, last step", falling + " of loads and spin");
+      table.add("stability", describe_stability(report));
       table.add("tip deflection, mid-chord", tip.mid_chord, "m");
       table.add("  leading, trailing edge",
                 format_quantity(tip.leading, "m") + ", " + format_quantity(tip.trailing, "m"));
@@ -78,12 +81,15 @@ namespace birdstrike
       const RootSectionReport root = blade.root_section();
       const TipDeflection     tip  = blade.tip_deflection();
       nlohmann::ordered_json  json;
-      json["speed"] = {{"value", speed}, {"unit", "rad/s"}};
-      json["solve"] = {{"unknowns", report.n_unknowns},
-                       {"load_steps", report.n_load_steps},
-                       {"iterations", report.n_iterations},
-                       {"linear_iterations", report.n_linear_iterations},
-                       {"residuals", report.residuals}};
+      json["speed"]     = {{"value", speed}, {"unit", "rad/s"}};
+      json["solve"]     = {{"unknowns", report.n_unknowns},
+                           {"load_steps", report.n_load_steps},
+                           {"iterations", report.n_iterations},
+                           {"linear_iterations", report.n_linear_iterations},
+                           {"residuals", report.residuals}};
+      json["stability"] = {{"is_stable", nullptr}, {"unstable_directions", nullptr}};
+      if (report.n_unstable)
+        json["stability"] = {{"is_stable", *report.n_unstable == 0}, {"unstable_directions", *report.n_unstable}};
       json["tip"] = {{"mid_chord", tip.mid_chord}, {"leading", tip.leading}, {"trailing", tip.trailing}, {"unit", "m"}};
       json["root"]               = {{"normal_force", root.normal_force},
                                     {"transverse_force", root.transverse_force},
@@ -130,10 +136,18 @@ namespace birdstrike
     if (report.n_unknowns == 0)
       throw InputError("Nothing loads the blade at t = 0: it is at rest as it is.\nSet Blade/Spin/Speed or "
                        "Blade/Loads to what is not zero then.");
+    if (!steady.why_side_unknown.empty())
+      log().warn("Warning: The bird does not tell which side is struck. Deflection and root moment have the signs of a "
+                 "blade without a bird. Reason: {}",
+                 steady.why_side_unknown.substr(0, steady.why_side_unknown.find('\n')));
     const ReportFolder folder(output, kind);
     folder.write_text("static.json", to_json(report, *steady.blade, speed));
     FieldSeries(folder.path(), "blade").write(steady.blade->snapshot(), 0.);
     log().info("{}", to_text(report, *steady.blade, speed));
+    Warnings warnings;
+    check_equilibrium(report, steady.blade->rotor() != nullptr, warnings);
+    for (const Warning &warning : warnings)
+      log().warn("Warning: {}", warning.text);
     log().info("Static equilibrium in {}", folder.path().string());
   }
 

@@ -74,6 +74,11 @@ namespace birdstrike
     if (sine > 0.)
       aim.hugoniot_pressure = EquationOfState(projectile.liquid, bird.density).hugoniot(aim.normal_speed).pressure;
     aim.stagnation_pressure = 0.5 * bird.density * aim.speed * aim.speed;
+    if (!bird.position.empty())
+      {
+        std::ranges::copy(bird.position, aim.position.begin());
+        aim.arrival = bird.arrival;
+      }
     if (bird.shape != BirdShape::slab)
       aim.duration =
         (bird.is_slice() ? extent_along(projectile.bird->points(), velocity.normalized()) : Shape(bird).length()) /

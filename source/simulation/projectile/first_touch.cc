@@ -1,4 +1,5 @@
 #include "simulation/projectile/first_touch.h"
+#include "simulation/projectile/moved_views.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/facet_grid.h>
 #include <birdstrike/contact/flight.h>
@@ -18,56 +19,6 @@ namespace birdstrike
 {
   namespace
   {
-    /// Gap in particle spacings that is left before the first touch: on the touch itself round-off would say which of
-    /// the particles that come at once push in the first step.
-    constexpr double clearance = 1e-6;
-
-    /// The surface of a blade as its hub will have turned it after some time.
-    struct TurnedSurface
-    {
-      std::vector<double> position, velocity; // [n_nodes][3]
-      FacetsView          view;
-
-      TurnedSurface(const FacetsView &facets, const Rotor &rotor, const double time)
-        : position(3 * facets.n_nodes), velocity(3 * facets.n_nodes), view(facets)
-      {
-        const Turn      turn = rotor.turn(time);
-        const HubMotion hub  = rotor.motion(time);
-        for (std::size_t n = 0; n < facets.n_nodes; ++n)
-          {
-            const Point3 x = turn.carried(Point3(facets.position + 3 * n)), v = hub.velocity(x);
-            for (unsigned int d = 0; d < 3; ++d)
-              {
-                position[3 * n + d] = x[d];
-                velocity[3 * n + d] = v[d];
-              }
-          }
-        view.position        = position.data();
-        view.velocity        = velocity.data();
-        view.velocity_stride = 3;
-      }
-    };
-
-    /// Velocity (m/s) of the surface where it is closest to the aim point.
-    Point3 find_velocity_at_aim(const Point3 &aim, const FacetsView &facets)
-    {
-      Point3 velocity = Point3::Zero();
-      double smallest = INFINITY;
-      for (std::size_t f = 0; f < facets.n_facets; ++f)
-        if (const auto closest = compute_closest_point(aim, facet_nodes(facets, f));
-            closest.distance_squared < smallest)
-          {
-            smallest      = closest.distance_squared;
-            const auto at = [&](const unsigned int k) {
-              return Point3(facets.velocity + facets.velocity_stride * facets.nodes[f][k]);
-            };
-            velocity = at(0);
-            for (unsigned int k = 1; k < 4; ++k)
-              velocity += closest.weights[k] * (at(k) - at(0)); // exact where all are the same
-          }
-      return velocity;
-    }
-
     void move(Bird &bird, const BirdParameters &parameters, const Point3 &way)
     {
       bird.advance_in_flight(1., Point3(parameters.velocity.data()) - way);
@@ -87,26 +38,6 @@ namespace birdstrike
       const double time = to_aim.dot(velocity) / velocity.squaredNorm();
       bird.advance_in_flight(time, velocity - frame); // by time times `frame`
     }
-
-    /// The points moved by `shift`, all with one velocity, and a view of them.
-    struct MovedPoints
-    {
-      std::array<std::vector<double>, 3> position, velocity;
-      PointsView                         view;
-
-      MovedPoints(const PointsView &points, const Point3 &shift, const Point3 &common_velocity) : view(points)
-      {
-        for (int d = 0; d < 3; ++d)
-          {
-            position[d].assign(points.position[d], points.position[d] + points.n);
-            for (double &x : position[d])
-              x += shift[d];
-            velocity[d].assign(points.n, common_velocity[d]);
-            view.position[d] = position[d].data();
-            view.velocity[d] = velocity[d].data();
-          }
-      }
-    };
 
     /// How long (s) before the present place of the points, which fly on with `velocity`, the first of them touched;
     /// 0 if none has. They are followed from where all of them were behind the whole surface.
@@ -128,40 +59,6 @@ namespace birdstrike
       const double      time = behind / velocity.norm();
       const MovedPoints moved(points, -time * velocity, velocity);
       return std::max(0., time - time_to_first_touch(moved.view, facets));
-    }
-
-    [[noreturn]] void refuse_overlap(const Overlap &overlap, const BirdParameters &parameters)
-    {
-      throw InputError(fmt::format("The bird starts inside the blade: {:.3g} m deep at ({:.4g}, {:.4g}, {:.4g}).\n{}",
-                                   overlap.depth, overlap.position[0], overlap.position[1], overlap.position[2],
-                                   parameters.stand_off > 0.
-                                     ? "Enlarge " + parameters.section + "/Stand-off, or set it to 0 to have it chosen."
-                                     : "Move " + parameters.section + "/Aim point, about which it starts."));
-    }
-
-    Box extent_of(const FacetsView &facets)
-    {
-      Box box;
-      for (std::size_t f = 0; f < facets.n_facets; ++f)
-        for (const std::uint32_t n : facets.nodes[f])
-          box.add(facets.position + 3 * n);
-      return box;
-    }
-
-    std::string text_of(const std::array<double, 3> &x)
-    {
-      return fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
-    }
-
-    [[noreturn]] void refuse_miss(const FacetsView &facets, const BirdParameters &parameters)
-    {
-      const Box blade = extent_of(facets);
-      throw InputError(fmt::format(
-        "The bird misses the blade: no particle meets it along {0}/Velocity.\n"
-        "The blade lies between {1} and {2} m.\n"
-        "Change {0}/Aim point or Aim span fraction, {0}/Chordwise offset or {0}/Velocity, or Blade/Mesh/File "
-        "scale of a mesh in another unit than m.",
-        parameters.section, text_of(blade.low), text_of(blade.high)));
     }
 
     /// To the first touch of this surface, part of which moves with the velocity `frame`.

@@ -1,8 +1,13 @@
 #include "simulation/projectile/projectile.h"
+
+#include "simulation/projectile/from_position.h"
 #include <birdstrike/bird/bird.h>
+#include <birdstrike/bird/shape.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
+#include <birdstrike/core/simd/larger.h>
+#include <birdstrike/io/aimed_surface.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
 
@@ -19,7 +24,7 @@ namespace birdstrike
     /// Spacings between bird and blade at which a bird waits no longer: contact reaches half a one.
     constexpr double reach = 2.;
 
-    std::unique_ptr<const BirdParameters> along(const std::array<double, 3> &span, const BirdParameters &bird)
+    std::unique_ptr<BirdParameters> along(const std::array<double, 3> &span, const BirdParameters &bird)
     {
       auto own  = std::make_unique<BirdParameters>(bird);
       own->span = span;
@@ -78,10 +83,16 @@ namespace birdstrike
   Projectile::Projectile(Projectile &&) noexcept = default;
   Projectile::~Projectile()                      = default;
 
-  void Projectile::place(Blade &blade, const ContactParameters &contact_parameters)
+  void Projectile::place(Blade &blade, const BladeParameters &of_blade, const ContactParameters &contact_parameters)
   {
-    contact     = std::make_unique<Contact>(contact_parameters);
-    first_touch = place_at_first_touch(*bird, blade, parameters);
+    contact = std::make_unique<Contact>(contact_parameters);
+    if (parameters.position.empty())
+      first_touch = place_at_first_touch(*bird, blade, parameters);
+    else
+      {
+        first_touch        = place_at_position(*bird, blade, *own);
+        own->aimed_surface = find_aimed_surface(parameters, of_blade);
+      }
     contact->hold_patches(blade.facets());
     bird->set_closing_speed(first_touch.closing_speed);
     is_waiting = parameters.arrival > 0.;
@@ -129,6 +140,11 @@ namespace birdstrike
           extent.low[d] += step * parameters.velocity[d];
           extent.high[d] += step * parameters.velocity[d];
         }
+  }
+
+  double Projectile::passing_time() const
+  {
+    return Shape(parameters).whole_diameter() / first_touch.closing_speed;
   }
 
   bool Projectile::is_contact_softened() const
@@ -206,7 +222,7 @@ namespace birdstrike
           sum.*energy += one.*energy;
         for (auto largest : {&ContactReport::largest_frequency, &ContactReport::penetration,
                              &ContactReport::max_penetration, &ContactReport::max_penetration_over_spacing})
-          sum.*largest = std::max(sum.*largest, one.*largest);
+          sum.*largest = larger(sum.*largest, one.*largest);
         for (auto count : {&ContactReport::calls, &ContactReport::skipped, &ContactReport::searches,
                            &ContactReport::reused, &ContactReport::pairs_listed, &ContactReport::pairs_tested,
                            &ContactReport::points_near, &ContactReport::points_active, &ContactReport::touches})

@@ -40,7 +40,7 @@ namespace birdstrike
     const unsigned int number; ///< 1: section Bird
 
   private:
-    std::unique_ptr<const BirdParameters> own; // with the span
+    std::unique_ptr<BirdParameters> own; // with the span, and what follows from a position
 
   public:
     const BirdParameters    &parameters;
@@ -62,8 +62,9 @@ namespace birdstrike
     unsigned long n_steps_with       = 0;
     double        reachable_impulse  = 0.; ///< N s, of the particles left when its phase ended
 
-    /// Puts it at the first touch of the blade, which it waits for if that comes later, and gives it a contact.
-    void place(Blade &blade, const ContactParameters &contact);
+    /// Puts it at the first touch of the blade, which it waits for if that comes later, or at its position, and gives
+    /// it a contact.
+    void place(Blade &blade, const BladeParameters &of_blade, const ContactParameters &contact);
 
     bool is_to_come() const ///< a later bird that has struck nothing yet
     {
@@ -73,6 +74,8 @@ namespace birdstrike
     {
       return bird != nullptr && !is_waiting;
     }
+    double passing_time() const; ///< s, in which it closes in by its own diameter
+
     /// Whether the blade is so light that contact is softened for the step with which particles meet it.
     bool is_contact_softened() const;
 

@@ -1,12 +1,15 @@
 #include "simulation/warnings/case_warnings.h"
 #include "simulation/explain.h"
 #include "simulation/scene.h"
+#include "simulation/warnings/equilibrium_warning.h"
 #include "simulation/warnings/mesh_warnings.h"
+#include "simulation/warnings/stiff_target.h"
 #include "simulation/warnings/unit_warnings.h"
 #include "simulation/warnings/unused_entries.h"
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
 #include <birdstrike/contact/facet_grid.h>
+#include <birdstrike/core/machine.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/structure/blade.h>
@@ -14,13 +17,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <set>
-#include <sstream>
 
 namespace birdstrike
 {
   namespace
   {
+    const std::string by_table = "table"; ///< of entries that the named metal fills
+
     /// Of a shell: how many facets are thicker than `thickest` times their shortest side.
     std::size_t count_thick(const FacetsView &facets, const double thickest)
     {
@@ -109,19 +112,30 @@ namespace birdstrike
                                      : "")});
     }
 
-    void check_projectile(const Projectile &projectile, const double end_time, Warnings &warnings)
+    void check_spacing(const Projectile &projectile, const double across, Warnings &warnings)
     {
-      if (projectile.contact)
-        check_aim(projectile, warnings);
-      check_arrival(projectile, end_time, warnings);
-      check_slice(projectile, warnings);
-      const BirdParameters &bird   = projectile.parameters;
-      const double          across = count_particles_across(projectile);
+      const BirdParameters &bird = projectile.parameters;
       if (bird.shape != BirdShape::slab && across < 8.)
-        warnings.push_back({"bird/coarse", fmt::format("{:.1f} particles across the bird: impulse and deflection are "
-                                                       "within a percent from about ten on, where an edge cuts the "
-                                                       "bird within ten percent at 16 ({}/Particle spacing).",
-                                                       across, bird.section)});
+        warnings.push_back(
+          {"bird/coarse", fmt::format("{:.1f} particles across the bird: impulse and deflection of a thin blade struck "
+                                      "on its face are within about two percent from ten on, of a stiff target from "
+                                      "20 on; where an edge cuts the bird within ten percent at 16 ({}/Particle "
+                                      "spacing).",
+                                      across, bird.section)});
+    }
+
+    void check_projectile(const CaseParameters &parameters, const Scene &scene, const Projectile &projectile,
+                          Warnings &warnings)
+    {
+      const double across = count_particles_across(projectile);
+      if (projectile.contact)
+        {
+          check_aim(projectile, warnings);
+          check_stiff_target(parameters.blade, *scene.blade, projectile, across, warnings);
+        }
+      check_arrival(projectile, parameters.time.end_time, warnings);
+      check_slice(projectile, warnings);
+      check_spacing(projectile, across, warnings);
     }
 
     /// A name that is changed from outside leaves what the file says beside it.
@@ -141,22 +155,49 @@ namespace birdstrike
         }
     }
 
-    /// Whether no line of a parameter file sets or includes anything.
-    bool sets_nothing(const std::string &file)
+    /// What a metal that is named alone does not do, for the table has a yield stress and no flow curve.
+    std::string describe_perfect(const Metal &metal, const std::string &section)
     {
-      static const std::set<std::string> statements{"set", "SET", "include", "INCLUDE"};
-      std::istringstream                 lines(file);
-      for (std::string line; std::getline(lines, line);)
+      const bool has_rates = metal.hardening.rate_factor > 0.;
+      return fmt::format(
+        "{0}: '{1}' has a yield stress of {2}, but no hardening{3}, neither in the table nor in the file. The metal "
+        "flows "
+        "at this stress, however far and fast it is strained: plastic strains and deflections come out too large, "
+        "forces and moments too small. Give Hardening with its constants (linear with Hardening modulus, johnson-cook, "
+        "curve){4} of {0}; or Hardening = perfect, if that is meant.",
+        section, metal.name, format_quantity(metal.hardening.yield, "Pa"), has_rates ? "" : " and no strain rates",
+        has_rates ? "" : " and Rate factor");
+    }
+
+    void check_hardening(const CaseParameters &parameters, Warnings &warnings)
+    {
+      for (const auto &[number, of_section] : parameters.blade.by_section())
         {
-          std::istringstream words(line);
-          std::string        first;
-          words >> first;
-          if (first.starts_with("\xEF\xBB\xBF")) // the mark of UTF-8
-            first.erase(0, 3);
-          if (statements.contains(first))
-            return false;
+          const std::string section = "Blade/" + BladeParameters::section_path(number) + "Material";
+          const std::string given   = parameters.file.given_value(section + "/Hardening");
+          const bool        is_as_the_blade =
+            number > 0 && parameters.blade.sections[number - 1].material.name == BladeParameters::Section::same;
+          if (of_section.is_laminate() || is_as_the_blade || (!given.empty() && given != by_table))
+            continue;
+          if (const Metal metal = of_section.material.metal(section + "/");
+              metal.hardening.law == HardeningLaw::perfect)
+            warnings.push_back({"metal/no_hardening", describe_perfect(metal, section)});
         }
-      return true;
+    }
+
+    void check_threads(const TimeParameters &time, Warnings &warnings)
+    {
+      const std::size_t n_cores = usable_cores();
+      if (time.threads <= n_cores)
+        return;
+      const std::string found = fmt::format("Time/Threads = {}, and this process may run on {}", time.threads,
+                                            n_cores == 1 ? std::string("one core") : fmt::format("{} cores", n_cores));
+      warnings.push_back({"run/threads", time.forces_threads
+                                           ? found + " (Time/Force threads): threads that take turns on a core are "
+                                                     "many times slower than one thread a core."
+                                           : found + fmt::format(": {} are started. Time/Force threads = true starts "
+                                                                 "all, which is many times slower.",
+                                                                 time.n_threads())});
     }
   } // namespace
 
@@ -164,10 +205,13 @@ namespace birdstrike
   {
     Warnings               warnings = find_unused_entries(parameters);
     const BladeParameters &blade    = parameters.blade;
-    if (sets_nothing(parameters.file.original()))
+    if (!parameters.file.says_anything())
       warnings.push_back({"case/empty", "The parameter file sets nothing: but for --set this is the default case."});
     if (blade.is_deformable())
-      check_renamed_metals(parameters, warnings);
+      {
+        check_renamed_metals(parameters, warnings);
+        check_hardening(parameters, warnings);
+      }
     if (blade.is_deformable() && blade.mesh.generator != MeshGenerator::flat_plate && Rotor(blade.spin).turns() &&
         !parameters.file.is_given("Blade/Spin/Axis"))
       warnings.push_back({"blade/axis_not_given",
@@ -175,6 +219,9 @@ namespace birdstrike
                             (blade.mesh.generator == MeshGenerator::blade
                                ? ", while stagger and sweep of Mesh/Profile are those of an engine whose axis is y."
                                : ", wherever the engine's axis lies in Mesh/File.")});
+    for (const std::string &sentence : parameters.file.file_warnings())
+      warnings.push_back({"entry/path", sentence});
+    check_threads(parameters.time, warnings);
     check_units(parameters, warnings);
     return warnings;
   }
@@ -186,9 +233,10 @@ namespace birdstrike
       {
         check_mesh(parameters, *scene.blade, warnings);
         check_thick_shells(scene, warnings);
+        check_equilibrium(scene.blade->static_report(), scene.blade->rotor() != nullptr, warnings);
       }
     for (const Projectile &each : scene.birds)
-      check_projectile(each, parameters.time.end_time, warnings);
+      check_projectile(parameters, scene, each, warnings);
     warnings.insert(warnings.end(), scene.histories.warnings.begin(), scene.histories.warnings.end());
     constexpr double much = 20. * 1024. * 1024. * 1024.; // bytes, 20 GiB
     if (const double bytes = compute_field_bytes(parameters, scene); bytes > much)

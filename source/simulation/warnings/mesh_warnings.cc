@@ -1,8 +1,6 @@
 #include "simulation/warnings/mesh_warnings.h"
 #include "simulation/warnings/plausible.h"
 #include <birdstrike/contact/facet_grid.h>
-#include <birdstrike/core/box.h>
-#include <birdstrike/core/closest_point.h>
 #include <birdstrike/core/contact_views.h>
 #include <birdstrike/core/expression.h>
 #include <birdstrike/io/case_parameters.h>
@@ -18,26 +16,29 @@ namespace birdstrike
 {
   namespace
   {
-    void check_layers(const BladeParameters &blade, const unsigned int n_layers, Warnings &warnings)
+    void check_layers(const BladeParameters &blade, const BladeCensus &census, Warnings &warnings)
     {
-      if (blade.kind != BladeKind::solid || n_layers == 0)
+      if (blade.kind != BladeKind::solid)
         return;
       const bool is_file = blade.mesh.generator == MeshGenerator::file;
-      for (const auto &[number, of_section] : blade.by_section())
+      const auto of      = blade.by_section();
+      for (const FormulationCensus &each : census.formulations)
         {
-          const SolidFormulation kind      = of_section.solid_formulation();
-          const bool             can_yield = of_section.material.metal().hardening.law != HardeningLaw::elastic;
-          const char            *why       = nullptr;
-          if (kind == SolidFormulation::b_bar && n_layers < 4)
+          const BladeParameters &of_section = of.at(each.section);
+          const bool             can_yield  = of_section.material.metal().hardening.law != HardeningLaw::elastic;
+          const char            *why        = nullptr;
+          if (each.formulation == ElementFormulation(SolidFormulation::b_bar) && each.n_layers < 4)
             why = "fully integrated bricks lock in bending (first frequency of a thin plate +23 % with two layers)";
-          else if (kind == SolidFormulation::one_point && n_layers < 4 && can_yield)
+          else if (each.formulation == ElementFormulation(SolidFormulation::one_point) && each.n_layers < 4 &&
+                   can_yield)
             why = "such a section yields as few points or as a whole, not layer by layer";
           if (why != nullptr)
             warnings.push_back(
               {"blade/layers",
-               fmt::format("{} = {} with Blade/{}Element/Formulation = {}: {}. {} bend right.",
-                           is_file ? "Layers of bricks in Blade/Mesh/File" : "Blade/Mesh/Layers", n_layers,
-                           BladeParameters::section_path(number), of_section.formulation_name(), why,
+               fmt::format("{} = {} with Blade/{}Element/Formulation = {} ({} elements): {}. {} bend right.",
+                           is_file ? "Layers of bricks in Blade/Mesh/File" : "Blade/Mesh/Layers", each.n_layers,
+                           BladeParameters::section_path(each.section), element_formulations().name(each.formulation),
+                           each.n_elements, why,
                            of_section.can_fail() ? "Four layers" : "One layer of solid-shells, or four layers,")});
         }
     }
@@ -184,43 +185,41 @@ namespace birdstrike
                        length, length / parameters.blade.mesh.length)});
     }
 
-    /// Nodes of the surface at the same place, to a millionth of the smallest edge: how many lie on one that comes
-    /// before.
-    void check_joints(const FacetsView &facets, const BladeCensus &census, Warnings &warnings)
+    std::string describe(const OpenSeams::Found &found)
     {
-      std::vector<bool> is_of_surface(facets.n_nodes, false);
-      for (std::size_t f = 0; f < facets.n_facets; ++f)
-        for (const std::uint32_t node : facets.nodes[f])
-          is_of_surface[node] = true;
-      std::vector<Point3> places;
-      Box                 all;
-      for (std::size_t n = 0; n < facets.n_nodes; ++n)
-        if (is_of_surface[n])
-          {
-            places.emplace_back(facets.position + 3 * n);
-            all.add(places.back().data());
-          }
-      unsigned int axis = 0; // the longest: rows of nodes at one place of it are short
-      for (unsigned int d = 1; d < 3; ++d)
-        if (all.high[d] - all.low[d] > all.high[axis] - all.low[axis])
-          axis = d;
-      std::sort(places.begin(), places.end(), [&](const Point3 &a, const Point3 &b) { return a[axis] < b[axis]; });
-      const double  near    = 1e-6 * census.smallest_edge;
-      std::size_t   n_pairs = 0;
-      const Point3 *first   = nullptr;
-      for (std::size_t i = 0; i < places.size(); ++i)
-        for (std::size_t j = i + 1; j < places.size() && places[j][axis] - places[i][axis] <= near; ++j)
-          if ((places[j] - places[i]).squaredNorm() <= near * near)
-            {
-              ++n_pairs;
-              first = first == nullptr ? &places[i] : first;
-            }
-      if (n_pairs > 0)
+      return found.largest_gap == 0.
+               ? fmt::format("at the same place ({:.6g}, {:.6g}, {:.6g}) m", found.at[0], found.at[1], found.at[2])
+               : fmt::format("{:.3g} mm apart ({:.2g} % of the elements there), at ({:.6g}, {:.6g}, {:.6g}) m",
+                             1e3 * found.largest_gap, 1e2 * found.share, found.at[0], found.at[1], found.at[2]);
+    }
+
+    void check_joints(const OpenSeams &seams, Warnings &warnings)
+    {
+      const auto &[pairs, beside] = seams;
+      if (pairs.n > 0)
         warnings.push_back(
           {"blade/not_joined",
-           fmt::format("{} pairs of nodes at the same place, one at ({:.4g}, {:.4g}, {:.4g}) m, are not "
-                       "joined: the blade is cut there. Merge coincident nodes if it is not meant to be.",
-                       n_pairs, (*first)[0], (*first)[1], (*first)[2])});
+           fmt::format("{} pairs of nodes lie on one another, within {:g} % of the elements there, and are not joined: "
+                       "the blade is cut there. The farthest, nodes {} and {}, are {}. Merge such nodes in the mesh "
+                       "program, with a tolerance above this, if the blade is not meant to be cut.",
+                       pairs.n, 1e2 * OpenSeams::near, pairs.labels[0], pairs.labels[1], describe(pairs))});
+      if (beside.n > 0)
+        warnings.push_back(
+          {"blade/not_joined",
+           fmt::format("{} nodes lie beside an element that has no node there, within {:g} % of its size, and are not "
+                       "joined to it: the blade is cut there. The farthest, node {} and element {}, are {}. Mesh both "
+                       "sides alike there if the blade is not meant to be cut.",
+                       beside.n, 1e2 * OpenSeams::near, beside.labels[0], beside.labels[1], describe(beside))});
+    }
+
+    void check_file_notes(const CaseParameters &parameters, const FileNotes &notes, Warnings &warnings)
+    {
+      const auto add = [&](const std::string &text) {
+        warnings.push_back({"blade/not_read", "'" + parameters.blade.mesh.file + "': " + text});
+      };
+      std::ranges::for_each(notes.always, add);
+      if (parameters.blade.laminate.is_given())
+        std::ranges::for_each(notes.of_plies, add);
     }
   } // namespace
 
@@ -252,8 +251,10 @@ namespace birdstrike
     if (is_file && blade.kind() == BladeKind::shell)
       check_top(parameters.blade, blade.facets(), warnings);
     if (is_file)
-      check_joints(blade.facets(), census, warnings);
-    check_layers(parameters.blade, census.n_layers, warnings);
+      check_joints(census.seams, warnings);
+    check_file_notes(parameters, census.file_notes, warnings);
+    check_layers(parameters.blade, census, warnings);
     check_sizes(parameters.blade, census, warnings);
+    warnings.insert(warnings.end(), census.warnings.begin(), census.warnings.end());
   }
 } // namespace birdstrike

@@ -42,7 +42,7 @@ namespace birdstrike
         for (const BirdCase &each : parameters.birds())
           add_correction(each.bird);
         for (const CaseParameters::FurtherBird &each : parameters.further_birds)
-          if (!each.bird.enabled && parameters.file.is_changed(each.bird.section))
+          if (!each.bird.enabled && !parameters.is_blade_alone && parameters.file.is_changed(each.bird.section))
             warnings.push_back(
               {"entry/unused", each.bird.section + "/Enabled is false: no other entry of this section is used."});
         return warnings;

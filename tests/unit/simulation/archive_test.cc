@@ -206,7 +206,8 @@ namespace
     ASSERT_TRUE(middle.contains(of.happened)) << of.happened;
     EXPECT_GT(largest(middle.at(of.happened)), 0.) << of.happened << " at step " << n;
 
-    Running resumed(of.file, with(of.overrides, {"Time/Threads=" + std::to_string(of.threads)}));
+    Running resumed(of.file,
+                    with(of.overrides, {"Time/Threads=" + std::to_string(of.threads), "Time/Force threads=true"}));
     resumed.read(middle);
     EXPECT_EQ(find_difference(middle, resumed.write()), "") << "read at step " << n;
     whole.advance(more);

@@ -4,6 +4,7 @@
 
 #include "simulation/scene.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/core/machine.h>
 #include <birdstrike/io/case_parameters.h>
 
 #include <stdlib.h>
@@ -47,6 +48,50 @@ TEST(CaseWarnings, AShippedCaseHasNone)
 {
   EXPECT_EQ(codes(of_inputs({})), codes({}));
   EXPECT_EQ(of_scene({}), codes({}));
+}
+
+// A plate that spins about its span is softened by m w^2, and has no tension: its equilibrium ends at its first
+// frequency, 1.8751^2 t sqrt(E/(12 rho))/L^2 = 227 rad/s.
+TEST(CaseWarnings, SaysThatTheEquilibriumAtTheStartIsUnstable)
+{
+  for (const auto &[speed, is_unstable] : {std::pair("200", false), {"260", true}})
+    {
+      const auto all = of_scene({"Blade/Spin/Axis=1, 0, 0", std::string("Blade/Spin/Speed=") + speed});
+      EXPECT_EQ(std::ranges::count(all, "blade/unstable_equilibrium"), is_unstable) << speed;
+    }
+}
+
+// 'Ti-6Al-4V' of the table has a yield stress of 880 MPa (MatWeb) and no flow curve.
+TEST(CaseWarnings, SaysWhatAMetalThatIsNamedAloneDoesNotDo)
+{
+  const auto of_case = [](const std::vector<std::string> &overrides) {
+    CaseParameters parameters;
+    parameters.read(BIRDSTRIKE_SOURCE_DIR "/tests/data/alone.prm", overrides);
+    return find_input_warnings(parameters);
+  };
+  const Warnings said = of_case({});
+  ASSERT_EQ(codes(said), std::vector<std::string>{"metal/no_hardening"});
+  for (const char *part : {"Blade/Material: 'Ti-6Al-4V'", "880 MPa", "no hardening and no strain rates", "Rate factor",
+                           "Hardening = perfect"})
+    EXPECT_NE(said[0].text.find(part), std::string::npos) << said[0].text;
+  EXPECT_EQ(codes(of_case({"Blade/Material/Hardening=table"})), codes(said)) << "what the table has is none";
+  EXPECT_EQ(codes(of_case({"Blade/Material/Yield stress=900 MPa"})), codes(said));
+  EXPECT_NE(of_case({"Blade/Material/Rate factor=0.02"})[0].text.find("but no hardening, neither"), std::string::npos);
+  for (const char *known : {"Blade/Material/Hardening=perfect", "Blade/Material/Hardening=elastic",
+                            "Blade/Material/Name=Al 2024 Johnson-Cook", "Blade/Kind=rigid"})
+    EXPECT_FALSE(std::ranges::count(codes(of_case({known})), "metal/no_hardening")) << known;
+}
+
+TEST(CaseWarnings, NamesMoreThreadsThanCores)
+{
+  EXPECT_EQ(codes(of_inputs({"Time/Threads=4096"})), std::vector<std::string>{"run/threads"});
+  EXPECT_NE(of_inputs({"Time/Threads=4096", "Time/Force threads=true"})[0].text.find("many times slower"),
+            std::string::npos);
+  CaseParameters parameters;
+  parameters.read(frontal, {"Time/Threads=4096"});
+  EXPECT_EQ(parameters.time.n_threads(), usable_cores());
+  parameters.read(frontal, {"Time/Threads=4096", "Time/Force threads=true"});
+  EXPECT_EQ(parameters.time.n_threads(), 4096u);
 }
 
 TEST(CaseWarnings, NamesTheUnitThatWasMeant)
@@ -248,9 +293,7 @@ TEST(CaseWarnings, AFileThatSetsNothingIsTheDefaultCase)
       std::ofstream(folder / "other.prm") << "";
       CaseParameters parameters;
       parameters.read((folder / "case.prm").string());
-      EXPECT_EQ(codes(find_input_warnings(parameters)),
-                is_empty ? std::vector<std::string>{"case/empty"} : std::vector<std::string>{})
-        << text;
+      EXPECT_EQ(std::ranges::count(codes(find_input_warnings(parameters)), "case/empty"), is_empty ? 1 : 0) << text;
     }
   std::filesystem::remove_all(folder);
 }
@@ -344,6 +387,35 @@ TEST(CaseWarnings, ABirdOfFewParticlesIsCoarse)
   parameters.read(frontal, {"Bird/Particle spacing=0.006"});
   const Scene scene(parameters);
   EXPECT_EQ(codes(find_scene_warnings(parameters, scene)), std::vector<std::string>{"bird/coarse"});
+}
+
+// Impulses of frontal.prm and rigid-plate.prm at 4 and 1.8 mm say which targets are stiff: 3.7 % too large on a rigid
+// plate and about as much on 8 and 16 mm of titanium, one on 4.27 mm.
+TEST(CaseWarnings, AStiffTargetNeedsFinerParticles)
+{
+  const auto of_case = [](const std::string &name, const std::vector<std::string> &overrides) {
+    CaseParameters parameters;
+    parameters.read(BIRDSTRIKE_SOURCE_DIR "/prm/" + name, overrides);
+    const Scene scene(parameters);
+    const auto  all = codes(find_scene_warnings(parameters, scene));
+    return std::count(all.begin(), all.end(), std::string("bird/stiff_target"));
+  };
+  EXPECT_EQ(of_case("rigid-plate.prm", {"Bird/Particle spacing=0.004"}), 1);
+  EXPECT_EQ(of_case("rigid-plate.prm", {}), 0) << "20 particles across";
+  EXPECT_EQ(of_case("rigid-plate.prm",
+                    {"Bird/Particle spacing=0.004", "Blade/Rigid/Motion=free along normal", "Blade/Rigid/Mass=0.05"}),
+            0)
+    << "it flies off";
+  for (const char *kind : {"shell", "solid"})
+    for (const auto &[thickness, n] : {std::pair{"0.00427", 0}, {"0.008", 1}, {"0.016", 1}})
+      EXPECT_EQ(of_case("frontal.prm", {"Bird/Particle spacing=0.004", "Blade/Mesh/Elements along span=31",
+                                        "Blade/Mesh/Elements along chord=9", std::string("Blade/Kind=") + kind,
+                                        std::string("Blade/Thickness/Value=") + thickness}),
+                n)
+        << kind << ' ' << thickness;
+  for (const char *name : {"oblique.prm", "fan-blade.prm", "fan-blade-composite.prm", "fan-row.prm", "sheath.prm",
+                           "perforation.prm", "quickstart.prm"})
+    EXPECT_EQ(of_case(name, {}), 0) << name;
 }
 
 TEST(CaseWarnings, AShellThickerThanItsElementsIsNone)

@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, FoldedBlade, ::testing::Bool(),
 TEST(SelfContactInAStrike, IsTheSameForAnyNumberOfThreads)
 {
   const Outcome one   = run_folded(false, {"Time/End time=0.3e-3"}),
-                three = run_folded(false, {"Time/End time=0.3e-3", "Time/Threads=3"});
+                three = run_folded(false, {"Time/End time=0.3e-3", "Time/Threads=3", "Time/Force threads=true"});
   EXPECT_GT(one.touches, 0U);
   EXPECT_EQ(one.momentum, three.momentum);
   EXPECT_EQ(one.dissipated, three.dissipated);

@@ -45,7 +45,8 @@ TEST(Perforation, TheBirdGoesThroughAndTheBalanceHolds)
 
 TEST(Perforation, IsBitwiseTheSameForOneAndTwoThreads)
 {
-  const Strike one = run_perforation({"Time/Threads=1"}), two = run_perforation({"Time/Threads=2"});
+  const Strike one = run_perforation({"Time/Threads=1"}),
+               two = run_perforation({"Time/Threads=2", "Time/Force threads=true"});
   EXPECT_EQ(one.curves, two.curves);
 }
 
@@ -96,6 +97,7 @@ TEST(Perforation, OfBricksIsBitwiseTheSameForOneAndTwoThreads)
   more.push_back("Time/Threads=1");
   const Strike one = run_perforation(more);
   more.back()      = "Time/Threads=2";
+  more.push_back("Time/Force threads=true");
   const Strike two = run_perforation(more);
   EXPECT_GT(one.summary.number("failed/elements"), 0u);
   EXPECT_EQ(one.curves, two.curves);

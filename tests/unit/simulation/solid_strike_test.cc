@@ -57,7 +57,7 @@ TEST(SolidStrike, SubCyclesDoNotRingTheThickness)
 TEST(SolidStrike, IsBitwiseTheSameForOneAndTwoThreads)
 {
   const Strike one = run_solid({"Time/Threads=1", "Time/End time=0.3e-3"}),
-               two = run_solid({"Time/Threads=2", "Time/End time=0.3e-3"});
+               two = run_solid({"Time/Threads=2", "Time/Force threads=true", "Time/End time=0.3e-3"});
   EXPECT_EQ(one.curves, two.curves);
 }
 

@@ -53,7 +53,7 @@ TEST(Strike, TheTipFirstMovesBackwards)
 
 TEST(Strike, IsBitwiseTheSameForOneAndTwoThreads)
 {
-  const Strike one = run_coarse({"Time/Threads=1"}), two = run_coarse({"Time/Threads=2"});
+  const Strike one = run_coarse({"Time/Threads=1"}), two = run_coarse({"Time/Threads=2", "Time/Force threads=true"});
   EXPECT_EQ(one.curves, two.curves);
 }
 
