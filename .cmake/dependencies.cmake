@@ -14,15 +14,28 @@ foreach(feature MPI P4EST TRILINOS HDF5)
     "deal.II was built without ${feature}: install libdeal.ii-dev (Debian) or rebuild deal.II with -DDEAL_II_WITH_${feature}=ON.")
 endforeach()
 
-# Of Trilinos what static equilibrium and modes need.
+# deal.II up to 9.5 names its include folders and libraries, later versions have targets alone.
+set(dealii_folders ${DEAL_II_INCLUDE_DIRS})
+set(dealii_libraries ${DEAL_II_LIBRARIES})
+if(NOT dealii_libraries)
+  set(dealii_libraries ${DEAL_II_TARGET})
+  if(TARGET dealii::interface_trilinos)
+    get_target_property(dealii_folders dealii::interface_trilinos INTERFACE_INCLUDE_DIRECTORIES)
+  endif()
+endif()
+
+# Static equilibrium and modes need these packages of Trilinos.
 foreach(header Amesos.h AnasaziEpetraAdapter.hpp)
   string(MAKE_C_IDENTIFIER ${header} name)
-  find_path(BIRDSTRIKE_${name} ${header} HINTS ${DEAL_II_INCLUDE_DIRS} NO_CACHE)
+  find_path(BIRDSTRIKE_${name} ${header} HINTS ${dealii_folders} NO_CACHE)
   birdstrike_require(BIRDSTRIKE_${name}
     "deal.II's Trilinos has no ${header}: install libtrilinos-amesos-dev and libtrilinos-anasazi-dev (Debian), or rebuild Trilinos with them.")
 endforeach()
 
-find_package(Eigen3 3.4 QUIET NO_MODULE)
+find_package(Eigen3 QUIET NO_MODULE) # without a version: Eigen 5 says that it does not replace 3.4
+if(Eigen3_FOUND AND Eigen3_VERSION VERSION_LESS 3.4)
+  set(Eigen3_FOUND OFF)
+endif()
 birdstrike_require(Eigen3_FOUND "Eigen 3.4 or newer is needed: apt-get install libeigen3-dev.")
 find_package(spdlog 1.10 QUIET)
 birdstrike_require(spdlog_FOUND "spdlog 1.10 or newer is needed: apt-get install libspdlog-dev libfmt-dev.")
@@ -37,18 +50,18 @@ if(BIRDSTRIKE_TESTS)
   birdstrike_require(GTest_FOUND "GoogleTest 1.12 or newer is needed: apt-get install libgtest-dev (or -DBIRDSTRIKE_TESTS=OFF).")
 endif()
 
-# deal.II's own compile flags (unrolling, its warning list) stay out: only headers, libraries and its DEBUG switch.
+# deal.II's own compile flags (unrolling, its warning list) stay out where it allows: only headers, libraries and its DEBUG switch.
 add_library(birdstrike_dealii INTERFACE)
-target_include_directories(birdstrike_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
-target_link_libraries(birdstrike_dealii INTERFACE ${DEAL_II_LIBRARIES})
+target_include_directories(birdstrike_dealii SYSTEM INTERFACE ${dealii_folders})
+target_link_libraries(birdstrike_dealii INTERFACE ${dealii_libraries})
 # MPI's deprecated C++ bindings are not used; without this their inline functions are compiled into every file.
 target_compile_definitions(birdstrike_dealii INTERFACE OMPI_SKIP_MPICXX)
-# deal.II brings some two hundred shared libraries. GNU ld searches through their own dependencies for more than five
-# minutes an executable (measured, binutils 2.40); gold and lld take two seconds.
-find_program(BIRDSTRIKE_LINKER NAMES ld.gold ld.lld)
-if(BIRDSTRIKE_LINKER MATCHES gold)
-  target_link_options(birdstrike_dealii INTERFACE -fuse-ld=gold)
-elseif(BIRDSTRIKE_LINKER MATCHES lld)
-  target_link_options(birdstrike_dealii INTERFACE -fuse-ld=lld)
+# deal.II brings some two hundred shared libraries. GNU ld 2.40 searches through their own dependencies for more than five
+# minutes an executable, GNU ld 2.44 for 14 s; mold, gold and lld take one or two.
+find_program(BIRDSTRIKE_LINKER NAMES ld.gold ld.mold ld.lld)
+if(BIRDSTRIKE_LINKER)
+  get_filename_component(linker ${BIRDSTRIKE_LINKER} EXT)
+  string(SUBSTRING ${linker} 1 -1 linker)
+  target_link_options(birdstrike_dealii INTERFACE -fuse-ld=${linker})
 endif()
 target_compile_definitions(birdstrike_dealii INTERFACE $<$<CONFIG:Debug>:DEBUG>)

@@ -1,4 +1,7 @@
-# One library per room. Usage: birdstrike_room(blade DEPENDS core material LIBRARIES birdstrike_dealii)
+# One library per room. Usage: birdstrike_room(blade DEPENDS core material LIBRARIES birdstrike_dealii ALONE elements/)
+# Most of a file's compilation is Eigen and SIMD: several files at a time read them once (BIRDSTRIKE_UNITY). Files whose path matches a
+# regular expression of ALONE are compiled by themselves: loops of a step, which the compiler optimises as they stand, and files that share
+# a name outside functions.
 
 add_library(birdstrike_options INTERFACE)
 target_compile_options(birdstrike_options INTERFACE -Wall -Wextra -Wpedantic)
@@ -41,10 +44,18 @@ target_compile_options(birdstrike_options INTERFACE $<$<CONFIG:Release>:-O3> -fn
 target_link_options(birdstrike_options INTERFACE -Wl,--as-needed -Wl,--build-id=sha1)
 
 function(birdstrike_room name)
-  cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES;ALONE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/source/${name}/*.cc)
   list(TRANSFORM ROOM_DEPENDS PREPEND birdstrike_)
   add_library(birdstrike_${name} STATIC ${sources})
+  if(BIRDSTRIKE_UNITY)
+    set_target_properties(birdstrike_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    foreach(pattern ${ROOM_ALONE})
+      set(alone ${sources})
+      list(FILTER alone INCLUDE REGEX "/source/${name}/.*${pattern}")
+      set_source_files_properties(${alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endforeach()
+  endif()
   target_link_libraries(birdstrike_${name} PUBLIC birdstrike_options Eigen3::Eigen ${ROOM_DEPENDS} ${ROOM_LIBRARIES})
 endfunction()
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, times every kernel and three reference runs on one and two threads, and writes the
-# table "Speed" of the README to stdout:
+# table of speeds in tests/README.md to stdout:
 #   bash tests/benchmarks/run.sh [arguments of Google Benchmark, e.g. --benchmark_filter=bird]
 # All that was measured, the table and the roofline picture stay in build/speed. Ten minutes on two cores, which should
 # have nothing else to do. BIRDSTRIKE_REPEATS (3) is the number of times each reference run is repeated; BIRDSTRIKE_BEFORE is

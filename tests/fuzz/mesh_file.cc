@@ -4,6 +4,8 @@
 
 #include "fuzz_input.h"
 
+#include <algorithm>
+
 namespace
 {
   using namespace birdstrike;
@@ -16,11 +18,12 @@ namespace
 
   /// A mesh until a blade can stand on it: cells, sides, names, masses.
   template <int dim>
-  void read_mesh(const std::string &file)
+  void read_mesh(const std::string &file, const std::string &parts)
   {
     GeometryParameters parameters;
     parameters.mesh.generator = MeshGenerator::file;
     parameters.mesh.file      = file;
+    parameters.mesh.parts     = parts;
     const BladeMesh<dim> mesh(parameters);
     mesh.compute_mass(DensityLaw(4430.), make_thickness_law(parameters));
   }
@@ -37,7 +40,7 @@ namespace
 } // namespace
 
 /// The first two letters say what follows them: the format by its ending (m, i, k, v; t is a table of thicknesses) and
-/// the dimension (2, 3) of the cells that are wanted.
+/// the dimension (2, 3) of the cells that are wanted; a '=' behind them begins a line with the parts that are wanted.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
 {
   if (size < 2)
@@ -47,15 +50,22 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
   const std::size_t      format    = letters.find(static_cast<char>(data[0]));
   if (format == letters.npos)
     return -1;
-  const std::string file = folder().write(std::string("input.") + endings[format], fuzz::text_of(data + 2, size - 2));
+  const bool        has_parts = size > 2 && data[2] == '=';
+  const auto *const end       = data + size;
+  const auto *const line      = has_parts ? std::find(data + 3, end, '\n') : data + 2;
+  const std::string parts(has_parts ? fuzz::text_of(data + 3, static_cast<std::size_t>(line - data) - 3)
+                                    : std::string_view());
+  const auto *const text = has_parts && line != end ? line + 1 : line;
+  const std::string file =
+    folder().write(std::string("input.") + endings[format], fuzz::text_of(text, static_cast<std::size_t>(end - text)));
   try
     {
       if (format == 4)
         read_thickness_table(file);
       else if (data[1] == '3')
-        read_mesh<3>(file);
+        read_mesh<3>(file, parts);
       else
-        read_mesh<2>(file);
+        read_mesh<2>(file, parts);
     }
   catch (const InputError &)
     {

@@ -163,10 +163,10 @@ namespace birdstrike::studies
         Lanes                    plastic  = 0.;
         const Lanes              smallest = Brick::add_forces(
                        x, u,
-                       [&](const Matrix3<Lanes> &gradient, const int q, const Lanes &volume) [[gnu::always_inline]] {
-            plastic += volume * law.update_point(gradient, dt, point[q]);
-            return point[q].stress;
-          },
+                       [&](const Matrix3<Lanes> &gradient, const int q, const Lanes &volume) __attribute__((always_inline)) {
+                         plastic += volume * law.update_point(gradient, dt, point[q]);
+                         return point[q].stress;
+                       },
                        force);
         if (!all(smallest > Lanes(0.)))
           throw NumericalFailure("A quadratic brick is turned inside out.");

@@ -1,0 +1,18 @@
+# cmake --install: program, cases with their meshes, manual, man page. cpack: a Debian package of the same.
+include(GNUInstallDirs)
+install(DIRECTORY prm meshes DESTINATION ${CMAKE_INSTALL_DATADIR}/birdstrike
+  PATTERN manual EXCLUDE PATTERN run.sh EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY prm/manual DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES .cmake/birdstrike.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME birdstrike)
+set(CPACK_PACKAGE_CONTACT "the birdstrike developers")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # dpkg-shlibdeps names the packages of the libraries
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, libopenblas0-serial, python3-numpy, python3-h5py")
+include(CPack)
