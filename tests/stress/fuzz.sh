@@ -14,9 +14,9 @@ seconds=${1:-20}
 targets=("${@:2}")
 [ ${#targets[@]} -gt 0 ] || targets=(parameter_file mesh_file checkpoint run_folder)
 
-bash "$top/.ci/install" clang-14 libclang-rt-14-dev
+bash "$top/.ci/install" clang libclang-rt-dev
 mkdir -p "$build/failures"
-cmake -S "$top" -B "$build" -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
+cmake -S "$top" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
   -DBIRDSTRIKE_NATIVE=OFF -DBIRDSTRIKE_TESTS=OFF -DBIRDSTRIKE_FUZZ=ON >"$build/build.log" 2>&1 &&
   cmake --build "$build" --parallel "${JOBS:-$(nproc)}" --target "${targets[@]/#/fuzz_}" >>"$build/build.log" 2>&1 ||
   { tail -n 20 "$build/build.log" >&2; exit 1; }
@@ -30,11 +30,11 @@ export TMPDIR=. ASAN_OPTIONS=detect_leaks=0 # what MPI and deal.II keep until th
 seeds=$scratch/seeds
 mkdir -p "$seeds"/{parameter_file,mesh_file,checkpoint,run_folder}
 cp "$top"/prm/{quickstart,fan-blade}.prm "$top"/tests/scenes/{moving-frame,hidden-asymmetry}.prm "$seeds/parameter_file"
-for mesh in "$top"/tests/data/gmsh/*.{msh,inp,key,vtk} "$top"/meshes/*.msh; do
+for mesh in "$top"/tests/data/gmsh/{,groups/}*.{msh,vtk} "$top"/tests/data/gmsh/*.{inp,key} "$top"/tests/data/vtk/*.vtk "$top"/meshes/*.msh; do
   case $mesh in *.msh) format=m ;; *.inp) format=i ;; *.key) format=k ;; *) format=v ;; esac
   dim=2
   [[ $mesh != */body* && $mesh != *x1.msh ]] || dim=3
-  { printf '%s%s' "$format" "$dim"; cat "$mesh"; } >"$seeds/mesh_file/$(basename "$mesh")"
+  { printf '%s%s' "$format" "$dim"; cat "$mesh"; } >"$seeds/mesh_file/$(basename "$(dirname "$mesh")")-$(basename "$mesh")"
 done
 printf 'i26 2 0 0 0\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n1 5 quad 1 2 5 4\n2 1 line 1 4\n' >"$seeds/mesh_file/ucd"
 printf 't20 0 0 0.01\n0.1, 0.05, 0, 1e-3 # a comment\n' >"$seeds/mesh_file/table"

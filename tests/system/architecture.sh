@@ -78,7 +78,7 @@ done
 
 # Sizes.
 while read -r lines file; do
-  [ "$lines" -le 300 ] || complain "$file has $lines lines; at most 300"
+  [ "$lines" -le 350 ] || complain "$file has $lines lines; at most 350"
 done < <(find source include -name '*.h' -o -name '*.cc' | xargs wc -l | grep -v ' total$')
 while read -r folder; do
   n=$(find "$folder" -maxdepth 1 -type f | wc -l)
@@ -89,7 +89,7 @@ done < <(find source include -type d)
 python3 "$(dirname "$rules")/code_rules.py" . || complain "see the list above"
 
 # Exactly the agreed top level.
-odd=$(git ls-tree --name-only HEAD 2>/dev/null | grep -vxE 'CMakeLists\.txt|source|include|tests|prm|meshes|README\.md|LICENSE|CHANGELOG\.md|CMakePresets\.json|\..*')
+odd=$(git ls-tree --name-only HEAD 2>/dev/null | grep -vxE 'CMakeLists\.txt|source|include|tests|prm|meshes|findings|README\.md|LICENSE|CHANGELOG\.md|CMakePresets\.json|\..*')
 [ -z "$odd" ] || complain "top level holds more than it should: $odd"
 
 [ $fail -eq 0 ] && echo "architecture: all arrows allowed"

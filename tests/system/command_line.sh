@@ -39,7 +39,7 @@ variant() { sed -E "$1" "$top/prm/quickstart.prm" >case.prm; }
 
 fast=(--set "Bird/Particle spacing=0.006" --set "Blade/Mesh/Elements along span=14" --set "Blade/Mesh/Elements along chord=4")
 
-check "version" 0 "birdstrike [0-9]+\.[0-9]+" -- --version
+check "version" 0 "birdstrike [0-9]+\.[0-9]+" "compiler +(GNU|Clang)" "deal.II +[0-9]" "HDF5 +[0-9]" -- --version
 check "help" 0 "run" "explain" "validate" "columns" "parameters" "130 interrupted" -- --help
 check "help of run" 0 "--set" "--output" -- run --help
 check "no subcommand" 2 -- 

@@ -36,8 +36,11 @@ require "curves are the history, the mid-chord line ends at the tip" 'python3 lo
 stamp=$(stat -c %Y.%y both/quickstart/history.csv)
 ask "the same again" 0 "quickstart: the run in both/quickstart is reused" "oblique: the run in both/oblique is reused" -- "$a" "$b" "${fast[@]}" --output both
 require "nothing was run" '[ "$stamp" = "$(stat -c %Y.%y both/quickstart/history.csv)" ] && ! grep -q "to run" out.txt'
+refuse "another value would lose a run" "'both/oblique' holds a run that would be lost, for Bird/Velocity differs" "--force" -- "$a" both/oblique/parameters.prm "${fast[@]}" --output both --set "Bird/Velocity=0, 0, 177.4"
 ask "another value is another run" 0 "Case 1 of 1 to run: oblique" "is not reused because Bird/Velocity differs" "quickstart: the run in both/quickstart is reused" -- \
-  "$a" both/oblique/parameters.prm "${fast[@]}" --output both --set "Bird/Velocity=0, 0, 177.4"
+  "$a" both/oblique/parameters.prm "${fast[@]}" --output both --set "Bird/Velocity=0, 0, 177.4" --force
+refuse "other cases would lose the table" "tables of another comparison, with 'oblique'" "the same cases again, or with more of them" -- "$a" "${fast[@]}" --output both
+require "which is there" '[ "$(wc -l <both/comparison.csv)" -eq 3 ] && [ -s both/tip_deflection.svg ]'
 "$program" run "$a" "${fast[@]}" --output runs/quickstart >/dev/null
 ask "a run of 'run' is taken" 0 "the run in runs/quickstart is reused" -- "$a" "${fast[@]}" --output single
 require "and nothing else was made" '[ ! -e single/quickstart ]'
@@ -60,7 +63,7 @@ require "the other one is compared" 'grep -qE "^quickstart,shell,56," lost/compa
 # a run that cannot be read loses its own case only; a folder in use is left alone
 echo "no JSON" >plain/oblique/summary.json
 ask "a damaged run is made again" 0 "Case 1 of 1 to run: oblique" "its files cannot be read" -- "$b" "${fast[@]}" --set "Output/HDF5=false" --output plain
-flock plain/.birdstrike-comparison "$program" compare "$a" "${fast[@]}" --output plain >out.txt 2>&1
+flock plain/.birdstrike-comparison "$program" compare "$b" "${fast[@]}" --set "Output/HDF5=false" --output plain >out.txt 2>&1
 code=$?
 require "one comparison a folder" '[ $code -eq 2 ] && grep -q "Another comparison is writing" out.txt'
 
@@ -71,7 +74,7 @@ for _ in $(seq 300); do [ -s stopped/quickstart/parameters.prm ] && break; sleep
 kill -TERM $running
 wait $running
 code=$?
-require "a signal ends comparison and run" '[ $code -eq 143 ] && grep -q "Cases that are complete will be reused" out.txt && grep -q "stopped by a signal" stopped/quickstart/summary.json'
+require "a signal ends comparison and run, with the exit code of 'run'" '[ $code -eq 130 ] && grep -q "Cases that are complete will be reused" out.txt && grep -q "stopped by a signal" stopped/quickstart/summary.json'
 
 # what was stopped goes on, as if nothing had happened; where 'resume' refuses, it is run anew
 long=(--set "Time/End time=240e-3" --set "Output/HDF5=false")
@@ -92,7 +95,7 @@ require "the histories are those of a run without a stop" 'cmp on/quickstart/his
 mkdir bin  # an empty path of programs
 
 compare_without() { PATH="$scratch/bin" "$program" compare "$@"; }
-if compare_without "$a" "$b" "${fast[@]}" --output both >out.txt 2>&1 && grep -q "gnuplot is not installed: apt-get install gnuplot-nox" out.txt &&
+if compare_without "$a" "$b" "${fast[@]}" --output both --force >out.txt 2>&1 && grep -q "gnuplot is not installed: apt-get install gnuplot-nox" out.txt &&
    [ -s both/comparison.csv ] && [ -z "$(find both -maxdepth 1 -name '*.svg')" ]; then
   echo "passed without gnuplot"
 else

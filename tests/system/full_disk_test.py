@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 CASE = ["--set", "Bird/Particle spacing=7 mm", "--set", "Blade/Mesh/Elements along span=12", "--set", "Blade/Mesh/Elements along chord=4",
-        "--set", "Time/End time=280e-6", "--set", "Output/Flush interval=0", "--set", "Output/History interval=1e-7", "--set", "Output/Field interval=1e-5"]
+        "--set", "Time/End time=400e-6", "--set", "Output/Flush interval=0", "--set", "Output/History interval=1e-7", "--set", "Output/Field interval=1e-5"]
 
 
 def run(program, top, folder, *more, limit=None, **streams):
@@ -28,7 +28,7 @@ def run(program, top, folder, *more, limit=None, **streams):
 def check_full_disk(program, top, scratch):
     stopped_by, without = set(), 0
     for checkpoint in (), ("--set", "Output/Checkpoint/At the end=false"):
-        for limit in (8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256):
+        for limit in (8, 12, 16, 24, 32, 48, 64, 96, 128, 160, 192, 256):
             folder = scratch / f"full-{limit}-{len(checkpoint)}"
             answer = run(program, top, folder, *checkpoint, limit=limit * 1024)
             state = (folder / ".birdstrike").read_text()

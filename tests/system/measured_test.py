@@ -55,6 +55,7 @@ def compare_with_itself():
     assert tip["iso_phase"] == 1. and tip["unit"] == "m" and "Sprague" in text
     near(tip["iso_slope"], 1. - 0.2 / 2., 1e-6)
     near(tip["end"], 1e-3, 1e-9)
+    compare_as_others_write_it(tip)
     _, _, (late,) = compare("test.csv", "sensor: tip: tip", "--time-offset", "0")
     assert late["iso_phase"] < 1. and late["sprague_geers_phase"] > 0.01, late
     near(late["begin"], 0.2e-3, 1e-9)
@@ -62,6 +63,20 @@ def compare_with_itself():
     near(turned["sprague_geers_phase"], 1., 1e-6)
     for name in ("measurement.svg", "measurement.csv", "ratings.csv", "figures.gp"):
         assert os.path.getsize("measured/" + name) > 100, name
+
+
+def compare_as_others_write_it(tip):
+    """The same table as a spreadsheet ("Unicode text", sep=) and a logger write it, units in round brackets."""
+    with open("test.csv") as file:
+        rows = file.read().split("\n", 3)[3]
+    forms = (("utf-16", "T\tsensor: tip\tload cell\n[ms]\t[mm]\t[N]\n" + rows.replace(";", "\t")),
+             ("utf-8-sig", "sep=;\nT (ms);sensor: tip (mm);load cell (N)\n" + rows),
+             ("utf-8", "Logger 7\nOperator;Smith\nRate;100000\n\nT (ms);sensor: tip (mm);load cell (N)\n" + rows))
+    for encoding, text in forms:
+        with open("form.csv", "w", encoding=encoding, newline="\r\n") as file:
+            file.write(text)
+        code, said, found = compare("form.csv", "sensor: tip: tip", "--time-offset", "-0.2 ms")
+        assert code == 0 and found == [tip], (encoding, said)
 
 
 def compare_several():
@@ -151,6 +166,9 @@ def refuse():
              ("a missing field", [write("time,tip\n" + rows + "1\n"), "tip: tip"], "line 52: 1 fields"),
              ("decimal commas", [write("time;tip\n0;1\n0,1;2\n"), "tip: tip"], "decimal point"),
              ("time that falls", [write("time,tip\n" + rows + "0,1\n"), "tip: tip"], "does not rise"),
+             ("a time twice", [write("time,tip\n0,1\n1e-5,2\n1e-5,3\n2e-5,4\n"), "tip: tip"], "line 4: 'time' does not rise.*of line 3"),
+             ("a head twice", [write("time,tip\n" + rows + "time,tip\n" + rows), "tip: tip"], "line 52: 'time'.*no number"),
+             ("a workbook", [write("PK\3\4\0\0"), "tip: tip"], "save the sheet"),
              ("a name twice", [write("time,tip,tip\n0,1,1\n"), "tip: tip"], "two columns"),
              ("no overlap", [write("time [s],tip\n" + "".join(f"{k + 1},{k}\n" for k in range(50))), "tip: tip"], "--time-offset"),
              ("all zero", [write("time,tip\n" + "".join(f"{k * 1e-5},0\n" for k in range(50))), "tip: tip"], "zero"),

@@ -111,7 +111,7 @@ class Resume(unittest.TestCase):
             self.assertFalse((run / "summary.json").exists())
             self.assertGreater(len((run / "history.csv").read_text().splitlines()), 20, "rows as of the checkpoint can be read")
             newest = checkpoints(run)[-1]
-            said = self.program("resume", name, *sets(["Time/Threads=2"]))
+            said = self.program("resume", name, *sets(["Time/Threads=2", "Time/Force threads=true"]))
             self.assertIn(newest.name, said)
             self.same("whole", name)
 
@@ -219,7 +219,9 @@ class Resume(unittest.TestCase):
         self.program("run", TOP / "prm" / "quickstart.prm", "--output", "run",
                      *sets(["Bird/Particle spacing=0.006", "Blade/Mesh/Generator=file", "Blade/Mesh/File=own.msh",
                             "Blade/Supports/Clamped=1", "Blade/Supports/Tip=2", "Time/End time=1e-4"]))
-        mesh = self.folder / "own.msh"
+        (self.folder / "own.msh").unlink()  # the run folder has a copy
+        mesh = next((self.folder / "run" / "inputs").rglob("own.msh"))
+        mesh.chmod(0o644)
         mesh.write_text(mesh.read_text() + "\n")
         text = self.program("resume", "run", *sets(["Time/End time=2e-4"]), expect=2)
         self.assertIn("own.msh' is not what it was", text)

@@ -116,6 +116,54 @@ def judge_campbell():
         assert os.path.exists("modes/" + name), name
 
 
+COARSE = ("Blade/Mesh/Elements along span=12", "Blade/Mesh/Elements along chord=4")
+
+
+def first_frequency(folder):
+    with open(folder + "/modes.csv") as file:
+        return [float(row["frequency"]) for row in csv.DictReader(line for line in file if not line.startswith("#")) if row["mode"] == "1"]
+
+
+def judge_rest_with_slice():
+    """Of a blade at rest no other blade cuts the bird: it is none of statics' and modes' business, nor is any other entry of the bird."""
+    spin = os.path.join(TOP, "prm", "fan-blade-spin.prm")
+    text = call("modes", spin, "--output", "from-rest", "--number", "2", "--speeds", "0:600:3", sets=COARSE)
+    assert text.count("Modes at") == 3 and "Warning" not in text, text
+    first = first_frequency("from-rest")
+    assert first[0] < first[1] < first[2], first
+    assert abs((first[1] ** 2 - first[0] ** 2) / (first[2] ** 2 - first[0] ** 2) - 0.25) < 0.05, first  # Southwell
+    call("modes", spin, "--output", "no-bird", "--number", "2", sets=COARSE + ("Blade/Spin/Speed=0", "Bird/Enabled=false"))
+    assert first_frequency("no-bird")[0] == first[0], first
+    for name in ("flock", "large-bird", "medium-bird"):
+        case = os.path.join(TOP, "prm", "certification", name + ".prm")
+        call("modes", case, "--output", "certified", "--number", "2", "--speeds", "0:600:2", sets=COARSE)
+        text = call("static", case, sets=COARSE + ("Blade/Spin/Speed=0",), code=2)
+        assert "Nothing loads the blade" in text and "bird" not in text.lower(), text
+    pressed = COARSE + ("Blade/Spin/Speed=0", "Blade/Loads/Pressure=1e4")
+    for entry in ("Bird/Particle spacing=1", "Bird/Slice/Number of blades=1", "Bird/Formulation=standard", "Bird/Strength/Yield stress=1e5",
+                  "Bird/Slice/Between=1, 0", "Bird/Equation of state/Type=porous", "Bird/Velocity=0, 1, 0", "Bird 2/Enabled=true",
+                  "Bird/Courant number=0.7", "Bird/Mass=1e9", "Bird/Periodic directions=x"):
+        call("modes", spin, "--output", "odd-bird", "--number", "2", sets=COARSE + ("Blade/Spin/Speed=0", entry))
+        assert first_frequency("odd-bird")[0] == first[0], entry
+        call("static", spin, "--output", "odd-bird-static", sets=pressed + (entry,))
+    text = call("validate", spin, sets=("Blade/Spin/Speed=0",), code=2)
+    assert "no blade before it cuts the bird" in text, text  # a strike does need it
+
+
+def judge_sides():
+    """Deflections are positive with the bird: the same load has the other sign when the bird comes from the other side."""
+    def tip(*entries):
+        call("static", BAR, "--output", "side", sets=("Blade/Spin/Speed=0", "Blade/Loads/Pressure=1e3") + entries)
+        with open("side/static.json") as file:
+            return json.load(file)["tip"]["mid_chord"]
+    there, back = tip("Bird/Velocity=0, 0, 100"), tip("Bird/Velocity=0, 0, -100")
+    assert there == -back != 0., (there, back)
+    assert tip("Bird/Velocity=0, 0, -100", "Bird/Particle spacing=1") == back  # whatever else is wrong with it
+    text = call("static", BAR, "--output", "side", sets=("Blade/Spin/Speed=0", "Blade/Loads/Pressure=1e3", "Bird/Velocity=default",
+                                                         "Bird/Speed=100"))
+    assert "does not tell which side is struck" in text and "Angle to surface" in text, text
+
+
 def history(run):
     with open(os.path.join(run, "history.csv")) as file:
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
@@ -173,6 +221,8 @@ def main():
     os.chdir(tempfile.mkdtemp())
     judge_disc()
     judge_campbell()
+    judge_rest_with_slice()
+    judge_sides()
     judge_strike()
     judge_refusals()
 

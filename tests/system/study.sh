@@ -12,6 +12,10 @@ ask "a grid" 0 "4 points, 0 of them" "still rising at the end of the run, no pea
 for file in study.csv study.h5 figures.gp responses.csv maps.csv profiles.csv Speed=200-Angle-to-surface=90/summary.json; do
   [ -s grid/$file ] || fail "a grid left no $file"
 done
+# what still rises is no peak: so say table, curves, map, and their data
+require "a map marks what still rises" 'grep -q "+: still rising at the end of the run, no peak yet" grid/maps.svg && grep -qE ">[0-9.]+\+<" grid/maps.svg && head -n 1 grid/maps.csv | grep -q "^# 1:" && grep -q "still rising, no peak yet: peak (mid-chord) \[-\]" grid/maps.csv'
+require "curves have open markers" 'grep -q "still rising at the end of the run, no peak yet" grid/responses.svg && grep -q "still rising, no peak yet: peak (mid-chord) \[-\]" grid/responses.csv'
+require "what does not rise is not marked" '! grep -q "no peak yet: plastic work" grid/maps.csv'
 require "its pictures are drawn" 'grep -q "</svg>" grid/responses.svg && grep -q "</svg>" grid/maps.svg'
 peak=$(sed -n 's/.*"peak_moment": \([^,]*\),/\1/p' grid/Speed=200-Angle-to-surface=90/summary.json)
 require "the table repeats the summaries" 'grep -qE "^4,200,90,.*,$peak,.*,done,grid/" grid/study.csv && [ "$(wc -l <grid/study.csv)" -eq 5 ]'
@@ -22,6 +26,19 @@ rm grid/Speed=100-Angle-to-surface=90/summary.json
 ask "a study that was stopped goes on" 0 "4 points, 3 of them" "1 of 1: Speed=100, Angle to surface=90" -- "${grid[@]}" --output grid
 require "and computes nothing twice" '[ "$(comm -12 <(echo "$stamp") <(stat -c %Y.%y grid/*/history.csv | sort) | wc -l)" -eq 3 ]'
 ask "it may grow" 0 "6 points, 4 of them" -- "${grid[@]:0:${#grid[@]}-4}" --vary "Bird/Speed=100, 150, 200" --vary "Bird/Angle to surface=45, 90" --output grid
+
+# what a study has made is lost by --force alone: tables of other points, runs of other entries
+all=$(cksum grid/*.* grid/*/history.csv)
+refuse "other entries in its folder" "holds the tables of another study" "'Speed=100-Angle-to-surface=45' and 5 more" "the same study again, or with more values" "--force" -- "$a" "${fast[@]}" --vary "Bird/Mass=0.1, 0.12" --output grid
+refuse "fewer values of one entry" "another study" -- "${grid[@]:0:${#grid[@]}-4}" --vary "Bird/Speed=100, 200" --set "Bird/Angle to surface=45" --output grid
+refuse "fewer points" "and 1 more" -- "${grid[@]}" --output grid
+refuse "nor by collecting" "another study" -- "$a" "${fast[@]}" --vary "Bird/Mass=0.1, 0.12" --output grid --collect
+refuse "other runs in the same folders" "'grid/Speed=100-Angle-to-surface=45' holds a run that would be lost, for Bird/Mass differs" "3 folders more" "--force" -- "${grid[@]}" --set "Bird/Mass=0.11" --output grid
+refuse "nor by a list of tasks" "would be lost" -- "${grid[@]}" --set "Bird/Mass=0.11" --output grid --task-list lossy
+require "everything is as it was" '[ "$all" = "$(cksum grid/*.* grid/*/history.csv)" ] && [ ! -e lossy ]'
+refuse "nor by the same numbers in other letters, whose folders are others" "another study" -- "${grid[@]:0:${#grid[@]}-4}" --vary "Bird/Speed=1e2, 1.5e2, 2e2" --vary "Bird/Angle to surface=45, 90" --output grid --collect
+ask "unless it is forced" 0 "4 points, 4 of them" -- "${grid[@]}" --output grid --force
+require "then the tables are of the new one, the runs stay" '[ "$(wc -l <grid/study.csv)" -eq 5 ] && [ -s grid/Speed=150-Angle-to-surface=90/summary.json ]'
 
 ask "texts of an entry with a unit" 0 "Study in places" -- "$a" "${fast[@]}" --vary "Bird/Aim point=0.15, 0, 0 | 0.2, 0, 0" --vary "Case/Description=80% a_b | c" --output places
 require "are drawn" '! grep -q "could not draw" out.txt && grep -q "80% a_b" places/responses.svg places/maps.svg && grep -q "0.15, 0, 0" places/maps.svg'
@@ -41,7 +58,7 @@ for _ in $(seq 300); do [ -s stopped/End-time=10/parameters.prm ] && [ -s stoppe
 kill -TERM $running
 wait $running
 code=$?
-require "a signal ends study and runs" '[ $code -eq 143 ] && grep -q "Points that are complete will be reused" out.txt && [ "$(grep -l "stopped by a signal" stopped/*/summary.json | wc -l)" -eq 2 ]'
+require "a signal ends study and runs, with the exit code of 'run'" '[ $code -eq 130 ] && grep -q "Points that are complete will be reused" out.txt && [ "$(grep -l "stopped by a signal" stopped/*/summary.json | wc -l)" -eq 2 ]'
 ask "what was complete is there" 0 "3 points, 1 of them are there, 2 will go on from a checkpoint" "stopped at [0-9.]+ [mu]?s, will go on" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
 
 # a limit of the wall's clock cuts a point: it has no values, and goes on with the next call
