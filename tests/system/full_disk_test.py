@@ -28,7 +28,7 @@ def run(program, top, folder, *more, limit=None, **streams):
 def check_full_disk(program, top, scratch):
     stopped_by, without = set(), 0
     for checkpoint in (), ("--set", "Output/Checkpoint/At the end=false"):
-        for limit in (8, 12, 16, 24, 32, 48, 64, 96, 128, 160, 192, 256):
+        for limit in (8, 12, 16, 24, 32, 48, 64, 96, 128, 144, 192, 256):
             folder = scratch / f"full-{limit}-{len(checkpoint)}"
             answer = run(program, top, folder, *checkpoint, limit=limit * 1024)
             state = (folder / ".birdstrike").read_text()

@@ -168,10 +168,10 @@ TEST(Position, OfABladeThatMovesIsMetInItsFrame)
 TEST(Position, OfABladeThatTurnsIsWhereTheAimedBirdHasBeen)
 {
   const std::string fan = BIRDSTRIKE_SOURCE_DIR "/prm/fan-blade-spin.prm";
-  const Overrides   coarse{"Bird/Slice/Number of blades=0", "Bird/Particle spacing=0.008",
+  const Overrides coarse{"Bird/Slice/Number of blades=0", "Bird/Aim chord fraction=0.3", "Bird/Particle spacing=0.008",
                          "Blade/Mesh/Elements along span=20", "Blade/Mesh/Elements along chord=8"};
-  const Placed      aimed(fan, with(coarse, {"Bird/Arrival time=1 ms"}));
-  const Point3      x = aimed.bird().bird->packing().centre;
+  const Placed    aimed(fan, with(coarse, {"Bird/Arrival time=1 ms"}));
+  const Point3    x = aimed.bird().bird->packing().centre;
   // the packing's centre before it was moved: the particles have gone with it
   const Placed       again(fan, with(coarse, {"Bird/Arrival time=1 ms"}));
   const Point3       centre = again.centre();
