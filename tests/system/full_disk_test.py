@@ -72,7 +72,7 @@ def check_own_files_stay(program, top, scratch):
     for file in own:
         file.write_text("mine")
     (scratch / "compared/profiles.svg").write_text("of another comparison")
-    subprocess.run(compare + ["--set", "Output/HDF5=false"], check=True, stdout=subprocess.DEVNULL, timeout=60)
+    subprocess.run(compare + ["--set", "Output/HDF5=false", "--force"], check=True, stdout=subprocess.DEVNULL, timeout=60)
     assert all(file.read_text() == "mine" for file in own)
     assert "of another" not in "".join(file.read_text() for file in (scratch / "compared").glob("profiles.svg"))
 
