@@ -100,7 +100,10 @@ namespace birdstrike
         {"Abaqus' keywords", is_abaqus, {".inp"}},
         {"keywords", has_keywords, {".k", ".key", ".dyn", ".inp"}},
         {"Gmsh's format", [](const Lines &l) { return some_starts(l, {"$MESHFORMAT"}); }, {".msh"}},
-        {"Gmsh's format 1", [](const Lines &l) { return starts(l[0], "$NOD"); }, {}, by_gmsh},
+        {"Gmsh's format 1",
+         [](const Lines &l) { return starts(l[0], "$NOD") && !starts(l[0], "$NODES"); },
+         {},
+         by_gmsh},
         {"VTK's legacy format", [](const Lines &l) { return starts(l[0], "# VTK DATAFILE"); }, {".vtk"}},
         {"VTK's XML format",
          [](const Lines &l) {

@@ -171,6 +171,6 @@ namespace birdstrike::gmsh_groups_test
         EXPECT_NE(said.find("line 15"), std::string::npos) << said;
         EXPECT_NE(said.find(name), std::string::npos) << said;
       }
-    EXPECT_NE(refusal("$Nodes\n1\n1 0 0 0\n$EndNodes\n").find("holds Gmsh's format 1"), std::string::npos);
+    EXPECT_NE(refusal("$Nodes\n1\n1 0 0 0\n$EndNodes\n").find("'$MeshFormat' is missing"), std::string::npos);
   }
 } // namespace birdstrike::gmsh_groups_test
