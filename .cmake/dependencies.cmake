@@ -24,13 +24,25 @@ if(NOT dealii_libraries)
   endif()
 endif()
 
-# Static equilibrium and modes need these packages of Trilinos.
-foreach(header Amesos.h AnasaziEpetraAdapter.hpp)
+# Static equilibrium and modes need these packages of Trilinos. Trilinos 17 has no Epetra: strikes are computed without.
+set(BIRDSTRIKE_IMPLICIT AUTO CACHE STRING "Static equilibrium and modes, by Trilinos' Epetra: ON, OFF, or AUTO (where it is)")
+set_property(CACHE BIRDSTRIKE_IMPLICIT PROPERTY STRINGS AUTO ON OFF)
+set(birdstrike_has_epetra ON)
+foreach(header Epetra_CrsMatrix.h Amesos.h ml_MultiLevelPreconditioner.h AnasaziEpetraAdapter.hpp)
   string(MAKE_C_IDENTIFIER ${header} name)
   find_path(BIRDSTRIKE_${name} ${header} HINTS ${dealii_folders} NO_CACHE)
-  birdstrike_require(BIRDSTRIKE_${name}
-    "deal.II's Trilinos has no ${header}: install libtrilinos-amesos-dev and libtrilinos-anasazi-dev (Debian), or rebuild Trilinos with them.")
+  if(NOT BIRDSTRIKE_${name})
+    set(birdstrike_has_epetra OFF)
+    set(missing ${header})
+  endif()
 endforeach()
+if(BIRDSTRIKE_IMPLICIT STREQUAL "ON")
+  birdstrike_require(birdstrike_has_epetra
+    "deal.II's Trilinos has no ${missing}: install libtrilinos-epetra-dev, libtrilinos-amesos-dev, libtrilinos-ml-dev and libtrilinos-anasazi-dev (Debian), rebuild Trilinos (up to 16) with them, or set -DBIRDSTRIKE_IMPLICIT=OFF.")
+elseif(NOT birdstrike_has_epetra OR BIRDSTRIKE_IMPLICIT STREQUAL "OFF")
+  message(STATUS "Without static equilibrium and modes: Trilinos' Epetra, Amesos, ML and Anasazi are not used.")
+  set(birdstrike_has_epetra OFF)
+endif()
 
 find_package(Eigen3 QUIET NO_MODULE) # without a version: Eigen 5 says that it does not replace 3.4
 if(Eigen3_FOUND AND Eigen3_VERSION VERSION_LESS 3.4)

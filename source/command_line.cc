@@ -1,4 +1,5 @@
 #include "command_line.h"
+#include "file_commands.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/program.h>
@@ -50,6 +51,11 @@ namespace birdstrike
     void declare_jobs(CLI::App *command, std::size_t &n_jobs, const std::string &what)
     {
       declare_count(command, "--jobs", n_jobs, what + " side by side, instead of one a core", 1, int(most_children));
+    }
+
+    void declare_verbose(CLI::App *command, bool &is_verbose)
+    {
+      command->add_flag("--verbose", is_verbose, "Show on the screen all that log.txt keeps");
     }
 
     /// Of reports on several runs, which protect what is there as 'run' does.
@@ -170,6 +176,7 @@ namespace birdstrike
     void declare_run(CLI::App &command, Requests &requests, std::function<void()> &action)
     {
       command.callback([&] { action = [&] { run(requests); }; });
+      declare_verbose(&command, requests.of_case.is_verbose);
       command.add_flag("--force", requests.of_case.is_forced,
                        "Replace a finished run in the folder, with --target-error the table of another "
                        "quantity");
@@ -210,6 +217,9 @@ namespace birdstrike
     declare_run(*app.get_subcommand("run"), requests, action);
     case_command("explain", "Say what would be computed, before it is", explain_case);
     case_command("validate", "Read and check a case, compute nothing", validate_case);
+    for (const char *name : {"run", "explain", "validate"})
+      app.get_subcommand(name)->add_flag("--strict", requests.of_case.is_strict,
+                                         "Warnings of units, of entries without effect and of misses are errors");
 
     case_command("static", "Static equilibrium of the blade under spin and steady loads", run_static);
     declare_modes(app, requests.of_modes, action);
@@ -217,6 +227,7 @@ namespace birdstrike
     CLI::App *resume = app.add_subcommand("resume", "Go on with a run from its newest checkpoint");
     resume->add_option("RUN", requests.of_resumption.run, "Run folder")->required();
     declare_overrides(resume, requests.of_resumption.overrides);
+    declare_verbose(resume, requests.of_resumption.is_verbose);
     resume->callback([&] { action = [&] { resume_run(requests.of_resumption); }; });
 
     CLI::App       *compare = app.add_subcommand("compare", "Run cases, or take their runs, and set them side by side");
@@ -256,9 +267,7 @@ namespace birdstrike
     declare_overrides(columns, requests.of_case.overrides);
     columns->callback([&] { action = [&] { print_columns(requests.of_case); }; });
 
-    CLI::App *parameters = app.add_subcommand("parameters", "All entries with text, range, default and unit");
-    parameters->add_flag("--json", requests.as_json, "As JSON instead of prm");
-    parameters->callback([&] { action = [&] { print_parameters(requests.as_json); }; });
+    declare_file_commands(app, requests, action);
     refuse_empty_words(app);
   }
 } // namespace birdstrike

@@ -27,7 +27,8 @@ namespace birdstrike
     ConvergeRequest    of_ladder;
     MeasurementRequest of_measurement;
     ModesRequest       of_modes;
-    bool               as_json = false;
+    ParametersRequest  of_parameters;
+    NewCaseRequest     of_new_case;
     std::string        target_error; ///< of run
     std::string        bird_order;   ///< beside it
     std::size_t        n_places = 1; ///< beside it

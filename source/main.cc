@@ -15,6 +15,8 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -103,11 +105,17 @@ namespace
       }
     catch (const CLI::ParseError &error)
       {
+        const std::string word     = argc > 1 ? argv[1] : "-";
+        const auto        commands = app.get_subcommands({});
+        if (!word.starts_with('-') && std::ranges::find(commands, word, &CLI::App::get_name) == commands.end())
+          {
+            std::cerr << "Unknown command '" << word << "'. Commands:";
+            for (const CLI::App *each : commands)
+              std::cerr << (each == commands.front() ? " " : ", ") << each->get_name();
+            std::cerr << ".\nbirdstrike --help describes them.\n";
+            return exit_code(ExitCode::bad_input);
+          }
         const bool is_asked = app.exit(error) == 0; // --help and --version
-        if (const std::string word = argc > 1 ? argv[1] : "-";
-            !word.starts_with('-') &&
-            app.get_subcommands([&](const CLI::App *each) { return each->get_name() == word; }).empty())
-          std::cerr << '\'' << word << "' is none.\n";
         return exit_code(is_asked ? ExitCode::done : ExitCode::bad_input);
       }
     std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
@@ -115,10 +123,11 @@ namespace
       dealii::MultithreadInfo::set_thread_limit(1);
     else if (mpi.emplace(argc, argv, 1u); dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
       birdstrike::set_console_level("off"); // one rank speaks for all
-    const int code = run_guarded(action);
-    if (const bool is_for_the_screen = app.got_subcommand("explain") || app.got_subcommand("validate") ||
-                                       app.got_subcommand("columns") || app.got_subcommand("parameters");
-        !is_for_the_screen || code != 0 || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0))
+    const int  code     = run_guarded(action);
+    const auto is_given = [&](const char *name) { return app.got_subcommand(name); };
+    if (const std::array for_the_screen{"explain", "validate", "columns", "parameters", "materials", "liquids"};
+        std::ranges::none_of(for_the_screen, is_given) || code != 0 ||
+        (std::fflush(stdout) == 0 && std::ferror(stdout) == 0))
       return code;
     std::fputs("Cannot write to standard output: is the disk full?\n", stderr);
     return exit_code(ExitCode::internal_error);

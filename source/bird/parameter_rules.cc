@@ -74,9 +74,6 @@ namespace birdstrike
     if (!is_riemann())
       refuse("Strength/Yield stress", "the standard formulation has no velocity gradients to strain it by.",
              "Set Formulation = riemann, or leave it out.");
-    if (!tension_cutoff && courant_number > 0.2)
-      refuse("Strength/Yield stress", "without Tension cut-off steps as long as these are unstable in tension.",
-             "Set Tension cut-off = true, or Courant number to 0.2 at most.");
     if (!gradient_correction)
       refuse("Strength/Yield stress", "its velocity gradients need the gradient correction.",
              "Set Gradient correction = true, or leave it out.");

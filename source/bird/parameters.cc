@@ -175,9 +175,6 @@ namespace birdstrike
       declare_choice(prm, "Reconstruction", bird.reconstruction, reconstructions,
                      "Velocity at the midpoint of a pair in the riemann formulation: none, or linear from the "
                      "velocity gradients. [-]");
-      prm.add_parameter(
-        "Tension cut-off", bird.tension_cutoff,
-        "Whether the pressure is cut off at zero in tension (no cohesion); the density is integrated on. [-]");
       prm.enter_subsection("Strength");
       prm.add_parameter("Shear modulus", bird.shear_modulus,
                         "Shear modulus G of a bird with strength; it shortens steps as sqrt(c^2 + 4 G/(3 rho)) does. "

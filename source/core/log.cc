@@ -54,6 +54,19 @@ namespace birdstrike
       }
   }
 
+  void tell(const std::string &brief, const std::string &whole)
+  {
+    bool is_console = true;
+    for (const auto &sink : log().sinks())
+      {
+        const std::string &text = is_console && !sink->should_log(spdlog::level::debug) ? brief : whole;
+        if (sink->should_log(spdlog::level::info))
+          sink->log(spdlog::details::log_msg(log().name(), spdlog::level::info, text));
+        sink->flush();
+        is_console = false;
+      }
+  }
+
   void set_console_level(const std::string &level)
   {
     log().sinks().front()->set_level(spdlog::level::from_str(level));

@@ -35,9 +35,8 @@ namespace birdstrike
   /// thread begins its own from the front and, when none is left, takes those of others from the back. So a worker that
   /// sleeps, or has lost its core, is waited for at most for the one piece that it has begun.
   ///
-  /// Kept beside TBB 2021.8, which deal.II brings, because it is faster: us at the fastest tenth of 9000, three runs, 2
-  /// threads on 2 shared Zen 4 cores, TBB in a task_arena with the same pieces; loops as long as those of
-  /// prm/frontal.prm (kicks of 1200 nodes, forces of 1116 shells, rates of 833 particles, a sum, serial work between):
+  /// Kept beside TBB 2021.8 of deal.II because it is faster: us at the fastest tenth of 9000, three runs, 2 threads on
+  /// 2 shared Zen 4 cores, TBB in a task_arena with the same pieces; loops as in a step of prm/frontal.prm:
   ///
   ///                            this pool     auto_partitioner   static_partitioner   affinity_partitioner
   ///     a step                 48.6 - 55.3   51.3 - 62.4        50.7 - 81.9          88.0

@@ -36,7 +36,7 @@ namespace birdstrike
   void FieldWriter::write(FieldSeries &series, FieldSnapshot snapshot, const double time)
   {
     std::unique_lock<std::mutex> lock(mutex);
-    has_changed.wait(lock, [&] { return queue.size() < capacity || error; });
+    has_changed.wait(lock, [&] { return has_room() || error; });
     rethrow_error(lock);
     queue.push_back({&series, std::move(snapshot), time});
     if (!thread.joinable())
@@ -50,6 +50,15 @@ namespace birdstrike
     std::unique_lock<std::mutex> lock(mutex);
     has_changed.wait(lock, [&] { return queue.empty(); });
     rethrow_error(lock);
+  }
+
+  bool FieldWriter::has_room() const
+  {
+    constexpr std::size_t most    = 64 << 20; // bytes
+    std::size_t           n_bytes = 0;
+    for (const Task &task : queue)
+      n_bytes += compute_field_file_bytes(task.snapshot);
+    return queue.size() < capacity && n_bytes <= most;
   }
 
   void FieldWriter::rethrow_error(std::unique_lock<std::mutex> &lock)

@@ -69,10 +69,9 @@ namespace birdstrike
   {
     const std::string file = file_name(times_and_names.size());
     require_numbers(snapshot, file, time);
-    std::ostringstream out, list;
-    write_vtu(snapshot, time, out);
-    write_whole_file(folder / file, {out.view()});
+    stream_whole_file(folder / file, [&](std::ostream &out) { write_vtu(snapshot, time, out); });
     times_and_names.emplace_back(time, file);
+    std::ostringstream list;
     dealii::DataOutBase::write_pvd_record(list, times_and_names);
     write_whole_file(folder / (name + ".pvd"), {list.view()}); // whose files are all whole
     bytes += fs::file_size(folder / file);

@@ -1,6 +1,7 @@
 #include "io/parameter_messages.h"
 
 #include <algorithm>
+#include <map>
 
 namespace birdstrike
 {
@@ -52,6 +53,16 @@ namespace birdstrike
       return entry.range + (entry.unit.empty() ? "" : " [" + entry.unit + "]") + "; default " +
              quote(entry.default_value);
     }
+
+    /// Why an entry that files of earlier versions set is gone; empty: there has been none.
+    std::string reason_of_removal(const SectionPath &section, const std::string &name)
+    {
+      static const std::map<std::string, std::string> of_birds{
+        {"Tension cut-off",
+         "The liquid carries no tension: stretched particles of SPH clump and end the run (Swegle et al. 1995)."}};
+      const auto found = of_birds.find(name);
+      return found != of_birds.end() && section.size() == 1 && section[0].starts_with("Bird") ? found->second : "";
+    }
   } // namespace
 
   std::string message(const std::initializer_list<std::string> lines)
@@ -76,6 +87,10 @@ namespace birdstrike
   std::string describe_unknown_entry(const SourceLine &where, const SectionPath &section, const std::string &name,
                                      const ParameterTree &known)
   {
+    if (const std::string reason = reason_of_removal(section, name); !reason.empty())
+      return message(
+        {where.text() + ", " + describe_section(section) + ": there is no entry " + quote(name) + " any more.",
+         "  " + reason, "  Action: remove the line."});
     const std::vector<SectionPath> elsewhere = known.sections_with(name);
     const std::string              here      = nearest_name(name, known.entry_names(section));
     std::string                    advice;

@@ -1,11 +1,14 @@
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/whole_file.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <ostream>
 #include <stdexcept>
+#include <streambuf>
 #include <unistd.h>
 
 namespace birdstrike
@@ -28,6 +31,58 @@ namespace birdstrike
         }
       return true;
     }
+
+    /// Characters on their way to a descriptor.
+    class DescriptorBuffer : public std::streambuf
+    {
+    public:
+      explicit DescriptorBuffer(const int descriptor) : descriptor(descriptor)
+      {
+        setp(buffer.data(), buffer.data() + buffer.size());
+      }
+
+      int why() const ///< errno of the first write that failed, 0
+      {
+        return error;
+      }
+
+    protected:
+      int_type overflow(const int_type letter) override
+      {
+        if (sync() != 0)
+          return traits_type::eof();
+        if (!traits_type::eq_int_type(letter, traits_type::eof()))
+          sputc(traits_type::to_char_type(letter));
+        return traits_type::not_eof(letter);
+      }
+
+      int sync() override
+      {
+        if (error == 0 && !write_all(descriptor, {pbase(), static_cast<std::size_t>(pptr() - pbase())}))
+          error = errno;
+        setp(buffer.data(), buffer.data() + buffer.size());
+        return error == 0 ? 0 : -1;
+      }
+
+      std::streamsize xsputn(const char *text, const std::streamsize n) override
+      {
+        if (n <= epptr() - pptr())
+          {
+            std::memcpy(pptr(), text, static_cast<std::size_t>(n));
+            pbump(static_cast<int>(n));
+            return n;
+          }
+        if (sync() != 0)
+          return 0;
+        if (!write_all(descriptor, {text, static_cast<std::size_t>(n)}))
+          error = errno;
+        return error == 0 ? n : 0;
+      }
+
+    private:
+      int                       descriptor, error = 0;
+      std::array<char, 1 << 16> buffer;
+    };
 
     /// The name is an entry of the folder, which has to reach the disk too.
     void flush_folder(const fs::path &folder)
@@ -78,6 +133,17 @@ namespace birdstrike
         if (!write_all(descriptor, part))
           return errno;
       return 0;
+    });
+  }
+
+  void stream_whole_file(const fs::path &file, const FunctionRef<void(std::ostream &out)> write)
+  {
+    write_whole_file(file, [&](const int descriptor) {
+      DescriptorBuffer buffer(descriptor);
+      std::ostream     out(&buffer);
+      write(out);
+      out.flush();
+      return buffer.why();
     });
   }
 

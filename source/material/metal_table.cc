@@ -1,6 +1,8 @@
 #include "material/metal_table.h"
 
 #include <array>
+#include <map>
+#include <string>
 
 namespace birdstrike
 {
@@ -56,5 +58,18 @@ namespace birdstrike
     static const NamedChoices<Metal> table{
       {"custom", Metal()}, {ti_811.name, ti_811}, {ti_64.name, ti_64}, {al.name, al}, {al_2024.name, al_2024}};
     return table;
+  }
+
+  std::string source_of(const Metal &metal)
+  {
+    static const std::map<std::string, std::string> sources{
+      {"Ti-8Al-1Mo-1V", "ASM data sheet MTA816, annealed: yield 930, ultimate 1000 MPa, elongation 12 %"},
+      {"Ti-6Al-4V", "ASM data sheet MTP641, annealed: yield 880, ultimate 950 MPa, elongation 14 %, c_p 526.3 J/(kg "
+                    "K), melting 1873 K"},
+      {"Al 6061-T6", "ASM data sheet MA6061T6: yield 276, ultimate 310 MPa, elongation 12 % of a sheet of 1.6 mm"},
+      {"Al 2024 Johnson-Cook",
+       "Johnson-Cook constants and damage of an input deck; density, elasticity, c_p 875 J/(kg K) and melting 775 K of "
+       "data sheets"}};
+    return sources.at(metal.name);
   }
 } // namespace birdstrike

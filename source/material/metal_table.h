@@ -20,4 +20,7 @@ namespace birdstrike
   /// damage constants, stand ready where they were read; nothing heats unless Adiabatic heating is set, no metal fails
   /// unless Failure is.
   const NamedChoices<Metal> &metal_table();
+
+  /// Where a metal's constants were read.
+  std::string source_of(const Metal &metal);
 } // namespace birdstrike

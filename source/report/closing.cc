@@ -37,12 +37,14 @@ namespace birdstrike
         add_cost();
       }
 
-      std::string text() const
+      ToldText text() const
       {
-        return table.text();
+        return {table.text(), table.brief(most_lines)};
       }
 
     private:
+      static constexpr std::size_t most_lines = 20; ///< on the screen, beside warnings
+
       double value(const std::string &key) const
       {
         return summary.number(key);
@@ -63,6 +65,10 @@ namespace birdstrike
       void add(const std::string &key)
       {
         add(key, shown(key));
+      }
+      void add_detail(const std::string &key, const std::string &text)
+      {
+        table.add_detail(quantity(key).text, text);
       }
       std::string with_time(const std::string &key) const
       {
@@ -117,31 +123,32 @@ namespace birdstrike
       {
         table.add_heading("Contact");
         add("contact/impulse", shown_vector("contact/impulse"));
-        add("contact/peak_force", with_time("contact/peak_force"));
+        add_detail("contact/peak_force", with_time("contact/peak_force"));
         if (!std::isnan(value("contact/filtered/peak_force")))
           table.add("peak force, " + summary.text("contact/filtered/class"),
                     shown("contact/filtered/peak_force") + " at " + shown("contact/filtered/peak_time"));
-        add("contact/max_penetration",
-            fmt::format("{} ({:.3f} of the particle spacing)", shown("contact/max_penetration"),
-                        value("contact/max_penetration_over_spacing")));
+        add_detail("contact/max_penetration",
+                   fmt::format("{} ({:.3f} of the particle spacing)", shown("contact/max_penetration"),
+                               value("contact/max_penetration_over_spacing")));
       }
 
       void add_balance()
       {
         const double initial = std::abs(value("energy/initial"));
         table.add_heading("Balance");
-        add("energy/initial");
+        add_detail("energy/initial", shown("energy/initial"));
         for (const auto &[part, energy] : summary.json.at("energy").at("parts").items())
           if (const double joule = energy; joule != 0.)
-            table.add("  " + part,
-                      format_quantity(joule, "J") + " (" + format_share(joule / std::max(1e-300, initial)) + ")");
+            table.add_detail("  " + part, format_quantity(joule, "J") + " (" +
+                                            format_share(joule / std::max(1e-300, initial)) + ")");
         add("energy/max_relative_error");
         for (const auto &[origin, energy] : summary.json.at("energy").at("error_origins").items())
           if (const double joule = energy; std::abs(joule) > 1e-3 * initial)
-            table.add("  at the end, from " + origin,
-                      format_quantity(joule, "J") + " (" + format_share(joule / initial) + ")");
-        for (const char *key : {"momentum/max_relative_error", "angular_momentum/max_relative_error"})
-          add(key, fmt::format("{:.2e}", value(key)));
+            table.add_detail("  at the end, from " + origin,
+                             format_quantity(joule, "J") + " (" + format_share(joule / initial) + ")");
+        add("momentum/max_relative_error", fmt::format("{:.2e}", value("momentum/max_relative_error")));
+        add_detail("angular_momentum/max_relative_error",
+                   fmt::format("{:.2e}", value("angular_momentum/max_relative_error")));
         add("energy/max_hourglass_over_internal");
       }
 
@@ -152,30 +159,30 @@ namespace birdstrike
           {
             const std::string much = work.unit == "s" ? format_quantity(work.count, "s")
                                                       : format_count(std::llround(work.count)) + " " + work.unit;
-            table.add("skipped: " + work.what,
-                      much + (std::isnan(work.saved) ? "" : ", saved about " + format_share(work.saved)));
+            table.add_detail("skipped: " + work.what,
+                             much + (std::isnan(work.saved) ? "" : ", saved about " + format_share(work.saved)));
           }
-        table.add("removed particles", shown("retired/particles") + " of " + shown("bird/particles"));
+        table.add_detail("removed particles", shown("retired/particles") + " of " + shown("bird/particles"));
       }
 
       void add_cost()
       {
         table.add_heading("Cost");
-        table.add("time steps", format_count(run.n_steps) + " (with subcycles: bird " + shown("steps/bird") +
-                                  ", blade " + shown("steps/blade") + ")");
+        table.add_detail("time steps", format_count(run.n_steps) + " (with subcycles: bird " + shown("steps/bird") +
+                                         ", blade " + shown("steps/blade") + ")");
         for (const StepLimiters::Limiter &limiter : run.limiters)
           {
             const EntityPlace where{limiter.kind.empty() ? nullptr : limiter.kind.c_str(), limiter.id,
                                     limiter.position};
-            table.add("limited by " + limiter.reason,
-                      fmt::format("{} ({}), shortest {} at {}{}", format_count(limiter.n_steps),
-                                  format_share(double(limiter.n_steps) / double(run.n_steps)),
-                                  format_quantity(limiter.step, "s"), format_quantity(limiter.time, "s"),
-                                  where.kind ? ", " + where.text() : ""));
+            table.add_detail("limited by " + limiter.reason,
+                             fmt::format("{} ({}), shortest {} at {}{}", format_count(limiter.n_steps),
+                                         format_share(double(limiter.n_steps) / double(run.n_steps)),
+                                         format_quantity(limiter.step, "s"), format_quantity(limiter.time, "s"),
+                                         where.kind ? ", " + where.text() : ""));
           }
-        table.add("per particle-step", fmt::format("{:.0f} ns", value("cost/ns_per_particle_step")));
-        table.add("per element-step", fmt::format("{:.0f} ns", value("cost/ns_per_element_step")));
-        add("cost/peak_memory");
+        table.add_detail("per particle-step", fmt::format("{:.0f} ns", value("cost/ns_per_particle_step")));
+        table.add_detail("per element-step", fmt::format("{:.0f} ns", value("cost/ns_per_element_step")));
+        add_detail("cost/peak_memory", shown("cost/peak_memory"));
       }
 
       std::string count(const std::string &key) const
@@ -189,7 +196,7 @@ namespace birdstrike
     };
   } // namespace
 
-  std::string closing_report(const RunView &run, const Summary &summary)
+  ToldText closing_report(const RunView &run, const Summary &summary)
   {
     return Closing(run, summary).text();
   }

@@ -90,12 +90,12 @@ namespace birdstrike
 
   void TextTable::add_heading(const std::string &heading)
   {
-    rows.push_back({heading, "", true});
+    rows.push_back({heading, "", RowKind::heading});
   }
 
   void TextTable::add(const std::string &key, const std::string &value)
   {
-    rows.push_back({key, value, false});
+    rows.push_back({key, value, RowKind::plain});
   }
 
   void TextTable::add(const std::string &key, const double value, const std::string &unit)
@@ -103,16 +103,57 @@ namespace birdstrike
     add(key, format_quantity(value, unit));
   }
 
-  std::string TextTable::text() const
+  void TextTable::add_detail(const std::string &key, const std::string &value)
+  {
+    rows.push_back({key, value, RowKind::detail});
+  }
+
+  std::vector<std::string> TextTable::lines_of(const std::vector<Row> &rows)
   {
     std::size_t width = 0;
     for (const Row &row : rows)
-      if (!row.is_heading)
+      if (row.kind != RowKind::heading)
         width = std::max(width, row.key.size());
-    std::string text = title.empty() ? "" : title + "\n";
+    std::vector<std::string> lines;
     for (const Row &row : rows)
-      text += row.is_heading ? row.key + "\n"
-                             : "  " + row.key + std::string(width - row.key.size() + 2, ' ') + row.value + "\n";
+      lines.push_back(row.kind == RowKind::heading
+                        ? row.key
+                        : "  " + row.key + std::string(width - row.key.size() + 2, ' ') + row.value);
+    return lines;
+  }
+
+  std::string TextTable::text() const
+  {
+    std::string text = title.empty() ? "" : title + "\n";
+    for (const std::string &line : lines_of(rows))
+      text += line + "\n";
+    return text;
+  }
+
+  std::string TextTable::brief(const std::size_t most) const
+  {
+    std::vector<Row> kept;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      {
+        std::size_t next = k + 1; // past the details below a heading
+        while (next < rows.size() && rows[next].kind == RowKind::detail)
+          ++next;
+        const bool has_details_alone = next > k + 1 && (next == rows.size() || rows[next].kind == RowKind::heading);
+        if (rows[k].kind == RowKind::plain || (rows[k].kind == RowKind::heading && !has_details_alone))
+          kept.push_back(rows[k]);
+      }
+    std::vector<std::string> lines = lines_of(kept);
+    if (!title.empty())
+      lines.insert(lines.begin(), title);
+    if (lines.size() > most)
+      {
+        const std::size_t n_left_out = lines.size() - most + 1;
+        lines.resize(most - 1);
+        lines.push_back("  ... and " + std::to_string(n_left_out) + " lines more in log.txt (--verbose shows all)");
+      }
+    std::string text;
+    for (const std::string &line : lines)
+      text += line + "\n";
     return text;
   }
 } // namespace birdstrike

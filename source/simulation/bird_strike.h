@@ -7,6 +7,7 @@
 #include <birdstrike/report/progress.h>
 #include <birdstrike/report/recorder.h>
 #include <birdstrike/report/summary.h>
+#include <birdstrike/report/text.h>
 #include <birdstrike/time_control/step_limiters.h>
 
 #include <atomic>
@@ -59,7 +60,7 @@ namespace birdstrike
       return why_ended == EndReason::signal;
     }
     Summary     compute_summary() const;
-    std::string closing_report() const;
+    ToldText    closing_report() const;
     std::string describe_columns() const; ///< of what it writes
 
   private:

@@ -54,10 +54,12 @@ namespace birdstrike
     return Summary(view_whole_run());
   }
 
-  std::string BirdStrike::closing_report() const
+  ToldText BirdStrike::closing_report() const
   {
-    const RunView run = view_whole_run();
-    return birdstrike::closing_report(run, Summary(run)) + "\n" + timings.table();
+    const RunView run     = view_whole_run();
+    ToldText      closing = birdstrike::closing_report(run, Summary(run));
+    closing.whole += "\n" + timings.table();
+    return closing;
   }
 
   std::string BirdStrike::describe_columns() const

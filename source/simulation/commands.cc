@@ -5,6 +5,8 @@
 #include "simulation/warnings/case_warnings.h"
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
+#include <birdstrike/io/entry_search.h>
+#include <birdstrike/material/known_materials.h>
 #include <birdstrike/report/columns.h>
 #include <birdstrike/report/text.h>
 #include <birdstrike/simulation/commands.h>
@@ -21,8 +23,10 @@ namespace birdstrike
     read_case(parameters, request);
     Scene scene(parameters);
     require_bounded_run(parameters, scene);
-    std::cout << explain(parameters, scene);
-    show(find_scene_warnings(parameters, scene));
+    std::cout << explain(parameters, scene).whole;
+    const Warnings warnings = find_scene_warnings(parameters, scene);
+    refuse_if_strict(warnings, request);
+    show(warnings);
   }
 
   void validate_case(const CaseRequest &request)
@@ -32,7 +36,9 @@ namespace birdstrike
     Scene scene(parameters);
     require_bounded_run(parameters, scene);
     explain(parameters, scene);
-    show(find_scene_warnings(parameters, scene));
+    const Warnings warnings = find_scene_warnings(parameters, scene);
+    refuse_if_strict(warnings, request);
+    show(warnings);
     std::cout << request.prm_file << ": valid\n";
   }
 
@@ -58,9 +64,23 @@ namespace birdstrike
     std::cout << strike.describe_columns();
   }
 
-  void print_parameters(const bool as_json)
+  void print_parameters(const ParametersRequest &request)
   {
     const CaseParameters parameters;
-    std::cout << (as_json ? parameters.file.as_json() : parameters.file.as_prm(true));
+    if (request.word.empty())
+      std::cout << (request.as_json ? parameters.file.as_json() : parameters.file.as_prm(true));
+    else
+      std::cout << describe_entries(parameters.file.tree(), request.word);
+  }
+
+  void print_materials()
+  {
+    std::cout << list_metals();
+  }
+
+  void print_liquids()
+  {
+    const CaseParameters parameters;
+    std::cout << list_liquids(parameters.bird.density);
   }
 } // namespace birdstrike

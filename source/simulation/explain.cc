@@ -28,24 +28,25 @@ namespace birdstrike
       table.add(shape.is_slice() ? "length, diameter of the whole bird" : "length, diameter",
                 format_quantity(shape.whole_length(), "m") + ", " + format_quantity(shape.whole_diameter(), "m"));
       if (shape.is_slice())
-        table.add("slice of it",
-                  fmt::format("{:.5g} of {:.5g} kg, {} thick, its faces as large as circles of {} at most",
-                              shape.volume() * parameters.density, parameters.mass,
-                              format_quantity(shape.length(), "m"), format_quantity(shape.diameter(), "m")));
+        table.add_detail("slice of it",
+                         fmt::format("{:.5g} of {:.5g} kg, {} thick, its faces as large as circles of {} at most",
+                                     shape.volume() * parameters.density, parameters.mass,
+                                     format_quantity(shape.length(), "m"), format_quantity(shape.diameter(), "m")));
       if (parameters.slice_blades > 0)
         {
           const auto &n = parameters.slice_normal;
-          table.add("its planes", fmt::format("paths of the edges of two of {} blades, normal ({:.4g}, {:.4g}, {:.4g})",
-                                              parameters.slice_blades, n[0], n[1], n[2]));
+          table.add_detail("its planes",
+                           fmt::format("paths of the edges of two of {} blades, normal ({:.4g}, {:.4g}, {:.4g})",
+                                       parameters.slice_blades, n[0], n[1], n[2]));
         }
-      table.add("packing", bird.summary());
+      table.add_detail("packing", bird.summary());
       table.add("liquid", liquid);
       if (parameters.has_strength())
         table.add("strength",
                   fmt::format("yields at {}, shear modulus {}", format_quantity(parameters.yield_stress, "Pa"),
                               format_quantity(parameters.shear_modulus, "Pa")));
-      table.add("kinetic energy", bird.energies().kinetic, "J");
-      table.add("momentum", vector_text(bird.momenta().momentum, "N s"));
+      table.add_detail("kinetic energy", format_quantity(bird.energies().kinetic, "J"));
+      table.add_detail("momentum", vector_text(bird.momenta().momentum, "N s"));
     }
 
     /// As the entry Angle to surface has it, or in words where the velocity has a part along the span.
@@ -62,6 +63,8 @@ namespace birdstrike
       return fmt::format("; {} the normal, from the {} edge on", across > 0. ? "with" : "against",
                          along > 0. ? "leading" : "trailing");
     }
+
+    constexpr std::size_t most_lines = 27; ///< on the screen before the first step; warnings follow
 
     constexpr double least_distance = 1e-4; ///< m, of an aim point that is given with a few digits
 
@@ -80,8 +83,8 @@ namespace birdstrike
       table.add_heading("Strike");
       table.add("aim", where);
       if (const auto &moved = projectile.first_touch.moved_by; Point3(moved.data()).norm() > least_distance)
-        table.add("moved by spin and steady loads", vector_text(moved, "m"));
-      table.add("velocity", vector_text(projectile.parameters.velocity, "m/s"));
+        table.add_detail("moved by spin and steady loads", vector_text(moved, "m"));
+      table.add_detail("velocity", vector_text(projectile.parameters.velocity, "m/s"));
       if (const auto &position = projectile.parameters.position; !position.empty())
         table.add("position at t = 0", vector_text({{position[0], position[1], position[2]}}, "m"));
       if (projectile.parameters.arrival > 0.)
@@ -93,16 +96,16 @@ namespace birdstrike
                                                     aim.normal_speed, is_turning ? "" : describe_side(projectile)));
       if (const auto &surface = projectile.parameters.aimed_surface; surface && !is_turning)
         {
-          table.add("chord there, from its leading edge", vector_text(surface->chord, ""));
-          table.add("normal there, span x chord", vector_text(surface->normal, ""));
+          table.add_detail("chord there, from its leading edge", vector_text(surface->chord, ""));
+          table.add_detail("normal there, span x chord", vector_text(surface->normal, ""));
         }
       if (aim.normal_speed > 0.)
-        table.add("Hugoniot pressure of that", aim.hugoniot_pressure, "Pa");
-      table.add("stagnation pressure", aim.stagnation_pressure, "Pa");
+        table.add_detail("Hugoniot pressure of that", format_quantity(aim.hugoniot_pressure, "Pa"));
+      table.add_detail("stagnation pressure", format_quantity(aim.stagnation_pressure, "Pa"));
       if (!std::isnan(aim.duration))
-        table.add(projectile.parameters.is_slice() ? "duration, extent along the velocity over speed"
-                                                   : "duration, length over speed",
-                  aim.duration, "s");
+        table.add_detail(projectile.parameters.is_slice() ? "duration, extent along the velocity over speed"
+                                                          : "duration, length over speed",
+                         format_quantity(aim.duration, "s"));
     }
 
     void add_mass_in_the_way(TextTable &table, const double share, const BirdParameters &bird)
@@ -119,13 +122,13 @@ namespace birdstrike
       const double    n_macro  = std::ceil(parameters.time.end_time / schedule.step);
       table.add_heading("Time");
       table.add("end time", parameters.time.end_time, "s");
-      table.add("flight skipped before first touch", scene.flight_time(), "s");
+      table.add_detail("flight skipped before first touch", format_quantity(scene.flight_time(), "s"));
       table.add("first time step", format_quantity(schedule.step, "s"));
       table.add("limited by", schedule.limiter.text());
-      table.add("subcycles in it", fmt::format("bird {}, blade {}", schedule.n_bird, schedule.n_blade));
-      table.add("time steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
+      table.add_detail("subcycles in it", fmt::format("bird {}, blade {}", schedule.n_bird, schedule.n_blade));
+      table.add_detail("time steps expected", format_count(static_cast<std::uint64_t>(n_macro)));
       table.add("run time on one core, about", format_duration(compute_run_time(parameters, scene)));
-      table.add("threads", std::to_string(parameters.time.n_threads()));
+      table.add_detail("threads", std::to_string(parameters.time.n_threads()));
       if (const double bytes = compute_run_memory(parameters, scene); bytes > 0.)
         table.add("memory of the program and the run, about", format_bytes(bytes));
     }
@@ -138,14 +141,15 @@ namespace birdstrike
       const double n_rows = output.history_interval > 0. ? end_time / output.history_interval + 2. : n_steps + 1.;
       table.add_heading("Files");
       table.add("folder", parameters.run_directory());
-      table.add("history rows", format_count(static_cast<std::uint64_t>(n_rows)));
+      table.add_detail("history rows", format_count(static_cast<std::uint64_t>(n_rows)));
       if (scene.has_contact() && output.channel_class > 0.) // report/force_channel.h; a row is four numbers
         {
           const double n_filtered = 200. * output.channel_class * end_time + 800.;
-          table.add("rows of filtered.csv, at most",
-                    format_count(static_cast<std::uint64_t>(n_filtered)) + ", " + format_bytes(75. * n_filtered));
+          table.add_detail("rows of filtered.csv, at most", format_count(static_cast<std::uint64_t>(n_filtered)) +
+                                                              ", " + format_bytes(75. * n_filtered));
         }
-      table.add("field files, before compression, at most", format_bytes(compute_field_bytes(parameters, scene)));
+      table.add_detail("field files, before compression, at most",
+                       format_bytes(compute_field_bytes(parameters, scene)));
     }
   } // namespace
 
@@ -163,7 +167,7 @@ namespace birdstrike
     return bytes;
   }
 
-  std::string explain(const CaseParameters &parameters, const Scene &scene)
+  ToldText explain(const CaseParameters &parameters, const Scene &scene)
   {
     TextTable table(parameters.name + (parameters.description.empty() ? "" : ": " + parameters.description));
     if (parameters.has_symmetry_plane)
@@ -185,6 +189,6 @@ namespace birdstrike
       }
     add_steps(table, parameters, scene);
     add_files(table, parameters, scene);
-    return table.text();
+    return {table.text(), table.brief(most_lines)};
   }
 } // namespace birdstrike

@@ -30,12 +30,12 @@ namespace birdstrike
                 fmt::format("stable step {} instead of {}, {} of {} elements scaled",
                             format_quantity(scaling.step, "s"), format_quantity(scaling.step_before, "s"),
                             format_count(scaling.n_scaled), format_count(n_elements)));
-      table.add("inertia through the thickness",
-                fmt::format("times {:.3g} at most; translation has its mass", scaling.largest_factor));
-      table.add("rotary inertia of the blade",
-                fmt::format("+{} about its slenderest axis: first torsion -{}, bending less",
-                            format_share(scaling.added_rotary_inertia),
-                            format_share(0.5 * scaling.added_rotary_inertia)));
+      table.add_detail("inertia through the thickness",
+                       fmt::format("times {:.3g} at most; translation has its mass", scaling.largest_factor));
+      table.add_detail("rotary inertia of the blade",
+                       fmt::format("+{} about its slenderest axis: first torsion -{}, bending less",
+                                   format_share(scaling.added_rotary_inertia),
+                                   format_share(0.5 * scaling.added_rotary_inertia)));
     }
 
     void add_span(TextTable &table, const Blade &blade)
@@ -85,10 +85,10 @@ namespace birdstrike
       for (const FormulationCensus &one : census.formulations)
         for (const FormulationCensus &other : census.formulations)
           if (one.section == other.section && one.n_layers == 1 && other.n_layers != 1)
-            table.add("bricks alone in the thickness",
-                      fmt::format("{} ({}); {} others ({})", format_count(one.n_elements),
-                                  element_formulations().name(one.formulation), format_count(other.n_elements),
-                                  element_formulations().name(other.formulation)));
+            table.add_detail("bricks alone in the thickness",
+                             fmt::format("{} ({}); {} others ({})", format_count(one.n_elements),
+                                         element_formulations().name(one.formulation), format_count(other.n_elements),
+                                         element_formulations().name(other.formulation)));
     }
 
     void add_spin(TextTable &table, const Blade &blade)
@@ -124,7 +124,8 @@ namespace birdstrike
     if (!blade.is_deformable())
       return;
     table.add("mass", census.mass, "kg");
-    table.add(blade.kind() == BladeKind::solid ? "area of the skin" : "area", fmt::format("{:.4g} m^2", census.area));
+    table.add_detail(blade.kind() == BladeKind::solid ? "area of the skin" : "area",
+                     fmt::format("{:.4g} m^2", census.area));
     if (census.thickest > 0.)
       table.add(
         "thickness",
@@ -136,10 +137,10 @@ namespace birdstrike
              : ", of " + format_count(census.n_thickness_given) + " elements given by file or table"));
     table.add("smallest element edge",
               format_quantity(census.smallest_edge, "m") + " at " + vector_text(census.smallest_at, "m"));
-    table.add("largest over smallest element", fmt::format("{:.3g}", census.largest_edge_ratio));
-    table.add("centre of mass", vector_text(census.centre_of_mass, "m"));
+    table.add_detail("largest over smallest element", fmt::format("{:.3g}", census.largest_edge_ratio));
+    table.add_detail("centre of mass", vector_text(census.centre_of_mass, "m"));
     add_span(table, blade);
-    table.add("held unknowns", format_count(census.n_held_dofs));
+    table.add_detail("held unknowns", format_count(census.n_held_dofs));
     for (const SupportCensus &support : census.supports)
       table.add("support", describe(support, blade.kind() == BladeKind::solid ? 3 : 6));
     add_spin(table, blade);
@@ -158,11 +159,11 @@ namespace birdstrike
                   is_laminate ? describe(of_section.laminate) : describe(of_section.material.metal()));
       }
     for (const SizeCensus &sizes : census.sizes)
-      table.add("failure strain by size" + (of.size() == 1 ? "" : " of section " + std::to_string(sizes.number)),
-                fmt::format("times {:.4g} to {:.4g}, elements of {} to {}", sizes.lowest, sizes.highest,
-                            format_quantity(sizes.smallest, "m"), format_quantity(sizes.largest, "m")));
+      table.add_detail("failure strain by size" + (of.size() == 1 ? "" : " of section " + std::to_string(sizes.number)),
+                       fmt::format("times {:.4g} to {:.4g}, elements of {} to {}", sizes.lowest, sizes.highest,
+                                   format_quantity(sizes.smallest, "m"), format_quantity(sizes.largest, "m")));
     add_mixtures(table, census);
     add_mass_scaling(table, census.mass_scaling, census.n_elements);
-    table.add("memory", format_bytes(census.bytes));
+    table.add_detail("memory", format_bytes(census.bytes));
   }
 } // namespace birdstrike

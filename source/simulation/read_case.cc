@@ -1,16 +1,52 @@
 #include "simulation/read_case.h"
 #include "simulation/warnings/case_warnings.h"
+#include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
 #include <birdstrike/io/case_parameters.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/logger.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace birdstrike
 {
+  namespace
+  {
+    bool is_error_if_strict(const Warning &warning)
+    {
+      constexpr std::array<std::string_view, 7> beginnings{
+        {"unit/", "material/", "entry/", "case/", "bird/misses_in_part", "bird/late", "blade/thickness_not_given"}};
+      return std::ranges::any_of(beginnings,
+                                 [&](const std::string_view begin) { return warning.code.starts_with(begin); });
+    }
+  } // namespace
+
   void show(const Warnings &warnings)
   {
     for (const Warning &warning : warnings)
       log().warn("Warning: {}", warning.text);
+  }
+
+  void refuse_if_strict(const Warnings &warnings, const CaseRequest &request)
+  {
+    Warnings                 refused;
+    std::vector<std::string> codes;
+    for (const Warning &warning : warnings)
+      if (request.is_strict && is_error_if_strict(warning))
+        {
+          refused.push_back(warning);
+          codes.push_back(warning.code);
+        }
+    if (refused.empty())
+      return;
+    show(refused);
+    throw InputError(fmt::format("With --strict these warnings are errors: {}.\nCorrect the entries that they name, or "
+                                 "leave --strict out.",
+                                 fmt::join(codes, ", ")));
   }
 
   std::string set_directory(const std::string &directory)
@@ -26,6 +62,7 @@ namespace birdstrike
       overrides.push_back(set_directory(request.output));
     parameters.read(request.prm_file, overrides);
     Warnings warnings = find_input_warnings(parameters);
+    refuse_if_strict(warnings, request);
     show(warnings);
     return warnings;
   }

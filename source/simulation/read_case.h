@@ -10,6 +10,9 @@ namespace birdstrike
   /// On the screen and in the log.
   void show(const Warnings &warnings);
 
+  /// With --strict: shows those of units, of entries without effect and of misses, and throws InputError, if any.
+  void refuse_if_strict(const Warnings &warnings, const CaseRequest &request);
+
   /// The override that sets the folder of a run, whatever its name.
   std::string set_directory(const std::string &directory);
 

@@ -64,9 +64,8 @@ namespace birdstrike
       return program_identity().version + " " + program_identity().build;
     }
 
-    Warnings find_all_warnings(Warnings of_inputs, const CaseParameters &parameters, const Scene &scene)
+    Warnings show_and_join(Warnings of_inputs, const Warnings &of_scene)
     {
-      const Warnings of_scene = find_scene_warnings(parameters, scene);
       show(of_scene);
       of_inputs.insert(of_inputs.end(), of_scene.begin(), of_scene.end());
       return of_inputs;
@@ -125,10 +124,11 @@ namespace birdstrike
       try
         {
           strike.run([&](const bool is_over) { checkpoints.write_when_due(strike, is_over); });
-          log().info("{}", strike.closing_report());
           Summary summary = strike.compute_summary();
           summary.set_inputs(inputs);
           show(summary.warnings()); // those of the beginning once more: they are far up by now
+          const ToldText closing = strike.closing_report();
+          tell(closing.brief, closing.whole);
           folder.finish(to_text(summary));
         }
       catch (NumericalFailure &failure)
@@ -142,7 +142,8 @@ namespace birdstrike
           folder.fail(error.what());
           throw;
         }
-      log().info("Results in {}", folder.path().string());
+      const std::string results = folder.path().string();
+      log().info("Results in {0}. Next: birdstrike compare {0}/parameters.prm draws its curves", results);
       if (strike.is_interrupted())
         throw Interrupted(
           "Interrupted by a signal before Time/End time; what stands in the folder goes as far as it "
@@ -213,6 +214,8 @@ namespace birdstrike
   void run_case(const CaseRequest &request)
   {
     survive_signals();
+    if (request.is_verbose)
+      set_console_level("debug");
     CaseParameters parameters;
     const Warnings of_inputs = read_case(parameters, request);
     const auto     directory = parameters.run_directory();
@@ -225,14 +228,16 @@ namespace birdstrike
     Scene             scene = make_scene(parameters, copies);
     write_what_follows(parameters, scene);
     require_bounded_run(parameters, scene);
-    const auto forecast = explain(parameters, scene);
+    const auto     forecast = explain(parameters, scene);
+    const Warnings of_scene = find_scene_warnings(parameters, scene);
+    refuse_if_strict(of_scene, request);
 
     listen_to_signals();
     RunFolder folder(directory);
     log_to_file(folder.file("log.txt").string());
     write_parameters(copies, folder);
-    log().info("{}", forecast);
-    const Warnings warnings = find_all_warnings(of_inputs, parameters, scene);
+    tell(forecast.brief, forecast.whole);
+    const Warnings warnings = show_and_join(of_inputs, of_scene);
     BirdStrike     strike(parameters, scene, folder.path(), warnings);
     Checkpoints    checkpoints(parameters.output.checkpoints, folder.path(),
                                {copies.parameters(), without_included(copies.inputs()), program(), 0., 0, {}}, strike);
@@ -242,6 +247,8 @@ namespace birdstrike
   void resume_run(const ResumeRequest &request)
   {
     survive_signals();
+    if (request.is_verbose)
+      set_console_level("debug");
     RunFolder folder = RunFolder::of_resumed_run(request.run);
     log_to_file(folder.file("log.txt").string(), true);
     Checkpoint        checkpoint = read_newest(folder.path());
@@ -252,7 +259,7 @@ namespace birdstrike
     then.read(prm, {here});
     std::vector<std::string> overrides = request.overrides;
     overrides.push_back(here);
-    const Warnings of_inputs = read_case(now, {prm, overrides, ""});
+    const Warnings of_inputs = read_case(now, {.prm_file = prm, .overrides = overrides, .output = ""});
     require_the_same_case(checkpoint, then, now);
     find_copies(checkpoint.inputs, folder.path(), now);
     if (now.time.end_time <= checkpoint.time * (1. + 1e-12))
@@ -268,7 +275,7 @@ namespace birdstrike
     folder.go_on();
     folder.write_text("parameters.prm", parameters_seen_from(folder.path(), now));
     remove_later_checkpoints(folder.path(), checkpoint.step); // damaged, or they would have been taken
-    Warnings   warnings = find_all_warnings(of_inputs, now, scene);
+    Warnings   warnings = show_and_join(of_inputs, find_scene_warnings(now, scene));
     const auto changes  = collect_changes(checkpoint, then.time, now.time);
     if (!changes.empty())
       warnings.push_back({"run/other_steps", "The run has gone on with other time steps than it began with: " +

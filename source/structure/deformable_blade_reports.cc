@@ -290,9 +290,7 @@ namespace birdstrike
     report.mass        = plane.whole(elements.failed_mass());
     for (std::size_t n = 0; n < mesh.space.n_owned(); ++n)
       if (elements.is_free(n))
-        {
-          report.free_mass += plane.whole(lumped.node[n]);
-        }
+        report.free_mass += plane.whole(lumped.node[n]);
     report.has_lost_tip = tip.has_any([&](const std::uint32_t n) { return elements.is_free(n); });
     return report;
   }

@@ -73,12 +73,13 @@ for room in tests/unit/*/; do
   [ -d "source/$(basename "$room")" ] || complain "$room mirrors no room"
 done
 for room in source/*/; do
+  ls "$room"/*.cc >/dev/null 2>&1 || continue
   ls "tests/unit/$(basename "$room")"/*_test.cc >/dev/null 2>&1 || complain "no unit test mirrors $room"
 done
 
 # Sizes.
 while read -r lines file; do
-  [ "$lines" -le 350 ] || complain "$file has $lines lines; at most 350"
+  [ "$lines" -le 300 ] || complain "$file has $lines lines; at most 300"
 done < <(find source include -name '*.h' -o -name '*.cc' | xargs wc -l | grep -v ' total$')
 while read -r folder; do
   n=$(find "$folder" -maxdepth 1 -type f | wc -l)

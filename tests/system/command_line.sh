@@ -15,7 +15,7 @@ check() {
   local patterns=()
   while [ "$1" != "--" ]; do patterns+=("$1"); shift; done
   shift
-  "$program" "$@" >out.txt 2>&1
+  "$program" "$@" >out.txt 2>&1 </dev/null # nobody types
   local code=$?
   local bad=""
   [ $code -eq "$expected" ] || bad="exit code $code, expected $expected"
@@ -43,15 +43,62 @@ check "version" 0 "birdstrike [0-9]+\.[0-9]+" "compiler +(GNU|Clang)" "deal.II +
 check "help" 0 "run" "explain" "validate" "columns" "parameters" "130 interrupted" -- --help
 check "help of run" 0 "--set" "--output" -- run --help
 check "no subcommand" 2 -- 
-check "unknown subcommand" 2 "'fly' is none" -- fly
+check "unknown subcommand" 2 "Unknown command 'fly'. Commands: run, explain" -- fly
 check "parameters as prm" 0 "subsection Bird" "set Mass" "\[kg\]" -- parameters
 check "parameters as JSON" 0 '"Bird"' '"unit"' -- parameters --json
+check "parameters of a section" 0 "^Bird/Equation of state/Sound speed" "unit m/s; default 1482.9" -- parameters "bird/equation of state"
+check "sections that repeat" 0 "^Bird/Equation of state/Sound speed" "Section Bird 2/Equation of state has the same entries as Bird/Equation of state" -- parameters "equation of"
+check "an entry" 0 "^Bird/Speed" "unit m/s; default empty" -- parameters Bird/Speed
+check "entries with a word" 0 "^Blade/Element/Hourglass" -- parameters hourglass
+check "no entry with a word" 2 "No entry has 'Mas5'" "Nearest name: 'Mass'" -- parameters Mas5
+check "materials" 0 "Ti-6Al-4V: 4430 kg/m.3, E 113.8 GPa" "source: ASM data sheet MTP641" "custom" -- materials
+check "liquids" 0 "murnaghan: p = B" "Hugoniot pressure at 200 m/s" "tabulated" -- liquids
 check "columns" 0 "root_bending_moment +N m +.*struck face" "probe_NAME_ux, _uy, _uz" "failed_elements" -- columns
 check "columns of a case" 0 "contact_force_x, _y, _z +N" -- columns "$top/prm/quickstart.prm"
 grep -qE "failed_elements|NAME" out.txt && { echo "FAILED columns of a case has others'"; n_failed=$((n_failed + 1)); }
 check "explain" 0 "particles" "limited by" "momentum" -- explain "$top/prm/quickstart.prm"
 check "validate" 0 "valid" -- validate "$top/prm/quickstart.prm"
 [ -z "$(ls | grep -v out.txt)" ] || { echo "FAILED explain or validate wrote: $(ls)"; n_failed=$((n_failed + 1)); }
+
+# A formula that is no number later on ends the run in words, with what it has written up to there.
+"$program" run "$top/prm/quickstart.prm" "${fast[@]}" --output late --set "Time/End time=0.5 ms" --set "Blade/Loads/Pressure=1e3*sqrt(1e-4 - t)" >out.txt 2>&1
+[ $? -eq 2 ] && grep -q "Blade/Loads/Pressure: '1e3.sqrt(1e-4 - t)' is not finite at .*, t = 0.0001" out.txt && [ -s late/log.txt ] && [ ! -e late/summary.json ] ||
+  { echo "FAILED a load that is no number later on"; tail -n 5 out.txt; n_failed=$((n_failed + 1)); }
+rm -rf late
+
+# The screen: at most 30 lines before the first step and 25 after the last; log.txt and --verbose have the whole.
+"$program" run "$top/prm/quickstart.prm" "${fast[@]}" --output brief --set "Output/Console interval=1e9" >out.txt 2>&1
+n_before=$(grep -n "^Warning" out.txt | head -n 1 | cut -d: -f1)
+n_after=$(($(wc -l <out.txt) - $(grep -n "^Ended at" out.txt | cut -d: -f1) + 1))
+"$program" run "$top/prm/quickstart.prm" "${fast[@]}" --output verbose --verbose --set "Output/Console interval=1e9" >whole.txt 2>&1
+if [ "$n_before" -gt 30 ] || [ "$n_after" -gt 25 ] || grep -q "per particle-step" out.txt || ! grep -q "per particle-step" brief/log.txt ||
+   ! grep -q "per particle-step" whole.txt || ! grep -q "centre of mass" whole.txt; then
+  echo "FAILED length of the screen: $n_before lines before the first step, $n_after after the last"
+  n_failed=$((n_failed + 1))
+fi
+rm -rf brief verbose whole.txt
+
+# A new file runs as it is, of a plate and of a mesh in mm.
+for blade in shell solid; do
+  for spin in 0 "3000 rpm"; do
+    check "new: $blade at $spin" 0 "Next: birdstrike explain new.prm" -- new new.prm --blade "$blade" --spin "$spin"
+    strict=(--strict) # a bird that meets a turning blade is cut by its edge
+    [ "$spin" = 0 ] || strict=()
+    check "new: $blade at $spin is valid" 0 "new.prm: valid" -- validate new.prm "${strict[@]}"
+    check "new: $blade of a mesh at $spin" 0 -- new new.prm --force --blade "$blade" --spin "$spin" --mesh "$top/meshes/own-blade-$blade.msh"
+    check "new: $blade of a mesh at $spin is valid" 0 "new.prm: valid" -- validate new.prm "${strict[@]}" --set "Blade/Mesh/File scale=0.001"
+    [ "$spin" != 0 ] || check "new: a $blade mesh in mm is warned of" 2 "mm" "With --strict these warnings are errors: unit/" -- validate new.prm --strict
+    rm -f new.prm
+  done
+done
+check "new: a wrong kind" 2 "Allowed: shell or solid" -- new new.prm --blade beam
+check "new: no such mesh" 2 "cannot open 'no-such.msh'" -- new new.prm --mesh no-such.msh
+touch new.prm
+check "new: a file that is there" 2 "--force" -- new new.prm
+rm -f new.prm
+check "strict: a unit" 2 "Was it meant in MPa" "With --strict these warnings are errors: unit/" -- run "$top/prm/quickstart.prm" --strict --set "Blade/Material/Young's modulus=113800"
+check "strict: an entry without effect" 2 "entry/unused" -- explain "$top/prm/quickstart.prm" --strict --set "Blade/Mesh/File scale=2"
+check "strict: nothing to say" 0 "valid" -- validate "$top/prm/quickstart.prm" --strict
 
 variant 's/Particle spacing/Particle spcing/'
 check "misspelt entry" 2 "Particle spcing" "Particle spacing" "case.prm" "line" -- run case.prm

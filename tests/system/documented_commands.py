@@ -64,6 +64,7 @@ FILE_OF_VERB = {"static": "prm/fan-blade-spin.prm", "modes": "prm/fan-blade-spin
 # Scripts that take minutes to hours, with the test, or the hand, that runs them.
 ELSEWHERE = {
     r"bash tests/run\.sh( -R bird)?": "what runs this test",
+    r"bash prm/manual/build\.sh": "system.manual",
     r"bash tests/stress/run\.sh \d+ 1": "stress.draws",
     r"bash tests/verification/run\.sh": "verification",
     r"bash tests/studies/(work_precision|error_bars|multirate)\.sh": "by hand",
@@ -154,7 +155,7 @@ def run_program(text, folder):
         return f"'{left[0]}' is no word of a command: put it into PLACEHOLDERS"
     words = [SMALLER.get(word, word) for word in words]
     files = [word for word in words if word.endswith(".prm") and not word.startswith("-")]
-    sizes = settings(small_of(files[0])) if files and words[0] not in ("static", "modes", "columns", "resume") else []
+    sizes = settings(small_of(files[0])) if files and words[0] not in ("static", "modes", "columns", "resume", "new") else []
     if words[0] in ("static", "modes") and files:
         sizes = settings(SMALL[1:3])
     given = [word for word in words if "=" in word]
@@ -249,7 +250,7 @@ def with_file(text, file):
 
 
 def collect_groups():
-    groups = [group for document in ("README.md", "prm/README.md", "meshes/README.md", "tests/README.md", "source/README.md",
+    groups = [group for document in ("README.md", "prm/README.md", "meshes/README.md", "tests/README.md", "source/README.md", "source/how-to-add.md",
                                                   *sorted(glob.glob("prm/manual/*.md", root_dir=TOP)), "tests/studies/README.md")
               for group in commands_of_documents(os.path.join(TOP, document))]
     groups += [[with_file(text, file)] for file in files_of_heads(TOP) for text in commands_of_heads(os.path.join(TOP, file))]

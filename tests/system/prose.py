@@ -1,7 +1,8 @@
 """Documents for users are in plain English, and their links lead somewhere: prose.py SOURCE_FOLDER
 
 Of README.md, prm/README.md and prm/manual: at most 18 words a sentence on the mean of each file and at most 40 in any sentence, no word
-of WORDS, at most 150 lines of README.md and 300 of a chapter, no link to a file or heading that is not there.
+of WORDS, at most 150 lines of README.md and 300 of a chapter, no link to a file or heading that is not there,
+no name of a file of this project that is not there. source/how-to-add.md may name no others either.
 """
 import glob
 import os
@@ -46,6 +47,12 @@ def broken_links(path, text):
             yield f"{path}: the link {target} leads to no heading"
 
 
+def missing_files(path, text):
+    for name in re.findall(r"`((?:source|include|tests|prm|meshes)/[\w./-]+)`", re.sub(r"```.*?```", "", text, flags=re.S)):
+        if not os.path.exists(name):
+            yield f"{path}: there is no {name}"
+
+
 def faults(path, most_lines):
     text = open(path, encoding="utf-8").read()
     if text.count("\n") > most_lines:
@@ -63,8 +70,10 @@ def main(top):
     os.chdir(top)
     documents = [("README.md", 150), ("prm/README.md", 300)] + [(f, 300) for f in sorted(glob.glob("prm/manual/*.md"))]
     found = [fault for path, most in documents for fault in faults(path, most)]
-    for path in [f for f, _ in documents] + glob.glob("*/README.md") + glob.glob("tests/*/*.md"):
+    for path in [f for f, _ in documents] + ["source/how-to-add.md"] + glob.glob("*/README.md") + glob.glob("tests/*/*.md"):
         found += broken_links(path, open(path, encoding="utf-8").read())
+    for path in [f for f, _ in documents] + ["source/how-to-add.md"]:
+        found += missing_files(path, open(path, encoding="utf-8").read())
     print("\n".join(dict.fromkeys(found)) or "plain")
     return bool(found)
 

@@ -103,12 +103,12 @@ namespace birdstrike
     Reconstruction        reconstruction      = Reconstruction::none;
     // frontal strike, 2 ms: float against double pairs 0.01 % of tip and peak force, same energy and momentum error
     PairPrecision pair_precision      = PairPrecision::as_float;
-    unsigned int  correction_interval = 4; ///< passes; 4 against 1: 0.07 % of the tip, 0.4 % of the peak force
-    bool          tension_cutoff      = true;
-    double        shear_modulus       = 0.; ///< Pa
-    double        yield_stress        = 0.; ///< Pa; 0: a liquid
-    double        courant_number = 0.35;    // 0.45 lets the first layer on a wall ring at 10 m/s (rms 70 %); 0.35: 1 %
-    double        skin           = 0.1;     ///< of the kernel's support
+    unsigned int  correction_interval = 4;    ///< passes; 4 against 1: 0.07 % of the tip, 0.4 % of the peak force
+    bool          tension_cutoff      = true; ///< false in tests alone: else particles clump
+    double        shear_modulus       = 0.;   ///< Pa
+    double        yield_stress        = 0.;   ///< Pa; 0: a liquid
+    double        courant_number = 0.35; // 0.45 lets the first layer on a wall ring at 10 m/s (rms 70 %); 0.35: 1 %
+    double        skin           = 0.1;  ///< of the kernel's support
     bool          retire         = true;
 
     std::vector<double> retirement_margin; ///< m; empty: 1.25 diameters of the bird

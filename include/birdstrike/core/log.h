@@ -20,6 +20,10 @@ namespace birdstrike
   /// A log as at the start of the program: the console, as it is now, and no file.
   void reset_log();
 
+  /// Told in two lengths: the console shows the brief text (the whole one where its level is "debug"), the file keeps
+  /// the whole.
+  void tell(const std::string &brief, const std::string &whole);
+
   /// Lowest severity shown on the console: "trace", "info", "warning", "error", "off".
   void set_console_level(const std::string &level);
 } // namespace birdstrike

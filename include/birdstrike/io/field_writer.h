@@ -25,7 +25,8 @@ namespace birdstrike
     FieldWriter(const FieldWriter &)            = delete;
     FieldWriter &operator=(const FieldWriter &) = delete;
 
-    /// Queues one snapshot; waits while `capacity` of them are queued. The series must outlive the writer.
+    /// Queues one snapshot; waits while `capacity` of them are queued, or what is queued takes more than 64 MiB. The
+    /// series must outlive the writer.
     void write(FieldSeries &series, FieldSnapshot snapshot, double time);
 
     /// Waits until all is on disk.
@@ -40,6 +41,7 @@ namespace birdstrike
     };
 
     void work();
+    bool has_room() const;
     void rethrow_error(std::unique_lock<std::mutex> &lock);
 
     std::size_t             capacity;

@@ -3,6 +3,7 @@
 #include <birdstrike/core/function_ref.h>
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ namespace birdstrike
   /// The same of what `write` writes to a descriptor, open for reading and writing: it returns 0, or errno of what
   /// failed.
   void write_whole_file(const std::filesystem::path &file, FunctionRef<int(int descriptor)> write);
+
+  /// The same of what `write` puts into a stream: nothing but a buffer of it is ever in memory.
+  void stream_whole_file(const std::filesystem::path &file, FunctionRef<void(std::ostream &out)> write);
 
   /// All bytes of a file. Throws InputError where it cannot be read.
   std::string read_whole_file(const std::filesystem::path &file);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <string>
+#include <birdstrike/report/text.h>
 
 namespace birdstrike
 {
   struct RunView;
   struct Summary;
 
-  /// What a run came to, as a table for the terminal.
-  std::string closing_report(const RunView &run, const Summary &summary);
+  /// What a run came to, as a table.
+  ToldText closing_report(const RunView &run, const Summary &summary);
 } // namespace birdstrike

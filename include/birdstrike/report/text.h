@@ -29,16 +29,35 @@ namespace birdstrike
     void add_heading(const std::string &heading);
     void add(const std::string &key, const std::string &value);
     void add(const std::string &key, double value, const std::string &unit);
+    /// A row that the brief text leaves out.
+    void add_detail(const std::string &key, const std::string &value);
 
     std::string text() const;
 
+    /// Without details and the headings of details alone; of more than `most` lines the last ones left out, and said.
+    std::string brief(std::size_t most) const;
+
   private:
+    enum class RowKind
+    {
+      heading,
+      plain,
+      detail
+    };
     struct Row
     {
       std::string key, value;
-      bool        is_heading;
+      RowKind     kind;
     };
+    static std::vector<std::string> lines_of(const std::vector<Row> &rows);
+
     std::string      title;
     std::vector<Row> rows;
+  };
+
+  /// What is told in two lengths: the screen shows the brief one, log.txt keeps the whole.
+  struct ToldText
+  {
+    std::string whole, brief;
   };
 } // namespace birdstrike

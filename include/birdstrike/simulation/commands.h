@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,16 +12,19 @@ namespace birdstrike
   struct CaseRequest
   {
     std::string              prm_file;
-    std::vector<std::string> overrides;         ///< "Section/Sub section/Entry=value"
-    std::string              output;            ///< run folder instead of the one in the prm; empty: as in the prm
-    bool                     is_forced = false; ///< a finished run in the folder may be replaced
+    std::vector<std::string> overrides;          ///< "Section/Sub section/Entry=value"
+    std::string              output;             ///< run folder instead of the one in the prm; empty: as in the prm
+    bool                     is_forced  = false; ///< a finished run in the folder may be replaced
+    bool                     is_verbose = false; ///< the screen shows what log.txt keeps
+    bool is_strict = false; ///< warnings of units, of entries without effect and of misses are errors
   };
 
   /// What the command line says about a run that shall go on.
   struct ResumeRequest
   {
-    std::string              run;       ///< its folder
-    std::vector<std::string> overrides; ///< as of a case, of what may change
+    std::string              run;                ///< its folder
+    std::vector<std::string> overrides;          ///< as of a case, of what may change
+    bool                     is_verbose = false; ///< as of a case
   };
 
   /// Goes on from the newest checkpoint that can be read, in the same folder: rows, fields and log continue as if the
@@ -59,6 +63,33 @@ namespace birdstrike
   /// Prints what every column of a case's histories is; without a file, of any case's.
   void print_columns(const CaseRequest &request);
 
-  /// Prints every parameter with text, range, default and unit, as prm or as JSON.
-  void print_parameters(bool as_json);
+  /// What the command line says about the list of entries.
+  struct ParametersRequest
+  {
+    std::string word;            ///< a section, an entry or a word; empty: all
+    bool        as_json = false; ///< all of them
+  };
+
+  /// Prints entries with text, range, default and unit: all as prm or JSON, those of a word as a list.
+  void print_parameters(const ParametersRequest &request);
+
+  /// What the command line says about a new parameter file; what is not given is asked for if somebody types.
+  struct NewCaseRequest
+  {
+    std::string                file;
+    std::optional<std::string> blade;             ///< shell or solid
+    std::optional<std::string> mesh;              ///< a file; empty: a flat plate
+    std::optional<std::string> spin;              ///< of the hub, with its unit; 0: at rest
+    bool                       is_forced = false; ///< an existing file may be replaced
+  };
+
+  /// Writes a commented parameter file that runs as it is, and says what to do next. Throws InputError for a file that
+  /// exists, a kind of blade that there is none, and a mesh that cannot be read.
+  void write_new_case(const NewCaseRequest &request);
+
+  /// Prints the metals that Material/Name knows, with their constants and sources.
+  void print_materials();
+
+  /// Prints the liquids of Equation of state/Type at their default constants, with what they do in a strike.
+  void print_liquids();
 } // namespace birdstrike

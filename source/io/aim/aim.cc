@@ -1,4 +1,6 @@
 #include "io/aim/aim.h"
+#include "io/aim/aimed_velocity.h"
+#include "io/aim/contradiction.h"
 #include "io/aim/row_slice.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/io/aimed_surface.h>
@@ -10,16 +12,11 @@
 
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
 namespace birdstrike
 {
   namespace
   {
-    constexpr double degree     = std::numbers::pi / 180.;
-    constexpr double tolerance  = 1e-3; ///< of speeds, directions and the chord
-    constexpr double same_angle = 0.05 * degree;
-
     std::array<double, 3> to_array(const Point3 &a)
     {
       return {{a[0], a[1], a[2]}};
@@ -34,19 +31,6 @@ namespace birdstrike
     std::string text_of(const Point3 &a)
     {
       return text_of(a[0]) + ", " + text_of(a[1]) + ", " + text_of(a[2]);
-    }
-
-    std::string shown(const Point3 &a)
-    {
-      return fmt::format("({:.6g}, {:.6g}, {:.6g})", a[0], a[1], a[2]);
-    }
-
-    [[noreturn]] void refuse_difference(const BirdParameters &bird, const std::string &entry, const std::string &found,
-                                        const std::string &other, const std::string &there)
-    {
-      throw InputError(fmt::format("{0}/{1} = {2} contradicts {0}/{3}, by which it is {4}.\nLeave one of the two out "
-                                   "(what a file says is taken back by --set \"{0}/...=default\"), or correct it.",
-                                   bird.section, entry, found, other, there));
     }
 
     /// The surface where the bird aims, or nothing.
@@ -78,7 +62,7 @@ namespace birdstrike
         const Point3 point = is_by_edge() ? row->middle : map->position(span, bird.aim_chord_fraction[0]);
         if (!is_given)
           return point;
-        if ((point - given).norm() > tolerance * (map->position(span, 1.) - map->position(span, 0.)).norm())
+        if ((point - given).norm() > given_tolerance * (map->position(span, 1.) - map->position(span, 0.)).norm())
           refuse_difference(bird, "Aim point", shown(given) + " m",
                             is_by_edge() ? "Aim span fraction and Slice/Number of blades"
                                          : "Aim span fraction and Aim chord fraction",
@@ -127,86 +111,6 @@ namespace birdstrike
       std::unique_ptr<const SurfaceMap> map;
     };
 
-    Point3 direction_by_angle(const AimedSurface &surface, const double degrees)
-    {
-      const Point3 n(surface.normal.data()), chord(surface.chord.data());
-      if (std::abs(degrees) == 90.)
-        return degrees > 0. ? n : Point3(-n);
-      const Point3 tangent = (chord - chord.dot(n) * n).normalized();
-      return std::sin(degrees * degree) * n + std::cos(degrees * degree) * tangent;
-    }
-
-    void check_angle(const BirdParameters &bird, const BladeParameters &blade)
-    {
-      if (!blade.loads.initial_spin.empty() || !blade.loads.initial_velocity.empty())
-        throw InputError(bird.section +
-                         "/Angle to surface: the blade moves at the start (Blade/Loads/Initial spin or Initial "
-                         "velocity), so that the angle of the bird's velocity is not that at which they meet.\nGive "
-                         "Speed with Flight direction, or Velocity; explain says at which angle they meet.");
-      if (Rotor(blade.spin).turns())
-        throw InputError(bird.section +
-                         "/Angle to surface: the blade turns (Blade/Spin/Speed), so that the angle of the bird's "
-                         "velocity is not that at which they meet.\nGive Speed with Flight direction, or Velocity; "
-                         "explain says at which angle they meet.");
-      if (const double degrees = bird.angle_to_surface[0]; degrees == 0. || std::abs(degrees) == 180.)
-        throw InputError(bird.section +
-                         "/Angle to surface: along the surface the bird never meets it.\nGive an angle other than 0 "
-                         "and 180 degrees; 90 is along the normal.");
-    }
-
-    /// The direction that is given besides Velocity; nothing if none is.
-    std::optional<Point3> find_direction(const BirdParameters &bird, const BladeParameters &blade)
-    {
-      std::optional<Point3> by_angle;
-      if (!bird.angle_to_surface.empty())
-        {
-          check_angle(bird, blade);
-          by_angle = direction_by_angle(*bird.aimed_surface, bird.angle_to_surface[0]);
-        }
-      if (bird.flight_direction.empty())
-        return by_angle;
-      const Point3 given = Point3(bird.flight_direction.data()).normalized();
-      // any direction at that angle will do, in whatever plane
-      if (by_angle)
-        if (const Point3 n(bird.aimed_surface->normal.data());
-            std::abs(std::asin(std::clamp(given.dot(n), -1., 1.)) - std::asin(by_angle->dot(n))) > same_angle)
-          refuse_difference(bird, "Angle to surface", fmt::format("{:g} degrees", bird.angle_to_surface[0]),
-                            "Flight direction", fmt::format("{:.4g} degrees", std::asin(given.dot(n)) / degree));
-      return given;
-    }
-
-    Point3 find_velocity(const BirdParameters &bird, const BladeParameters &blade, const bool is_given)
-    {
-      const Point3                given(bird.velocity.data());
-      const std::optional<Point3> direction = find_direction(bird, blade);
-      if (!is_given)
-        {
-          if (bird.speed.empty() && !direction)
-            return given; // the default
-          if (bird.speed.empty() || !direction)
-            throw InputError(bird.section + "/" + (direction ? "Speed" : "Angle to surface") +
-                             " is missing.\nA velocity is Velocity, or Speed together with Angle to surface or Flight "
-                             "direction; a further "
-                             "bird that gives one of these does not take Velocity from section Bird.");
-          return bird.speed[0] * *direction;
-        }
-      if (!bird.speed.empty() && std::abs(given.norm() - bird.speed[0]) > tolerance * bird.speed[0])
-        refuse_difference(bird, "Speed", fmt::format("{:g} m/s", bird.speed[0]), "Velocity",
-                          fmt::format("{:.6g} m/s", given.norm()));
-      if (direction && (given.normalized() - *direction).norm() > tolerance)
-        {
-          if (bird.flight_direction.empty())
-            refuse_difference(bird, "Angle to surface", fmt::format("{:g} degrees", bird.angle_to_surface[0]),
-                              "Velocity", "along " + shown(given.normalized()) + " instead of " + shown(*direction));
-          refuse_difference(bird, "Flight direction", shown(Point3(bird.flight_direction.data())), "Velocity",
-                            shown(given.normalized()));
-        }
-      return given;
-    }
-  } // namespace
-
-  namespace
-  {
     /// The planes of the slice that a blade takes, into `found` where the file does not give them.
     void add_planes(const BirdParameters &bird, const RowSlice &row, const bool is_normal_given,
                     const bool is_between_given, std::vector<std::string> &found)
@@ -214,12 +118,12 @@ namespace birdstrike
       const char *const there = "Slice/Number of blades";
       if (!is_normal_given)
         found.push_back(bird.section + "/Slice/Normal=" + text_of(row.normal));
-      else if (const Point3 given(bird.slice_normal.data()); (given.normalized() - row.normal).norm() > tolerance)
+      else if (const Point3 given(bird.slice_normal.data()); (given.normalized() - row.normal).norm() > given_tolerance)
         refuse_difference(bird, "Slice/Normal", shown(given), there, "along " + shown(row.normal));
       if (!is_between_given)
         found.push_back(bird.section + "/Slice/Between=" + text_of(-row.half) + ", " + text_of(row.half));
       else if (const auto &given = bird.slice_between;
-               std::max(std::abs(given[0] + row.half), std::abs(given[1] - row.half)) > tolerance * row.half)
+               std::max(std::abs(given[0] + row.half), std::abs(given[1] - row.half)) > given_tolerance * row.half)
         refuse_difference(bird, "Slice/Between", fmt::format("{:.6g}, {:.6g} m", given[0], given[1]), there,
                           fmt::format("{:.6g}, {:.6g} m", -row.half, row.half));
     }

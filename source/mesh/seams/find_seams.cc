@@ -1,4 +1,5 @@
 #include "mesh/seams/find_seams.h"
+#include "mesh/seams/rim_chain.h"
 
 #include <birdstrike/core/closest_point.h>
 
@@ -16,8 +17,8 @@ namespace birdstrike
   {
     using Side = Rim::Side;
 
-    constexpr double joined_within = 1e-3, chain_within = 0.1; ///< see find_seams
-    const double     cos_30 = std::sqrt(0.75);
+    constexpr double joined_within = 1e-3; ///< see find_seams
+    const double     cos_30        = std::sqrt(0.75);
 
     Point3 along(const Rim &rim, const Side &edge)
     {
@@ -73,115 +74,6 @@ namespace birdstrike
       return found;
     }
 
-    /// Boundary edges as neighbours of nodes: [n_nodes + 1] places in a sorted list.
-    class RimEdges
-    {
-    public:
-      explicit RimEdges(const Rim &rim) : begin(rim.x.size() + 1, 0)
-      {
-        for (const Side &side : rim.sides)
-          for (unsigned int k = 0; k + (rim.n_corners == 2) < rim.n_corners; ++k)
-            {
-              const std::uint32_t a = side.nodes[k], b = side.nodes[(k + 1) % rim.n_corners];
-              all.push_back({a, b});
-              all.push_back({b, a});
-            }
-        std::ranges::sort(all);
-        all.erase(std::unique(all.begin(), all.end()), all.end());
-        for (const auto &[from, to] : all)
-          ++begin[from + 1];
-        for (std::size_t n = 1; n < begin.size(); ++n)
-          begin[n] += begin[n - 1];
-      }
-
-      template <class Visit>
-      void for_neighbours(const std::uint32_t node, const Visit &visit) const
-      {
-        for (std::uint32_t k = begin[node]; k < begin[node + 1]; ++k)
-          visit(all[k][1]);
-      }
-
-    private:
-      std::vector<std::array<std::uint32_t, 2>> all;
-      std::vector<std::uint32_t>                begin;
-    };
-
-    /// The boundary from one end of a side's edge to the other, close beside it, over nodes that its cell does not
-    /// have.
-    class Chain
-    {
-    public:
-      Chain(const Rim &rim, const RimEdges &edges, const Side &side, const std::uint32_t first,
-            const std::uint32_t last)
-        : rim(rim), edges(edges), side(side), first(first), last(last), edge(rim.x[last] - rim.x[first])
-      {
-      }
-
-      /// The nodes between, none where there is no such way.
-      std::vector<std::uint32_t> nodes() const
-      {
-        std::vector<std::uint32_t> way;
-        double                     share = 0.;
-        for (std::uint32_t node = first; node != last; way.push_back(node))
-          {
-            const auto next = next_of(node, share);
-            if (!next)
-              return {};
-            node = *next;
-            if (node == last)
-              break;
-            share = share_of(node);
-          }
-        return way;
-      }
-
-    private:
-      const Rim          &rim;
-      const RimEdges     &edges;
-      const Side         &side;
-      const std::uint32_t first, last;
-      const Point3        edge;
-
-      double share_of(const std::uint32_t node) const
-      {
-        return (rim.x[node] - rim.x[first]).dot(edge) / edge.squaredNorm();
-      }
-
-      double distance_of(const std::uint32_t node) const
-      {
-        return (rim.x[node] - rim.x[first] - share_of(node) * edge).norm();
-      }
-
-      /// Between the ends, beside the edge; of no face with both ends.
-      bool may_follow(const std::uint32_t node, const double share) const
-      {
-        const double here = share_of(node);
-        if (here <= share || here < OpenSeams::near || here > 1. - OpenSeams::near ||
-            distance_of(node) > chain_within * edge.norm() || rim.is_of_cell(node, side))
-          return false;
-        return std::ranges::none_of(rim.sides_at(node), [&](const std::uint32_t s) {
-          return rim.is_of_cell(first, rim.sides[s]) && rim.is_of_cell(last, rim.sides[s]);
-        });
-      }
-
-      std::optional<std::uint32_t> next_of(const std::uint32_t node, const double share) const
-      {
-        std::optional<std::uint32_t> best;
-        double                       nearest = INFINITY;
-        edges.for_neighbours(node, [&](const std::uint32_t other) {
-          const bool is_end = other == last && node != first;
-          if (!is_end && !may_follow(other, share))
-            return;
-          if (const double d = is_end ? -1. : distance_of(other); d < nearest)
-            {
-              nearest = d;
-              best    = other;
-            }
-        });
-        return best;
-      }
-    };
-
     class Search
     {
     public:
@@ -220,7 +112,7 @@ namespace birdstrike
             {
               const Side &side = rim.sides[s];
               for (const std::uint32_t node :
-                   Chain(rim, edges, side, side.nodes[k], side.nodes[(k + 1) % rim.n_corners]).nodes())
+                   RimChain(rim, edges, side, side.nodes[k], side.nodes[(k + 1) % rim.n_corners]).nodes())
                 hanging.emplace(node, s);
             }
       }

@@ -285,19 +285,4 @@ namespace birdstrike
     if (has_value || has_text || names.empty())
       all.push_back(std::move(row));
   }
-
-  const std::vector<ComparisonRow> &ComparisonTable::rows() const
-  {
-    return all;
-  }
-
-  const std::vector<Warnings> &ComparisonTable::warnings() const
-  {
-    return warned;
-  }
-
-  const std::vector<std::string> &ComparisonTable::notes() const
-  {
-    return remarks;
-  }
 } // namespace birdstrike

@@ -41,13 +41,22 @@ namespace birdstrike
   public:
     explicit ComparisonTable(const std::vector<ComparedRun> &runs);
 
-    const std::vector<ComparisonRow> &rows() const;
+    const std::vector<ComparisonRow> &rows() const
+    {
+      return all;
+    }
 
     /// What the rows cannot say: how a permanent deflection was taken, which runs were lost and why.
-    const std::vector<std::string> &notes() const;
+    const std::vector<std::string> &notes() const
+    {
+      return remarks;
+    }
 
     /// Of each run, as its summary has them; none of a run that was lost.
-    const std::vector<Warnings> &warnings() const;
+    const std::vector<Warnings> &warnings() const
+    {
+      return warned;
+    }
 
     std::string as_text() const;     ///< a table a group, aligned for a terminal, values with SI prefixes
     std::string as_markdown() const; ///< the same as tables of Markdown

@@ -60,11 +60,10 @@ namespace birdstrike
 
       void add(const fs::path &folder, const std::string &reason)
       {
-        if (!reason.empty() && n++ == 0)
-          {
-            first = folder;
-            why   = reason;
-          }
+        if (reason.empty() || n++ > 0)
+          return;
+        first = folder;
+        why   = reason;
       }
     };
 

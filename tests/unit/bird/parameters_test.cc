@@ -13,11 +13,10 @@ TEST(BirdParameters, AreReadFromTheirSection)
   dealii::ParameterHandler prm;
   parameters.declare(prm);
   prm.parse_input_from_string("subsection Bird\n set Mass = 0.0826\n set Velocity = 0, 243.2, 179.3\n"
-                              " set Shape = hemispherical cylinder\n set Tension cut-off = false\nend\n");
+                              " set Shape = hemispherical cylinder\nend\n");
   EXPECT_EQ(parameters.mass, 0.0826);
   EXPECT_EQ(parameters.velocity[1], 243.2);
   EXPECT_EQ(parameters.shape, BirdShape::hemispherical_cylinder);
-  EXPECT_FALSE(parameters.tension_cutoff);
   EXPECT_NO_THROW(parameters.check());
 }
 

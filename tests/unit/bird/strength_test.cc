@@ -300,8 +300,6 @@ TEST(Strength, RefusesWhatItIsNotWrittenFor)
   EXPECT_NE(
     refusal([](BirdParameters &p) { p.formulation = ParticleFormulation::standard; }).find("standard formulation"),
     std::string::npos);
-  EXPECT_NE(refusal([](BirdParameters &p) { p.tension_cutoff = false; }).find("unstable in tension"),
-            std::string::npos);
   EXPECT_NE(refusal([](BirdParameters &p) { p.gradient_correction = false; }).find("gradient correction"),
             std::string::npos);
 }

@@ -17,7 +17,7 @@ namespace
 {
   void look(const CaseParameters &parameters, const Scene &scene)
   {
-    EXPECT_FALSE(explain(parameters, scene).empty());
+    EXPECT_FALSE(explain(parameters, scene).whole.empty());
     scene.state();
     scene.last_plan();
     scene.n_list_changes();

@@ -1,4 +1,4 @@
-"""prm/birdstrike.py reads what a run has written: python_reader_test.py PROGRAM SOURCE_FOLDER"""
+"""The package birdstrike reads what a run has written: reader_test.py PROGRAM SOURCE_FOLDER"""
 
 import pathlib
 import subprocess
@@ -7,7 +7,7 @@ import tempfile
 import unittest
 
 PROGRAM, TOP = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
-sys.path.insert(0, str(TOP / "prm"))
+sys.path.insert(0, str(TOP / "source" / "python"))
 
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
@@ -160,7 +160,7 @@ class Reader(unittest.TestCase):
             run.blade(0.)
 
     def test_what_is_not_there_is_named(self):
-        with self.assertRaises(FileNotFoundError):
+        with self.assertRaisesRegex(FileNotFoundError, "history.csv"):
             Run(self.scratch.name)
         with self.assertRaisesRegex(KeyError, "tip_mid_chord"):
             self.run_of["shell"]["tip"]
