@@ -5,7 +5,8 @@ import os
 import re
 import subprocess
 
-VERBS = ("run", "resume", "explain", "validate", "static", "modes", "compare", "study", "converge", "columns", "parameters")
+VERBS = ("run", "resume", "explain", "validate", "static", "modes", "compare", "study", "converge", "columns", "parameters",
+         "new", "materials", "liquids")
 VERB = "|".join(VERBS)
 
 # What a span of code begins with that is a command; `run` alone is a word, `run FILE.prm` a command.
