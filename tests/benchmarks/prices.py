@@ -25,7 +25,7 @@ TOLERANCE = 4.0 / 3.0  # benchmarks of one machine repeat within a tenth; a thir
 
 def read_table(text):
     """[(constant, value, benchmark, counter or None)]"""
-    pattern = r"constexpr double (\w+)\s*=\s*([\d.]+);\s*///< ([\w/]+)(?:: (bytes_\w+))?"
+    pattern = r"constexpr double (\w+)\s*=\s*([\d.]+);\s*///< (explain|\w+/[\w/]+)(?:: (bytes_\w+))?"
     return [(name, float(value), benchmark, counter) for name, value, benchmark, counter in re.findall(pattern, text)]
 
 

@@ -66,7 +66,7 @@ import tempfile
 
 import free_streamlines
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "prm"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "source" / "python"))
 from birdstrike import Mesh  # noqa: E402
 
 PRM = pathlib.Path(__file__).with_suffix(".prm")

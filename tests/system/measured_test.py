@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 PROGRAM, TOP = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-sys.path.append(os.path.join(TOP, "prm"))
+sys.path.append(os.path.join(TOP, "source", "python"))
 from birdstrike import Run  # noqa: E402
 
 FAST = ("Bird/Particle spacing=0.006", "Blade/Mesh/Elements along span=14", "Blade/Mesh/Elements along chord=4", "Time/End time=1e-3",

@@ -2,6 +2,7 @@
 #include "report/comparison/case_run.h"
 #include "report/comparison/run_reuse.h"
 #include "report/comparison/way_on.h"
+#include "report/study/run_outcome.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
@@ -28,12 +29,6 @@ namespace birdstrike
     std::string first_line(const std::string &text)
     {
       return text.substr(0, text.find('\n'));
-    }
-
-    std::string last_line(std::string text)
-    {
-      text.erase(text.find_last_not_of('\n') + 1);
-      return text.substr(text.rfind('\n') + 1);
     }
 
     std::vector<std::string> overrides_of(const StudyPoint &point, const RunOptions &options)
@@ -130,49 +125,20 @@ namespace birdstrike
         }
     }
 
-    std::string describe_stop(const PointRun &run)
+    std::size_t jobs_of(const RunOptions &options)
     {
-      const RunRecord record = read_record(run.folder);
-      return !record.is_complete() ? "stopped"
-                                   : "stopped at " + format_quantity(record.summary().number("end/time"), "s") +
-                                       (find_checkpoints(run.folder).empty() ? "" : ", will go on");
+      return std::min(options.n_jobs > 0 ? options.n_jobs : usable_cores(), most_children);
     }
 
-    /// Its results are those of a part, and which depends on the machine, or on who stopped it.
-    bool ended_by(const RunRecord &record, const EndReason reason)
+    /// Runs that share the cores of this machine; those of a launcher have cores of their own.
+    void warn_of_shared_cores(const std::size_t n_threads, const std::size_t n_points, const RunOptions &options)
     {
-      return record.is_complete() && record.summary().text("end/reason") == end_reasons().name(reason);
-    }
-
-    void judge(PointRun &run, const ChildResult &result)
-    {
-      if (run.goes_on && result.exit_code == static_cast<int>(ExitCode::bad_input))
-        {
-          run.goes_on = false;
-          run.state   = "run anew, for resume says: " + find_refusal(result.output);
-          return;
-        }
-      const RunRecord record = read_record(run.folder);
-      if (result.exit_code == 0 && (!record.is_complete() || ended_by(record, EndReason::signal)))
-        {
-          run.exit_code = static_cast<int>(ExitCode::internal_error); // of a launcher that only hands over
-          run.state     = "its launcher is back with exit code 0, and there is no complete run";
-          return;
-        }
-      const bool is_cut = result.exit_code == 0 && ended_by(record, EndReason::wall_time);
-      run.exit_code     = is_cut ? Interrupted::exit_code : result.exit_code;
-      run.is_done       = run.exit_code == 0;
-      const auto marker = record.state();
-      if (run.is_done)
-        run.state = "done";
-      else if (result.exit_code == static_cast<int>(ExitCode::numerical_failure))
-        run.state = "lost: " + (marker.starts_with("failed: ") ? marker.substr(8) : marker);
-      else if (result.exit_code == static_cast<int>(ExitCode::bad_input))
-        run.state = "refused: " + find_refusal(result.output);
-      else if (run.exit_code == Interrupted::exit_code)
-        run.state = describe_stop(run);
-      else
-        run.state = fmt::format("ended with exit code {}: {}", result.exit_code, last_line(result.output));
+      const std::size_t n_jobs = std::min(jobs_of(options), n_points), n_cores = usable_cores();
+      if (options.launcher.empty() && n_jobs * n_threads > n_cores)
+        log().warn(
+          "Warning: {} runs side by side with Time/Threads = {} share {} cores and take turns. Leave Time/Threads "
+          "out, or give --jobs {}.",
+          n_jobs, n_threads, n_cores, std::max<std::size_t>(n_cores / n_threads, 1));
     }
 
     /// Returns the signal that stopped it, or 0.
@@ -182,7 +148,7 @@ namespace birdstrike
       std::vector<ChildRequest> requests;
       for (const PointRun *run : started)
         requests.push_back(make_request(*run, options));
-      const std::size_t n_jobs  = std::min(options.n_jobs > 0 ? options.n_jobs : usable_cores(), most_children);
+      const std::size_t n_jobs  = jobs_of(options);
       const auto        begin   = Clock::now();
       std::size_t       n_ended = 0;
       return run_children(requests, n_jobs, [&](const std::size_t k, const ChildResult &result) {
@@ -213,6 +179,8 @@ namespace birdstrike
                 parameters.read(options.prm_file, overrides_of(point, options));
                 if (!parameters.file.is_given("Time/Threads"))
                   options.overrides.emplace_back("Time/Threads=1");
+                else
+                  warn_of_shared_cores(parameters.time.n_threads(), points.size(), options);
                 is_first = false;
               }
             look_for_run(run, options, kept);
@@ -230,22 +198,6 @@ namespace birdstrike
       throw InputError(refusal);
     refuse_loss_of_runs(kept.first, kept.why, kept.n);
     return runs;
-  }
-
-  std::string find_refusal(const std::string &output)
-  {
-    std::istringstream in(output);
-    std::string        refusal;
-    bool               is_next = true;
-    for (std::string line; std::getline(in, line);)
-      if (line.starts_with("Warning:"))
-        is_next = true;
-      else if (is_next)
-        {
-          refusal = line;
-          is_next = false;
-        }
-    return refusal;
   }
 
   void run_points(std::vector<PointRun> &runs, const RunOptions &options)

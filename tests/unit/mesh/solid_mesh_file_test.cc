@@ -168,7 +168,7 @@ namespace birdstrike::solid_mesh_file_test
     TEST(SolidMeshFile, RefusesBadCells)
     {
       EXPECT_EQ(complaint(cube, {whole}), "");
-      EXPECT_TRUE(says(complaint(cube, {{0, 1, 2, 4}}), "not hexahedra"));
+      EXPECT_TRUE(says(complaint(cube, {{0, 1, 2, 4}}), "type 4, a tetrahedron. Allowed: hexahedra"));
       EXPECT_TRUE(says(complaint(cube, {{0, 1, 2, 3, 4, 5, 5, 4}}), "element 1 has the node 5 more than once"));
       EXPECT_TRUE(says(complaint(cube, {whole, whole}), "elements 1 and 2 have the same nodes"));
       auto three = cube; // on the face z = 1: the cube, and two that lie in one another

@@ -209,7 +209,7 @@ TEST(MeshWarnings, ABladeAlongZHasItsSidesAndPliesTold)
     file << "*NSET, NSET=root\n1, 2, 3, 4, 5\n*NSET, NSET=tip\n51, 52, 53, 54, 55\n";
     file.close();
     overrides.insert(overrides.end(), {"Blade/Supports/Clamped=root", "Blade/Supports/Tip=tip",
-                                       "Bird/Velocity=100, 0, 0", "Bird/Aim point=0, 0, 0.2"});
+                                       "Bird/Velocity=100, 0, 0", "Bird/Aim point=0, 0, 0.2", "Blade/Probes="});
     return of_file((folder / "blade.inp").string(), overrides);
   };
   const auto tells = [&](const double lean, const std::vector<std::string> &overrides, const char *code) {
