@@ -227,7 +227,7 @@ class Resume(unittest.TestCase):
         self.assertIn("own.msh' is not what it was", text)
 
         mesh.unlink()
-        self.assertIn("own.msh' is not there, seen from this folder", self.program("resume", "run", expect=2))
+        self.assertIn("own.msh' is not there, neither in the run folder nor seen", self.program("resume", "run", expect=2))
 
     def test_an_included_file_is_no_input_of_what_goes_on(self):
         (self.folder / "inner.prm").write_text((TOP / "prm" / "quickstart.prm").read_text())
