@@ -97,6 +97,7 @@ COMMAND_OF_EXAMPLE = {
     "srun -n 1": "study FILE.prm --vary \"Bird/Mass=0.1, 0.12\" --launcher {}",
     "column: quantity": "compare runs/frontal --measured test.csv \"load cell: force\"",
     "COLUMN: QUANTITY": "compare runs/frontal --measured test.csv \"load cell: force\"",
+    "4000 rpm": "new turning.prm --force --spin {}",
     "0.35 ms": "compare runs/frontal --measured test.csv \"load cell: force\" --time-offset {}",
 }
 
