@@ -70,7 +70,7 @@ namespace birdstrike
       return;
     if (!(shear_modulus > 0.))
       refuse("Strength/Yield stress", "it is given, and no Shear modulus.",
-             "Give it too: from 100 times the yield stress on it changes the flow no more, only the steps.");
+             "Give it too. Above 100 times the yield stress it changes only the time step, not the flow.");
     if (!is_riemann())
       refuse("Strength/Yield stress", "the standard formulation has no velocity gradients to strain it by.",
              "Set Formulation = riemann, or leave it out.");
@@ -97,8 +97,8 @@ namespace birdstrike
     if (shape == BirdShape::slab)
       refuse("Slice/Between", "a slab is not sliced.", "Give its lengths (Slab lengths).");
     if (std::count(is_periodic.begin(), is_periodic.end(), true) > 0)
-      refuse("Slice/Between", "a slice does not go with Periodic directions.",
-             "Leave it out: what repeats itself has no ends; or set Periodic directions = none.");
+      refuse("Slice/Between", "a slice cannot be combined with Periodic directions.",
+             "Leave it out, since a periodic bird has no ends, or set Periodic directions = none.");
   }
 
   void BirdParameters::check_position() const
@@ -152,7 +152,8 @@ namespace birdstrike
       refuse("Formulation", "mirror images are written for the riemann formulation.",
              "Set it, or compute the whole bird.");
     if (std::count(is_periodic.begin(), is_periodic.end(), true) > 0)
-      refuse("Periodic directions", "they do not go with a symmetry plane.", "Set 'none', or compute the whole bird.");
+      refuse("Periodic directions", "they cannot be combined with a symmetry plane.",
+             "Set 'none', or compute the whole bird.");
     if (shape == BirdShape::slab)
       refuse("Shape", "a slab is not halved.", "Choose another shape, or compute the whole slab.");
   }

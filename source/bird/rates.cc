@@ -36,7 +36,7 @@ namespace birdstrike
     facts.where   = {"particle", particles.id[p], {{particles.x[0][p], particles.x[1][p], particles.x[2][p]}}};
     facts.details = fmt::format("Its velocity is ({:.6g}, {:.6g}, {:.6g}) m/s.", failed.velocity[0], failed.velocity[1],
                                 failed.velocity[2]);
-    facts.advice  = "Reduce Bird/Courant number or Time/Bird step scale, and look at the contact there.";
+    facts.advice  = "Reduce Bird/Courant number or Time/Bird step scale, and check the contact there.";
     throw NumericalFailure(std::move(facts));
   }
 } // namespace birdstrike

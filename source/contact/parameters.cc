@@ -13,36 +13,38 @@ namespace birdstrike
   void ContactParameters::declare(ParameterHandler &prm)
   {
     prm.enter_subsection("Contact");
-    prm.add_parameter("Enabled", is_enabled, "Whether bird and blade push one another; off, they pass through. [-]");
-    prm.add_parameter("Self-contact", self_contact,
-                      "Whether parts of a deformable blade push one another where they meet, without friction; off, "
-                      "they pass through. [-]");
+    prm.add_parameter("Enabled", is_enabled,
+                      "Contact between bird and blade. false: they pass through one another. [-]");
+    prm.add_parameter(
+      "Self-contact", self_contact,
+      "Frictionless contact between parts of a deformable blade. false: they pass through one another. [-]");
     prm.add_parameter("Stiffness scale", stiffness_scale,
                       "Factor on the penalty stiffness, which is that of a cell of the undeformed bird. [-]",
                       Patterns::Double(0.));
     prm.add_parameter("Damping scale", damping_scale,
-                      "Factor on the acoustic damper, which gives the shock pressure of the first touch. [-]",
+                      "Factor on the acoustic damper, which gives the shock pressure of first contact. [-]",
                       Patterns::Double(0.));
     prm.add_parameter(
       "Step stability share", stability_share,
-      "Upper bound of the contact stiffness of a full layer of particles on a light (thin) blade, in units of blade "
-      "mass over the squared time step, so that contact does not limit the step (as SOFT = 1 of LS-DYNA). [-]",
+      "Upper bound of the contact stiffness of a full layer of particles on a light (thin) blade. Its unit is blade "
+      "mass over the squared time step. The bound keeps contact from limiting the step (as SOFT = 1 of LS-DYNA). [-]",
       Patterns::Double(0., 2.));
     prm.add_parameter("Friction", friction, "Coefficient of Coulomb friction between bird and blade. [-]",
                       Patterns::Double(0.));
     prm.add_parameter("Search margin", search_margin,
-                      "Distance in particle spacings by which candidates are collected beyond touch; they serve until "
-                      "the relative motion has used it up. [-]",
+                      "Distance beyond contact, in particle spacings, within which the search collects candidates. "
+                      "They serve until the relative motion has used it up. [-]",
                       Patterns::Double(0.));
-    prm.add_parameter("Largest penetration", largest_penetration,
-                      "Depth in particle spacings below the surface that it met at which a particle counts as stuck in "
-                      "the blade or through it, and the run ends (LS-DYNA's PENMAX lets go of such nodes). [-]",
-                      Patterns::Double(0.));
-    prm.add_parameter("Pressure patches", patches,
-                      "Discs over which the contact pressure is averaged, given as 'name: x y z radius' and separated "
-                      "by semicolons; the pressure is taken where the closest point lies in the disc, whose centre "
-                      "goes with the surface from where that lies at the start. What of a disc lies beyond an edge "
-                      "does not count. [m]");
+    prm.add_parameter(
+      "Largest penetration", largest_penetration,
+      "Largest penetration in particle spacings below the surface that the particle met. A deeper particle counts as "
+      "stuck in the blade or through it, and the run ends. LS-DYNA's PENMAX releases such nodes instead. [-]",
+      Patterns::Double(0.));
+    prm.add_parameter(
+      "Pressure patches", patches,
+      "Discs over which the contact pressure is averaged: 'name: x y z radius', separated by semicolons. The pressure "
+      "counts where the closest point lies in the disc. The disc's centre moves with the surface from its place at the "
+      "start. Parts of a disc beyond an edge do not count. [m]");
     prm.leave_subsection();
   }
 
@@ -56,8 +58,8 @@ namespace birdstrike
       throw InputError("Contact/Stiffness scale is 0, so points would pass through the surface.\n"
                        "Allowed: more than 0.\nGive 1, or set Enabled = false.");
     if (is_enabled && !(largest_penetration > 0.))
-      throw InputError("Contact/Largest penetration is 0, so the first touch would end the run.\n"
-                       "Allowed: more than 0.\nGive 1, or 1e9 for no limit.");
+      throw InputError("Contact/Largest penetration is 0, so first contact would end the run.\nAllowed: more than "
+                       "0.\nGive 1, or 1e9 for no limit.");
     pressure_patches();
   }
 

@@ -71,7 +71,7 @@ namespace birdstrike
         const std::size_t colon = std::min(piece.find(':'), piece.size() - 1);
         pairs.emplace_back(trim(piece.substr(0, colon)), trim(piece.substr(colon + 1)));
         if (pairs.back().first.empty() || pairs.back().second.empty())
-          refuse(entry, piece, std::string("'what: value' pairs separated by '") + separator + "'");
+          refuse(entry, piece, std::string("'name: value' pairs separated by '") + separator + "'");
       }
     return pairs;
   }

@@ -25,12 +25,12 @@ namespace birdstrike
       static const NamedChoices<bool> planes{{"none", false}, {"y", true}};
       const auto                      declare = [&](dealii::ParameterHandler &prm) {
         prm.enter_subsection("Case");
-        prm.add_parameter("Name", name, "Name of the case; empty stands for the file's name without its ending. [-]");
-        prm.add_parameter("Description", description, "One sentence that says what is computed. [-]");
+        prm.add_parameter("Name", name, "Name of the case. Empty: the file's name without its ending. [-]");
+        prm.add_parameter("Description", description, "Description of the case in one sentence. [-]");
         declare_choice(prm, "Symmetry plane", is_halved, planes,
-                                            "Plane of symmetry, none or y: the scene is mirrored at the plane y = 0, and half of the "
-                                                                 "bird and of the blade "
-                                                                 "is computed. [-]");
+                                            "Plane of symmetry. none: the whole scene is computed. "
+                                                                 "y: the scene is mirrored at the plane y = 0, "
+                                                                 "and half of the bird and half of the blade are computed. [-]");
         prm.leave_subsection();
       };
       return {declare, [] {}};
@@ -41,10 +41,9 @@ namespace birdstrike
       const double scale = time.bird_step_scale, limit = bird.largest_courant_number();
       if (bird.courant_number * scale > limit * (1. + 1e-9))
         throw InputError(fmt::format(
-          "{}/Courant number {:g} with Time/Bird step scale {:g} makes steps of {:g} h/c: too "
-          "long for Formulation = {}.\nAbove {:g} the rates, taken at velocities foretold "
-          "by the last ones, must often be taken twice, and forces ring.\nGive a Courant "
-          "number of at most {:g} (default {:g}).",
+          "{}/Courant number {:g} with Time/Bird step scale {:g} makes steps of {:g} h/c: too long for Formulation = "
+          "{}.\nAbove {:g} the rates at predicted velocities must often be computed twice, and forces ring.\nGive a "
+          "Courant number of at most {:g} (default {:g}).",
           bird.section, bird.courant_number, scale, bird.courant_number * scale,
           particle_formulations().name(bird.formulation), limit, limit / scale, BirdParameters().courant_number));
     }
@@ -61,10 +60,11 @@ namespace birdstrike
           if (number > 0 && blade.sections[number - 1].material.name == BladeParameters::Section::same)
             {
               file.annotate(where + "Name",
-                            "Here " + of_section.material.name + ", with what Blade/Material says of it.");
+                            "Here " + of_section.material.name + ", with its data from Blade/Material.");
               continue;
             }
-          file.annotate(where + "Name", "What its laws use is written out below, and stays if the name is changed.");
+          file.annotate(where + "Name",
+                        "The constants of its laws are written out below. They stay if the name is changed.");
           for (const auto &used : of_section.material.used_values(where))
             {
               if (used.is_of_table)
@@ -191,8 +191,8 @@ namespace birdstrike
     file.read(path, overrides);
     if (name.find('/') != std::string::npos || (!name.empty() && name.find_first_not_of('.') == std::string::npos))
       throw InputError("Case/Name = " + name +
-                       ": a name is no path, for it names a folder in runs.\nGive a name without "
-                       "'/', and the folder in Output/Directory.");
+                       ": a name must not be a path, because it names a folder in runs.\nGive a name without '/', and "
+                       "the folder in Output/Directory.");
     blade.mesh.row.axis   = blade.spin.axis;
     blade.mesh.row.centre = blade.spin.centre;
     blade.is_halved       = has_symmetry_plane;

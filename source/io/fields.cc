@@ -44,10 +44,11 @@ namespace birdstrike
     {
       const auto fail = [&](const std::string &field, const std::string &unit, const double value, const bool on_cells,
                             const std::size_t entity) {
-        FailureFacts facts{"A field holds what is no number, and '" + file + "' is not written", field, value, unit};
+        FailureFacts facts{"A field has a value that is no number, and '" + file + "' is not written", field, value,
+                           unit};
         facts.time   = time;
         facts.where  = find_entity(snapshot, on_cells, entity);
-        facts.advice = "Reduce Time/Step scale and Time/Bird step scale, and look at the file before.";
+        facts.advice = "Reduce Time/Step scale and Time/Bird step scale, and check the file before.";
         throw NumericalFailure(std::move(facts));
       };
       for (std::size_t k = 0; k < snapshot.points.size(); ++k)

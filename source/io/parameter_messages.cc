@@ -167,7 +167,7 @@ namespace birdstrike
         if (fs::exists(path / "parameters.prm", error))
           return message({"Cannot read the parameter file '" + path.string() + "': it is a folder.", of_includer,
                           "  Action: give '" + (path / "parameters.prm").string() +
-                            "', what was run there, with all that --set changed."});
+                            "', the case that was run there, with all changes by --set."});
         const std::string there = list_names(files_in(path, {".prm"}));
         return message({"Cannot read the parameter file '" + path.string() + "': it is a folder.", of_includer,
                         there.empty() ? "" : "  Parameter files in it: " + there,

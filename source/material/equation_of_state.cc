@@ -55,16 +55,17 @@ namespace birdstrike
     const Patterns::Double positive(1e-300);
     prm.enter_subsection("Equation of state");
     declare_choice(prm, "Type", type, eos_types(),
-                   "Law of the bird's pressure: linear p = K(1/V - 1), murnaghan p = B((rho/rho0)^gamma - 1), "
-                   "polynomial in mu = rho/rho0 - 1, us-up (shock speed linear in particle speed), porous (Wilbeck's "
-                   "liquid with pores of air), or tabulated. [-]");
+                   "Equation of state of the bird. linear: p = K(1/V - 1). murnaghan: p = B((rho/rho0)^gamma - 1). "
+                   "polynomial: in mu = rho/rho0 - 1. us-up: shock speed linear in particle speed. porous: Wilbeck's "
+                   "liquid with pores of air. tabulated: points of a table. [-]");
     prm.add_parameter("Bulk modulus", bulk_modulus, "Modulus K of the linear law. [Pa]", positive);
     prm.add_parameter("Murnaghan modulus", murnaghan_modulus, "Modulus B of the Murnaghan law. [Pa]", positive);
     prm.add_parameter("Murnaghan exponent", murnaghan_exponent, "Exponent gamma of the Murnaghan law. [-]",
                       Patterns::Double(1.));
-    prm.add_parameter("Polynomial C1", c1, "Coefficient of mu. [Pa]", positive);
-    prm.add_parameter("Polynomial C2", c2, "Coefficient of mu squared. [Pa]", Patterns::Double(0.));
-    prm.add_parameter("Polynomial C3", c3, "Coefficient of mu cubed. [Pa]", Patterns::Double(0.));
+    prm.add_parameter("Polynomial C1", c1, "Coefficient of mu in the polynomial law. [Pa]", positive);
+    prm.add_parameter("Polynomial C2", c2, "Coefficient of mu squared in the polynomial law. [Pa]",
+                      Patterns::Double(0.));
+    prm.add_parameter("Polynomial C3", c3, "Coefficient of mu cubed in the polynomial law. [Pa]", Patterns::Double(0.));
     prm.add_parameter("Sound speed", sound_speed,
                       "Speed c0 in Us = c0 + k u of the us-up law, or of the liquid between the pores. [m/s]",
                       positive);
@@ -72,20 +73,20 @@ namespace birdstrike
                       "Slope k in Us = c0 + k u of the us-up law, or of the liquid between the pores. [-]",
                       Patterns::Double(0.));
     prm.add_parameter("Porosity", porosity,
-                      "Share z of the pores in the volume of an undeformed porous liquid: rho0/rho = (1 - z) (1 + "
-                      "p/A)^(-1/B) + z (1 + p/p0)^(-1/1.4), B = 4 k - 1, A = rho_l c0^2/B. [-]",
+                      "Volume share z of the pores in an undeformed porous liquid. The law is rho0/rho = (1 - z) (1 + "
+                      "p/A)^(-1/B) + z (1 + p/p0)^(-1/1.4), with B = 4 k - 1 and A = rho_l c0^2/B. [-]",
                       Patterns::Double(0., 0.5));
     prm.add_parameter("Liquid density", liquid_density,
-                      "Density rho_l of the liquid between the pores; 0: that which gives Bird/Density. Another one "
-                      "than that is refused. [kg/m^3]",
+                      "Density rho_l of the liquid between the pores. It must agree with Bird/Density. 0: it follows "
+                      "from Bird/Density. [kg/m^3]",
                       Patterns::Double(0.));
     prm.add_parameter("Ambient pressure", ambient_pressure, "Pressure p0 of the air in the pores at rest. [Pa]",
                       Patterns::Double(1.));
     prm.add_parameter(
       "Pressure table", pressure_table,
-      "Points 'mu: pressure' of the tabulated law, mu = rho/rho0 - 1 (exp(-e) - 1 of a logarithmic "
-      "volume strain e), e.g. '0: 0; 0.05: 130 MPa; 0.1: 320 MPa', joined by monotone cubics. It must "
-      "reach the Hugoniot pressure of the strike; beyond its last point it goes on with its slope. [Pa]",
+      "Points 'mu: pressure' of the tabulated law, e.g. '0: 0; 0.05: 130 MPa; 0.1: 320 MPa'. mu is rho/rho0 - 1, which "
+      "is exp(-e) - 1 of a logarithmic volume strain e. Monotone cubics join the points. The table must reach the "
+      "Hugoniot pressure of the strike. Beyond its last point it continues with its slope. [Pa]",
       Patterns::Anything());
     prm.leave_subsection();
   }

@@ -65,34 +65,34 @@ namespace birdstrike
   {
     declare_choice(
       prm, "Failure", law, failure_laws(),
-      "When a point of the metal fails and carries nothing any more: never, at a plastic strain, or at "
-      "Johnson and Cook's damage, sum dp / e_f = 1 with e_f = (D1 + D2 exp(D3 s*)) (1 + D4 ln r*) "
-      "(1 + D5 T*), s* the mean over the von Mises stress, positive in tension, and r* the plastic strain rate "
-      "over the reference rate of a johnson-cook rate law, else over 1/s. [-]");
+      "Failure law of the metal. A point that fails carries no load any more. none: never. plastic strain: at Failure "
+      "strain. Johnson-Cook: at the damage sum dp / e_f = 1. Its failure strain is e_f = (D1 + D2 exp(D3 s*)) (1 + D4 "
+      "ln r*) (1 + D5 T*). s* is the mean stress over the von Mises stress, positive in tension. r* is the plastic "
+      "strain rate over the reference rate of a johnson-cook rate law, else over 1/s. [-]");
     prm.add_parameter("Failure strain", plastic_strain,
-                      "Equivalent plastic strain at which a point fails (Failure = plastic strain). [-]",
+                      "Equivalent plastic strain at which a point fails, for Failure = plastic strain. [-]",
                       Patterns::Double(1e-6, 100.));
     for (std::size_t k = 0; k < d.size(); ++k)
       prm.add_parameter(entry_of(k), d[k],
-                        std::string("Johnson and Cook's damage: ") + what[k] +
+                        std::string("Johnson-Cook damage constant: ") + what[k] +
                           (k == 2 ? ", negative for metals, or 'table'. [-]" : ", or 'table'. [-]"),
                         Patterns::Anything());
     prm.add_parameter(
       "Failure size factors", size_factors,
-      "What the failure strain is multiplied by, by the size of an element at the start, the root of a "
-      "shell's area, the cube root of a brick's volume (m, written without it): straight lines between points 'size: "
-      "factor; ...' of growing size, up to 16, e.g. '1e-3: 1.5; 3e-3: 1', constant beyond both ends. "
-      "Empty: 1; as LCREGD of LS-DYNA. [-]",
+      "Factors on the failure strain over the element size: 'size: factor; ...', e.g. '1e-3: 1.5; 3e-3: 1'. Up to 16 "
+      "points of growing size are joined by straight lines. Beyond both ends the factor is constant. The size is that "
+      "at the start: the root of a shell's area, the cube root of a brick's volume. Sizes are in m, written without "
+      "the unit. LS-DYNA has the same in LCREGD. Empty: 1. [-]",
       Patterns::Anything());
     prm.add_parameter("Failed share", failed_share,
-                      "Share of an element's points that must have failed before all of it is taken away; 1, the usual "
-                      "choice, waits for the last one. A point on the neutral axis of bending hardly strains: 0.8 does "
-                      "not wait for one of five. [-]",
+                      "Share of an element's points that must have failed before the element is removed. 1, the usual "
+                      "choice, waits for the last point. A point on the neutral axis of bending hardly strains: 0.8 "
+                      "does not wait for one of five. [-]",
                       Patterns::Double(1e-3, 1.));
     prm.add_parameter("Smallest step", smallest_step,
-                      "Where the metal can fail, an element is also taken away when its stable step falls below this "
-                      "share of what it was at first, or when it is turned inside out; 0: never, and an element "
-                      "turned inside out ends the run. [-]",
+                      "Smallest stable step of an element whose metal can fail, as a share of its first one. An "
+                      "element with a smaller step is removed, and so is one that is turned inside out. 0: neither is "
+                      "removed, and an element that is turned inside out ends the run. [-]",
                       Patterns::Double(0., 0.9));
   }
 
@@ -105,8 +105,8 @@ namespace birdstrike
     result.smallest_step  = smallest_step;
     if (result.law == FailureLaw::none && smallest_step > 0.)
       throw InputError(where + "Smallest step: " + number_text(smallest_step) +
-                       " was read, but Failure is none, and no element of such a metal is taken away.\nSet Smallest "
-                       "step = 0, or name a law of failure.");
+                       " was read, but Failure is none, and no element of such a metal is removed.\nSet Smallest step "
+                       "= 0, or name a law of failure.");
     result.size_factors = read_size_factors(size_factors, where + "Failure size factors");
     for (std::size_t k = 0; k < d.size(); ++k)
       replace(result.d[k], d[k], where + entry_of(k), k == 0 || k == 2 ? -100. : 0., 100.);

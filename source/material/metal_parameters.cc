@@ -41,62 +41,62 @@ namespace birdstrike
   void MetalParameters::declare(dealii::ParameterHandler &prm)
   {
     const Patterns::Anything text;
-    const std::string        table = " or 'table', the value of the named metal. ";
-    prm.add_parameter("Name", name,
-                      "Metal whose data are taken where an entry below says 'table'; 'custom' has no data of its own. "
-                      "[-]",
-                      Patterns::Selection(metal_table().selection() + (metal_table().has(name) ? "" : "|" + name)));
+    const std::string        table = ": a number, or 'table' for the value of the named metal. ";
+    prm.add_parameter(
+      "Name", name,
+      "Name of the metal. Its data are taken where an entry below says 'table'. 'custom' has no data of its own. [-]",
+      Patterns::Selection(metal_table().selection() + (metal_table().has(name) ? "" : "|" + name)));
     prm.add_parameter("Density", density, "Density" + table + "[kg/m^3]", text);
     prm.add_parameter("Young's modulus", young, "Young's modulus" + table + "[Pa]", text);
     prm.add_parameter("Poisson's ratio", poisson, "Poisson's ratio" + table + "[-]", text);
-    prm.add_parameter(
-      "Hardening", hardening,
-      "Law of the flow stress: A (perfect), A + B p (linear), A (1 + p/e0)^n (swift), "
-      "A + B (1 - exp(-n p)) (voce), A + B p^n (johnson-cook), points of a test (curve), or 'table'. [-]",
-      Patterns::Selection("table|" + hardening_laws().selection()));
+    prm.add_parameter("Hardening", hardening,
+                      "Law of the flow stress over the plastic strain p. elastic: no yielding. perfect: A. linear: A + "
+                      "B p. swift: A (1 + p/e0)^n. voce: A + B (1 - exp(-n p)). johnson-cook: A + B p^n. curve: points "
+                      "of a test. table: the law of the named metal. [-]",
+                      Patterns::Selection("table|" + hardening_laws().selection()));
     prm.add_parameter("Yield stress", yield, "Initial yield stress A" + table + "[Pa]", text);
     prm.add_parameter("Hardening modulus", modulus, "Hardening modulus B" + table + "[Pa]", text);
     prm.add_parameter("Hardening exponent", exponent, "Hardening exponent n" + table + "[-]", text);
     prm.add_parameter("Hardening strain", strain, "Reference strain e0 of Swift's law" + table + "[-]", text);
-    prm.add_parameter("Hardening curve", curve,
-                      "Flow stress by straight lines between points 'plastic strain: stress; ...' of increasing strain "
-                      "from 0 on, up to 16, e.g. '0: 880e6; 0.02: 915e6; 0.1: 970e6'; constant beyond the last. True "
-                      "stress, logarithmic strain. The first is the yield stress. [Pa]",
-                      text);
-    declare_choice(prm, "Rate law", rate_law, rate_laws(),
-                   "How flow stress grows with the plastic strain rate r: 1 + C ln(r/reference) above the reference "
-                   "(johnson-cook), or 1 + (r/D)^(1/P) with D the reference rate and P the rate exponent "
-                   "(cowper-symonds). [-]");
-    prm.add_parameter("Rate exponent", rate_exponent, "Exponent P of Cowper and Symonds. [-]",
+    prm.add_parameter(
+      "Hardening curve", curve,
+      "Flow stress at plastic strains: 'plastic strain: stress; ...', e.g. '0: 880e6; 0.02: 915e6; 0.1: 970e6'. Up to "
+      "16 points are joined by straight lines. The strains increase from 0 on. Beyond the last point the stress is "
+      "constant. Stresses are true stresses, strains are logarithmic. The first stress is the yield stress. [Pa]",
+      text);
+    declare_choice(
+      prm, "Rate law", rate_law, rate_laws(),
+      "Law of the flow stress over the plastic strain rate r. johnson-cook: factor 1 + C ln(r/reference) above the "
+      "reference rate. cowper-symonds: factor 1 + (r/D)^(1/P) with the reference rate D and the rate exponent P. [-]");
+    prm.add_parameter("Rate exponent", rate_exponent, "Exponent P of the Cowper-Symonds law. [-]",
                       Patterns::Double(0.1, 100.));
     prm.add_parameter("Rate factor", rate_factor,
-                      "Factor C of Johnson and Cook's rate term 1 + C ln(rate/reference)" + table + "[-]", text);
-    prm.add_parameter(
-      "Reference rate", reference_rate,
-      "Plastic strain rate below which Johnson and Cook's rate terms are one (of strength, and of Failure = "
-      "Johnson-Cook), or D of Cowper and Symonds (of strength alone)" +
-        table + "[1/s]",
-      text);
+                      "Factor C of the Johnson-Cook rate term 1 + C ln(rate/reference)" + table + "[-]", text);
+    prm.add_parameter("Reference rate", reference_rate,
+                      "Reference plastic strain rate of the rate law" + table +
+                        "johnson-cook: below it the rate terms of strength and of Failure = Johnson-Cook are one. "
+                        "cowper-symonds: D, of strength alone. [1/s]",
+                      text);
     prm.add_parameter("Adiabatic heating", is_adiabatic,
-                      "Whether plastic work heats the metal and softens it by 1 - T*^m. [-]");
+                      "Heating of the metal by plastic work, and its softening by 1 - T*^m. [-]");
     prm.add_parameter("Softening exponent", softening_exponent, "Exponent m of the thermal softening" + table + "[-]",
                       text);
     prm.add_parameter("Heat capacity", heat_capacity, "Specific heat capacity" + table + "[J/(kg K)]", text);
-    prm.add_parameter("Heat fraction", taylor_quinney, "Share of the plastic work that becomes heat. [-]",
+    prm.add_parameter("Heat fraction", taylor_quinney,
+                      "Share of the plastic work that becomes heat (Taylor-Quinney coefficient). [-]",
                       Patterns::Double(0., 1.));
-    prm.add_parameter("Initial temperature", initial_temperature, "Temperature at the start. [K]",
+    prm.add_parameter("Initial temperature", initial_temperature, "Temperature of the metal at the start. [K]",
                       Patterns::Double(0.));
-    prm.add_parameter("Room temperature", room_temperature, "Temperature at which the metal does not soften. [K]",
+    prm.add_parameter("Room temperature", room_temperature, "Room temperature, at which the metal does not soften. [K]",
                       Patterns::Double(0.));
     prm.add_parameter("Melting temperature", melting_temperature,
-                      "Temperature at which no strength is left" + table + "[K]", text);
-    prm.add_parameter(
-      "Elongation", elongation,
-      "Engineering strain at break of a tensile test" + table +
-        "A run warns where the metal is strained beyond it, ln(1 + elongation) in equivalent plastic "
-        "strain; 0: unknown, and Johnson and Cook's damage constants, where there are any, say what breaks "
-        "it in tension, D1 + D2 exp(D3/3). It fails nothing: see Failure. [-]",
-      text);
+                      "Temperature at which the metal has no strength left" + table + "[K]", text);
+    prm.add_parameter("Elongation", elongation,
+                      "Engineering strain at break in a tensile test" + table +
+                        "The run warns where the equivalent plastic strain exceeds ln(1 + elongation). The entry makes "
+                        "nothing fail: see Failure. 0: unknown. Johnson-Cook damage constants, if present, then set "
+                        "the limit, the failure strain in tension D1 + D2 exp(D3/3). [-]",
+                      text);
     failure.declare(prm);
   }
 

@@ -22,41 +22,40 @@ namespace birdstrike
     };
 
     constexpr Constant constants[] = {
-      {"Density", "density", "kg/m^3", "Density", &Ply::density},
-      {"Young's modulus 1", "youngs_modulus_1", "Pa", "Young's modulus along the fibres, E1", &Ply::young_1},
-      {"Young's modulus 2", "youngs_modulus_2", "Pa", "Young's modulus across the fibres, E2", &Ply::young_2},
-      {"Poisson's ratio 12", "poissons_ratio_12", "-", "Contraction across over extension along the fibres, nu12",
-       &Ply::poisson_12},
-      {"Shear modulus 12", "shear_modulus_12", "Pa", "Shear modulus in the plane, G12", &Ply::shear_12},
-      {"Shear modulus 13", "shear_modulus_13", "Pa", "Transverse shear modulus along the fibres, G13", &Ply::shear_13},
-      {"Shear modulus 23", "shear_modulus_23", "Pa", "Transverse shear modulus across the fibres, G23",
-       &Ply::shear_23}};
+      {"Density", "density", "kg/m^3", "Density of the ply", &Ply::density},
+      {"Young's modulus 1", "youngs_modulus_1", "Pa", "Young's modulus E1 along the fibres", &Ply::young_1},
+      {"Young's modulus 2", "youngs_modulus_2", "Pa", "Young's modulus E2 across the fibres", &Ply::young_2},
+      {"Poisson's ratio 12", "poissons_ratio_12", "-",
+       "Poisson's ratio nu12: contraction across the fibres over extension along them", &Ply::poisson_12},
+      {"Shear modulus 12", "shear_modulus_12", "Pa", "Shear modulus G12 in the plane", &Ply::shear_12},
+      {"Shear modulus 13", "shear_modulus_13", "Pa", "Transverse shear modulus G13 along the fibres", &Ply::shear_13},
+      {"Shear modulus 23", "shear_modulus_23", "Pa", "Transverse shear modulus G23 across the fibres", &Ply::shear_23}};
 
     constexpr Strength strengths[] = {
-      {"Longitudinal tension", "longitudinal_tension", "Strength along the fibres in tension, Xt",
+      {"Longitudinal tension", "longitudinal_tension", "Strength Xt along the fibres in tension",
        &PlyStrength::longitudinal_tension},
-      {"Longitudinal compression", "longitudinal_compression", "Strength along the fibres in compression, Xc",
+      {"Longitudinal compression", "longitudinal_compression", "Strength Xc along the fibres in compression",
        &PlyStrength::longitudinal_compression},
-      {"Transverse tension", "transverse_tension", "Strength across the fibres in tension, Yt",
+      {"Transverse tension", "transverse_tension", "Strength Yt across the fibres in tension",
        &PlyStrength::transverse_tension},
-      {"Transverse compression", "transverse_compression", "Strength across the fibres in compression, Yc",
+      {"Transverse compression", "transverse_compression", "Strength Yc across the fibres in compression",
        &PlyStrength::transverse_compression},
-      {"Shear strength", "shear_strength", "Strength in shear in the plane, Sc", &PlyStrength::shear}};
+      {"Shear strength", "shear_strength", "Strength Sc in shear in the plane", &PlyStrength::shear}};
   } // namespace
 
   void declare_ply(dealii::ParameterHandler &prm, Ply &ply)
   {
     namespace Patterns = dealii::Patterns;
     for (const Constant &each : constants)
-      prm.add_parameter(each.entry, ply.*each.value, fmt::format("{}; 0: not given. [{}]", each.text, each.unit),
+      prm.add_parameter(each.entry, ply.*each.value, fmt::format("{}. 0: not set. [{}]", each.text, each.unit),
                         Patterns::Double(0., 1e30));
     for (const Strength &each : strengths)
       prm.add_parameter(each.entry, ply.strength.*each.value,
-                        fmt::format("{}; a ply fails where all five strengths are given. [Pa]", each.text),
+                        fmt::format("{}. A ply fails where all five strengths are set. [Pa]", each.text),
                         Patterns::Double(0., 1e30));
     prm.add_parameter("Shear weight", ply.strength.shear_weight,
-                      "Weight of the shear stress in the failure of fibres in tension: 0 by the stress along them "
-                      "alone, 1 Hashin's. [-]",
+                      "Weight of the shear stress in the failure of fibres in tension. 0: only the stress along the "
+                      "fibres counts. 1: Hashin's criterion. [-]",
                       Patterns::Double(0., 1.));
   }
 

@@ -42,8 +42,8 @@ namespace birdstrike
           refuse(points, k, "from point to point mu and pressure must grow.");
         if (k > 1 && stiffness(k) < (1. - largest_fall) * stiffness(k - 1))
           refuse(points, k,
-                 "the liquid softens: p (1 + mu)/mu, which is rho0 U_s^2, falls, and no shock is carried there. Let "
-                 "the pressure rise faster, or leave a foot out that is stiffer than what follows.");
+                 "the liquid softens: p (1 + mu)/mu, which is rho0 U_s^2, falls, and no shock can travel there. Let "
+                 "the pressure rise faster, or leave out a first part that is stiffer than the rest.");
       }
     PressureTable::choose_slopes(points);
     return PressureTable(points);

@@ -128,7 +128,7 @@ namespace birdstrike
 
   void refuse_edge(const Point3 &place)
   {
-    throw InputError("Mesh: cells touch each other along an edge only, near " + at(place) +
+    throw InputError("Mesh: cells share an edge only, near " + at(place) +
                      ".\nCells of a body share whole faces or nothing; join them or part them there.");
   }
 

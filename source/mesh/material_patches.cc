@@ -38,8 +38,8 @@ namespace birdstrike
       const int n = static_cast<int>(shares.size()) - 1, m = static_cast<int>(borders.size());
       if (m + 1 > n)
         throw InputError(entry + ": " + std::to_string(m) +
-                         " borders cross the blade, on each of which lies a line of nodes.\nAllowed: more of " +
-                         elements + " than that, here " + std::to_string(n) + ".");
+                         " borders cross the blade, and each needs a line of nodes.\nAllowed: more of " + elements +
+                         " than that, here " + std::to_string(n) + ".");
       const std::vector<double> even          = shares;
       double                    border_before = 0.;
       int                       line_before   = 0;

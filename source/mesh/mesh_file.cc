@@ -88,8 +88,7 @@ namespace birdstrike
       std::error_code error;
       if (!std::filesystem::is_regular_file(file, error) || !std::ifstream(file)) // what is no file may never end
         throw InputError("Blade/Mesh/File: cannot open '" + file +
-                         "'.\nA path is looked for beside the parameter file, then from the working "
-                         "directory.");
+                         "'.\nA path is searched beside the parameter file, then from the working directory.");
     }
 
     /// What a reader keeps of a byte: a node takes 32 bytes, an element with its place in a group 112, of lines of some

@@ -108,7 +108,7 @@ namespace birdstrike
     {
       const bool has_bird = norm(state.bird_momentum.momentum) + norm(state.bird_momentum.retired) > 0.;
       return std::string("Reduce ") + (has_bird ? "Time/Step scale and Time/Bird step scale" : "Time/Step scale") +
-             ", and look at the last fields written.";
+             ", and check the last fields written.";
     }
   } // namespace
 

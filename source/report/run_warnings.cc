@@ -128,20 +128,21 @@ namespace birdstrike
       if (failure.n_partly > 0)
         warnings.push_back(
           {"metal/partly_failed",
-           fmt::format("{} elements carry on with {} failed points, the most in the one at ({:.4g}, "
-                       "{:.4g}, {:.4g}) m: they are not among the failed elements (fields: "
-                       "failed_points; Blade/{}/Failed share lets an element go before its last "
-                       "{} fails).",
+           fmt::format("{} elements still carry load with {} failed points, most of them in the element at ({:.4g}, "
+                       "{:.4g}, {:.4g}) m. They do not count as failed elements (fields: failed_points). "
+                       "Blade/{}/Failed share removes an element before its last {} fails.",
                        failure.n_partly, failure.n_points, failure.partly_at[0], failure.partly_at[1],
                        failure.partly_at[2],
                        are_of(true) ? (are_of(false) ? "Material or Laminate" : "Laminate") : "Material",
                        are_of(true) ? "point or ply" : "point")});
       if (failure.n_at_root > 0)
-        warnings.push_back({"metal/failed_at_root", fmt::format("{} elements at the root section have failed: root "
-                                                                "forces and stresses lack theirs.",
-                                                                failure.n_at_root)});
+        warnings.push_back(
+          {"metal/failed_at_root",
+           fmt::format("{} elements at the root section have failed: root forces and stresses do not include them.",
+                       failure.n_at_root)});
       if (failure.has_lost_tip)
-        warnings.push_back({"metal/lost_tip", "The tip's deflection is of nodes that fly free."});
+        warnings.push_back(
+          {"metal/lost_tip", "The tip deflection is that of nodes without elements, which fly freely."});
     }
   } // namespace
 
@@ -159,18 +160,18 @@ namespace birdstrike
         {unfinished_contact,
          "The bird still loads the blade at the end of the run: the mean contact force of the last 0.25 ms is " +
            format_quantity(run.closing_force(), "N") +
-           ". Impulse, momentum and what depends on them are not final (Time/End time)."});
+           ". Impulse, momentum and all that depends on them are not final (Time/End time)."});
     if (const double lost = run.contact ? run.contact->released_energy / run.balance.energy_scale() : 0.;
         lost > much_lost)
-      warnings.push_back(
-        {"contact/released", "Contact springs lost " + format_share(lost) +
-                               " of the energy where particles came through or past a blade thinner than they are, or "
-                               "elements failed below them: smaller particles (Bird/Particle spacing) lose less."});
+      warnings.push_back({"contact/released",
+                          "Contact springs lost " + format_share(lost) +
+                            " of the energy. Particles passed through or around a blade that is thinner than they are, "
+                            "or elements below them failed. Smaller particles (Bird/Particle spacing) lose less."});
     if (const double depth = run.observed.contact.max_penetration_over_spacing(); depth > deep)
-      warnings.push_back({"contact/penetration",
-                          fmt::format("Particles went up to {:.2g} spacings into the blade: contact was too soft for "
-                                      "this strike (Contact/Stiffness scale).",
-                                      depth)});
+      warnings.push_back(
+        {"contact/penetration", fmt::format("Particles penetrated the blade by up to {:.2g} spacings: contact was too "
+                                            "soft for this strike (Contact/Stiffness scale).",
+                                            depth)});
     return warnings;
   }
 } // namespace birdstrike

@@ -56,10 +56,9 @@ namespace birdstrike
   void BirdStrike::end_phase_of(Projectile &projectile)
   {
     const std::size_t n_left = projectile.bird->n_particles();
-    log().info(
-      "The phase of section '{}' ends at t = {}: {} particles are left, {:.2g} N s is the most that they could "
-      "still give. From here the blade runs on without this bird.",
-      projectile.parameters.section, format_quantity(now, "s"), n_left, projectile.reachable_impulse);
+    log().info("The phase of section '{}' ends at t = {}: {} particles are left, which could add at most {:.2g} N s. "
+               "From here the blade continues without this bird.",
+               projectile.parameters.section, format_quantity(now, "s"), n_left, projectile.reachable_impulse);
     const bool          are_kept = parameters.output.removed_fly_on && parameters.output.bird_fields && n_left > 0;
     const FieldSnapshot before   = are_kept ? view().bird_snapshot() : FieldSnapshot();
     projectile.n_retired += n_left;

@@ -36,8 +36,9 @@ namespace birdstrike
         for (const double value : piece.real)
           if (std::isnan(value))
             {
-              FailureFacts facts{"The state holds what is no number, and no checkpoint is written of it", name, value};
-              facts.advice = "Reduce Time/Step scale and Time/Bird step scale, and look at the last fields.";
+              FailureFacts facts{"The state has a value that is no number, and no checkpoint is written of it", name,
+                                 value};
+              facts.advice = "Reduce Time/Step scale and Time/Bird step scale, and check the last fields.";
               throw NumericalFailure(std::move(facts));
             }
       }
@@ -111,7 +112,7 @@ namespace birdstrike
       }
     catch (const std::runtime_error &error) // a disk without room for it may have room for the results
       {
-        log().warn("No checkpoint at t = {}: {}. The run goes on.", format_quantity(next.time, "s"), error.what());
+        log().warn("No checkpoint at t = {}: {}. The run continues.", format_quantity(next.time, "s"), error.what());
         return;
       }
     last_file      = file.string();

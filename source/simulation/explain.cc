@@ -122,7 +122,7 @@ namespace birdstrike
       const double    n_macro  = std::ceil(parameters.time.end_time / schedule.step);
       table.add_heading("Time");
       table.add("end time", parameters.time.end_time, "s");
-      table.add_detail("flight skipped before first touch", format_quantity(scene.flight_time(), "s"));
+      table.add_detail("flight skipped before first contact", format_quantity(scene.flight_time(), "s"));
       table.add("first time step", format_quantity(schedule.step, "s"));
       table.add("limited by", schedule.limiter.text());
       table.add_detail("subcycles in it", fmt::format("bird {}, blade {}", schedule.n_bird, schedule.n_blade));

@@ -86,8 +86,8 @@ namespace birdstrike
                                                          : "The motion of a " + kind + " is no number",
                          "speed", mover.speed, "m/s", limit};
       facts.where   = mover.where;
-      facts.details = "The limit is ten times the largest speed at first touch, and twice the speed of waves.";
-      facts.advice  = "Reduce Time/Step scale and Time/Bird step scale, and look at the last fields there.";
+      facts.details = "The limit is ten times the largest speed at first contact, and twice the speed of waves.";
+      facts.advice  = "Reduce Time/Step scale and Time/Bird step scale, and check the last fields there.";
       throw NumericalFailure(std::move(facts));
     }
 

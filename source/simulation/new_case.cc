@@ -133,9 +133,9 @@ namespace birdstrike
       const std::string name = fs::path(prm).filename().string();
       return fmt::format("# A bird strike. Units are SI unless a value names its own.\n"
                          "#\n"
-                         "#   birdstrike explain {0}    says what would be computed, and warns\n"
+                         "#   birdstrike explain {0}    describes the computation, and warns\n"
                          "#   birdstrike run {0}        computes it\n"
-                         "#   birdstrike parameters Bird   prints what section Bird offers\n"
+                         "#   birdstrike parameters Bird   prints the entries of section Bird\n"
                          "\n"
                          "subsection Case\n"
                          "  set Description = A first strike\n"

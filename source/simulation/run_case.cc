@@ -112,8 +112,8 @@ namespace birdstrike
     {
       if (checkpoints.last().empty())
         return "No checkpoint was written (Output/Checkpoint/Time interval writes them).";
-      return fmt::format("Last good checkpoint: {}. Go on from it: birdstrike resume {}, in smaller steps with --set "
-                         "\"Time/Step scale={:.2g}\"",
+      return fmt::format("Last good checkpoint: {}. Continue from it: birdstrike resume {}, in smaller steps with "
+                         "--set \"Time/Step scale={:.2g}\"",
                          checkpoints.describe_last(), folder.path().string(), 0.5 * time.step_scale);
     }
 
@@ -145,10 +145,10 @@ namespace birdstrike
       const std::string results = folder.path().string();
       log().info("Results in {0}. Next: birdstrike compare {0}/parameters.prm draws its curves", results);
       if (strike.is_interrupted())
-        throw Interrupted(
-          "Interrupted by a signal before Time/End time; what stands in the folder goes as far as it "
-          "came." +
-          std::string(checkpoints.last().empty() ? "" : "\nGo on with: birdstrike resume " + folder.path().string()));
+        throw Interrupted("Interrupted by a signal before Time/End time. The results in the folder end there." +
+                          std::string(checkpoints.last().empty()
+                                        ? ""
+                                        : "\nContinue with: birdstrike resume " + folder.path().string()));
     }
 
     /// Those whose entries are not compared: what included files say stands in parameters.prm.
@@ -165,7 +165,7 @@ namespace birdstrike
         try
           {
             Checkpoint checkpoint = read_checkpoint(file);
-            log().info("Going on from {} at t = {}, step {}.", file.string(), format_quantity(checkpoint.time, "s"),
+            log().info("Continuing from {} at t = {}, step {}.", file.string(), format_quantity(checkpoint.time, "s"),
                        checkpoint.step);
             return checkpoint;
           }
@@ -181,17 +181,17 @@ namespace birdstrike
     void require_the_same_case(const Checkpoint &checkpoint, const CaseParameters &then, const CaseParameters &now)
     {
       if (const std::string entry = first_difference(then, now, may_change); !entry.empty())
-        throw InputError(
-          entry + " is another one than when the run began.\n  A run that goes on may change Time/End "
-                  "time, Threads, Maximum wall time, Energy error limit, Stop at tip peak, Tip peak wait, "
-                  "Step scale and Bird step scale, and intervals of Output.\n  Action: run the changed case anew.");
+        throw InputError(entry +
+                         " has changed since the run began.\n  A run that continues may change Time/End time, Threads, "
+                         "Maximum wall time, Energy error limit, Stop at tip peak, Tip peak wait, Step scale and Bird "
+                         "step scale, and intervals of Output.\n  Action: run the changed case anew.");
       const std::vector<InputFile> inputs = list_input_files(now);
       for (const InputFile &input : checkpoint.inputs)
         if (std::ranges::find(inputs, input.fingerprint, &InputFile::fingerprint) == inputs.end())
           throw InputError("The file '" + input.name +
                            (inputs.size() < checkpoint.inputs.size()
                               ? "' is not there, neither in the run folder nor seen from the working directory"
-                              : "' is not what it was when the run began") +
+                              : "' has changed since the run began") +
                            ".\n  Action: put it back, or run the case anew.");
     }
 
@@ -278,9 +278,9 @@ namespace birdstrike
     Warnings   warnings = show_and_join(of_inputs, find_scene_warnings(now, scene));
     const auto changes  = collect_changes(checkpoint, then.time, now.time);
     if (!changes.empty())
-      warnings.push_back({"run/other_steps", "The run has gone on with other time steps than it began with: " +
+      warnings.push_back({"run/other_steps", "The run has continued with other time steps than at its start: " +
                                                fmt::format("{}", fmt::join(changes, "; ")) +
-                                               ". What parameters.prm gives when it is run anew differs by that."});
+                                               ". A new run of parameters.prm will differ by that."});
     BirdStrike strike(now, scene, folder.path(), warnings);
     Archive    archive = Archive::reading(checkpoint.state);
     strike.archive(archive);

@@ -42,12 +42,12 @@ namespace birdstrike
                                                                 : of_section.material.failure.smallest_step) == 0.;
           }
       if (has_no_smallest_step)
-        return "Set Smallest step (0.1, say) of the material that fails to take such elements away.";
+        return "Set Smallest step of the failing material, e.g. to 0.1, to remove such elements.";
       if (can_fail)
-        return "Look at the last fields; Smallest step of the material that fails takes elements away earlier.";
+        return "Check the last fields. Smallest step of the failing material removes elements earlier.";
       return "An element is crushed, or the mesh has one that is far too small. A metal that fails "
-             "(Blade/Material/Failure; Blade/Element/Formulation other than solid-shell) lets it go at "
-             "Blade/Material/Smallest step; else change loads or mesh.";
+             "(Blade/Material/Failure; Blade/Element/Formulation other than solid-shell) has it removed at "
+             "Blade/Material/Smallest step. Otherwise change loads or mesh.";
     }
 
     /// Unit, as Bird/Yaw means it. Of half a blade x: nothing can turn out of the plane of symmetry.
@@ -130,7 +130,7 @@ namespace birdstrike
     if (requests.patches.empty() && places.empty())
       return;
     if (!has_contact())
-      throw InputError("Output/Histories/Patches is set, and nothing can touch the blade.\nLeave it empty, or set "
+      throw InputError("Output/Histories/Patches is set, but the blade has no contact.\nLeave it empty, or set "
                        "Bird/Enabled and Contact/Enabled to true.");
     auto table = std::make_unique<PatchForces>(requests.patches, blade->facets(), blade->blades_of_facets(), places);
     patches    = table.get();

@@ -52,13 +52,12 @@ namespace birdstrike
         is_softened             = is_softened || each.is_contact_softened();
       }
     if (is_softened)
-      log().info(
-        "Multirate: the blade is so light that contact is softened for the step of the bird; its own is no longer "
-        "while there is a bird.");
+      log().info("Multirate: the blade is so light that contact is softened for the step of the bird. While there is a "
+                 "bird, the blade's own step is not longer.");
     else if (const double own = parameters.time.step_scale * blade->largest_stable_step(),
              in_contact       = limit_of_layers([](const Projectile &) { return true; });
              in_contact < own)
-      log().info("Multirate: the blade is light against a layer of particles, so contact holds its step to {:.3g} s "
+      log().info("Multirate: the blade is light against a layer of particles, so contact limits its step to {:.3g} s "
                  "(its own limit is {:.3g} s) while there is a bird.",
                  in_contact, own);
   }
@@ -105,7 +104,7 @@ namespace birdstrike
         if (goes_before(touches.value, own.limit.value))
           own.limit = touches;
         each.smallest_step.check(own.limit, remaining,
-                                 "Reduce Bird/Courant number or Time/Bird step scale, and look at the last fields.");
+                                 "Reduce Bird/Courant number or Time/Bird step scale, and check the last fields.");
         if (vote)
           own.price += vote->price;
         if (!vote || goes_before(own.limit.value, vote->limit.value))

@@ -44,7 +44,7 @@ namespace birdstrike
         pool.emplace(parameters.time.n_threads());
         blade = make_blade(parameters.blade, *pool);
         if (!blade)
-          throw InputError("Blade/Kind is none: there is no blade to look at.\nSet it to shell or solid.");
+          throw InputError("Blade/Kind is none: there is no blade to analyse.\nSet it to shell or solid.");
       }
     };
 
@@ -134,8 +134,8 @@ namespace birdstrike
     const double       speed  = Rotor(steady.parameters.blade.spin).speed(0.);
     const StaticReport report = steady.blade->find_equilibrium();
     if (report.n_unknowns == 0)
-      throw InputError("Nothing loads the blade at t = 0: it is at rest as it is.\nSet Blade/Spin/Speed or "
-                       "Blade/Loads to what is not zero then.");
+      throw InputError("Nothing loads the blade at t = 0: it does not deform.\nSet Blade/Spin/Speed or Blade/Loads to "
+                       "a value that is not zero then.");
     if (!steady.why_side_unknown.empty())
       log().warn("Warning: The bird does not tell which side is struck. Deflection and root moment have the signs of a "
                  "blade without a bird. Reason: {}",

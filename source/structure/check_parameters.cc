@@ -42,7 +42,7 @@ namespace birdstrike
             "Spin/Axis: the axis has no length.\nAllowed: any three numbers that are not all zero.");
     require(is_deformable(), "Spin/Speed: a rigid surface does not turn.\nSet it to 0, or Kind to shell or solid.");
     require(!is_halved, "Spin/Speed: a blade that turns has no plane of symmetry.\nSet Symmetry to none.");
-    refuse(is_present(supports.driven), "Supports/Driven", "what is held follows the hub.\nLeave it empty.");
+    refuse(is_present(supports.driven), "Supports/Driven", "constrained nodes follow the hub.\nLeave it empty.");
     refuse(is_present(loads.initial_velocity), "Loads/Initial velocity", "the blade starts turning.\nLeave it empty.");
     refuse(is_present(loads.initial_spin), "Loads/Initial spin", "the hub turns with the blade.\nLeave one of them.");
     refuse(loads.damping != 0., "Loads/Damping", "it would brake the rotation.\nSet it to 0.");

@@ -58,42 +58,41 @@ namespace birdstrike
     namespace Patterns = dealii::Patterns;
     prm.add_parameter(
       "Plies", plies,
-      "Makes shells a laminate: angles of its plies in degrees from the bottom (the side opposite to the normal) to "
-      "the top, with thicknesses, '0: 0.125 mm; 45: 0.25 mm', or equal ones by a stacking code, '[0/45/-45/90]2s', "
-      "'[0_2/+-45]s'. Thicknesses count by their shares of the sum: how thick the blade is says Thickness, and tapered "
+      "Angles of a laminate's plies in degrees, from the bottom (the side opposite to the normal) to the top. The "
+      "entry makes shells a laminate. With thicknesses: '0: 0.125 mm; 45: 0.25 mm'. Equal plies by a stacking code: "
+      "'[0/45/-45/90]2s', '[0_2/+-45]s'. Only the ratios of the thicknesses count: Thickness sets the sum, and tapered "
       "blades have tapered plies. A third part names the material of a ply (Material k/Name): '0: 0.125 mm: carbon; 0: "
-      "5 "
-      "mm: foam', or with equal plies '0: carbon'; without it a ply has the constants of this section. Empty: a metal. "
-      "[m]",
+      "5 mm: foam', or with equal plies '0: carbon'. A ply without a name has the constants of this section. Empty: "
+      "the blade is a metal. [m]",
       Patterns::Anything());
     prm.add_parameter("Reference direction", reference_direction,
-                      "Global direction 'x y z' that the angles are counted from, projected on each element at the "
-                      "start, counter-clockwise about the normal; empty: the blade's. [-]",
+                      "Global direction 'x y z' from which the angles count, counter-clockwise about the normal. It is "
+                      "projected on each element at the start. Empty: the blade's direction. [-]",
                       Patterns::Anything());
     prm.add_parameter("Points per ply", n_per_ply,
-                      "At how many places through each ply its failure is decided; stiffness is exact with one. 0: the "
-                      "blade's. [-]",
+                      "Number of points through each ply at which its failure is checked. The stiffness is exact with "
+                      "one. 0: the blade's number. [-]",
                       Patterns::Integer(0, 20));
     declare_ply(prm, ply);
-    prm.add_parameter("Degradation time", degradation_time,
-                      "Time over which a ply that fails loses what its mode takes, at a constant rate, whatever the "
-                      "steps; shorter than a step: at once. 0: the blade's, of the blade 100 us. [s]",
-                      Patterns::Double(0., 1.));
-    prm.add_parameter("Failed share", failed_share,
-                      "Share of an element's thickness in which plies must have broken before all of it is taken away: "
-                      "by their fibres, "
-                      "or by Matrix failure strain; 0: the blade's. [-]",
-                      Patterns::Double(0., 1.));
     prm.add_parameter(
-      "Matrix failure strain", matrix_failure_strain,
-      "A ply whose matrix has failed wholly breaks at this strain across its fibres, opened or crushed, or at this "
-      "shear along them: coupons that fail by matrix alone break there; 0: never (in a section: the blade's). [-]",
-      Patterns::Double(0., 10.));
-    prm.add_parameter("Smallest step", smallest_step,
-                      "Where plies can fail, an element is also taken away when its stable step falls below this share "
-                      "of what it was at first, or when it is turned inside out; 0: never (in a section: the blade's). "
-                      "[-]",
-                      Patterns::Double(0., 0.9));
+      "Degradation time", degradation_time,
+      "Time over which a failed ply loses the stiffness of its failure mode. The loss has a constant rate, whatever "
+      "the time steps. A time below one step means at once. 0: the blade's time, and 100 us for the blade itself. [s]",
+      Patterns::Double(0., 1.));
+    prm.add_parameter("Failed share", failed_share,
+                      "Share of an element's thickness in which plies must have broken before the element is removed. "
+                      "Plies break by their fibres or by Matrix failure strain. 0: the blade's share. [-]",
+                      Patterns::Double(0., 1.));
+    prm.add_parameter("Matrix failure strain", matrix_failure_strain,
+                      "Strain at which a ply breaks once its matrix has failed completely. It counts across the "
+                      "fibres, in tension or compression, and in shear along them. Coupons that fail by the matrix "
+                      "alone break there. 0: never; in a section, the blade's strain. [-]",
+                      Patterns::Double(0., 10.));
+    prm.add_parameter(
+      "Smallest step", smallest_step,
+      "Smallest stable step of an element whose plies can fail, as a share of its first one. An element with a smaller "
+      "step is removed, and so is one that is turned inside out. 0: never; in a section, the blade's share. [-]",
+      Patterns::Double(0., 0.9));
   }
 
   std::array<double, 3> LaminateParameters::reference(const std::string &where) const
@@ -110,12 +109,11 @@ namespace birdstrike
     for (std::size_t k = 0; k < materials.size(); ++k)
       {
         prm.enter_subsection("Material " + std::to_string(k + 1));
-        prm.add_parameter(
-          "Name", materials[k].name,
-          "What plies of Blade/Laminate and of sections call this material, elastic until it fails; its "
-          "constants are all its own. Isotropic: moduli 1 and 2 equal, shear moduli E/(2 (1 + nu)). "
-          "Empty: there is none. [-]",
-          dealii::Patterns::Anything());
+        prm.add_parameter("Name", materials[k].name,
+                          "Name of a ply material, for the plies of Blade/Laminate and of sections. The material is "
+                          "elastic until it fails. It takes no constants from elsewhere. Isotropic: equal moduli 1 and "
+                          "2, and shear moduli E/(2 (1 + nu)). Empty: there is no such material. [-]",
+                          dealii::Patterns::Anything());
         declare_ply(prm, materials[k].ply);
         prm.leave_subsection();
       }
@@ -128,7 +126,7 @@ namespace birdstrike
       check_ply(material.ply, material.name.empty() ? where : "Blade/Laminate/" + material.entries);
     reference(where);
     if (smallest_step > 0. && !can_fail())
-      throw InputError(where + "Smallest step is given, but no strength: no element of such plies is taken away.\nGive "
+      throw InputError(where + "Smallest step is given, but no strength: no element of such plies is removed.\nGive "
                                "the strengths, or set Smallest step = 0.");
   }
 

@@ -33,33 +33,35 @@ namespace birdstrike
       prm.enter_subsection("Element");
       declare_choice(
         prm, "Formulation", p.formulation, element_formulations(),
-        "Automatic: physical for a shell; of a solid whose metal does not fail, solid-shell for each brick that makes "
-        "up the thickness alone, one point for all others. Shells: one point with physical "
-        "stabilisation, or Belytschko-Tsay with perturbation hourglass "
-        "control, which couples no bending to membrane within a warped or bent element; or fully integrated (2 x 2 "
-        "points, MITC4), the reference for both. Solids: one point with "
-        "physical stabilisation, which bends right in a single layer but flows as a whole; solid-shell, the same "
-        "with points through the thickness, which yields layer by layer in a single one; or B-bar, fully "
-        "integrated, which needs layers. [-]");
-      declare_choice(prm, "Points rule", p.rule, thickness_rules(),
-                     "Integration through the thickness; Lobatto has points on both faces, Gauss is exacter. [-]");
+        "Element formulation of the blade. automatic for a shell: physical. automatic for a solid: solid-shell for "
+        "each brick that alone makes up the thickness, if the metal cannot fail; otherwise one point. Shells: physical "
+        "has one point and physical stabilisation. Belytschko-Tsay has one point and perturbation hourglass control; "
+        "it couples no bending to membrane within a warped or bent element. fully integrated has 2 x 2 points (MITC4) "
+        "and is the reference for both. Solids: one point has physical stabilisation; it bends correctly in a single "
+        "layer but yields as a whole. solid-shell has additional points through the thickness, and a single layer "
+        "yields gradually. B-bar is fully integrated and needs several layers. [-]");
+      declare_choice(
+        prm, "Points rule", p.rule, thickness_rules(),
+        "Rule of integration through the thickness. Lobatto: points on both faces. Gauss: higher accuracy. [-]");
       prm.add_parameter("Points through thickness", p.n_points,
-                        "Number of points through the thickness: odd, from 3 to 15. [-]", Integer(3, 15));
+                        "Number of integration points through the thickness: odd, from 3 to 15. [-]", Integer(3, 15));
       prm.add_parameter("Hourglass coefficient", p.hourglass,
-                        "Perturbation hourglass stiffness (Belytschko-Tsay only), membrane, transverse and rotation "
-                        "alike. [-]",
+                        "Stiffness coefficient of the perturbation hourglass control (Belytschko-Tsay only). It is the "
+                        "same for membrane, transverse and rotation modes. [-]",
                         Double(0., 1.));
-      prm.add_parameter("Shear factor", p.shear_factor, "Reissner's transverse shear factor kappa. [-]",
+      prm.add_parameter("Shear factor", p.shear_factor, "Transverse shear correction factor kappa (Reissner). [-]",
                         Double(1e-3, 1.));
-      prm.add_parameter("Thinning", p.has_thinning, "Whether the thickness follows the plane-stress strain. [-]");
+      prm.add_parameter(
+        "Thinning", p.has_thinning,
+        "Thinning of shells: their thickness follows the plane-stress strain. false: it stays constant. [-]");
       prm.add_parameter("Linear viscosity", p.linear_viscosity,
-                        "Factor b1 of the bulk viscosity of solids against ringing, rho l c b1 times the rate of "
-                        "dilatation: the share of critical damping in the highest mode of a slab, twice that in a "
-                        "cube; its work is booked. [-]",
+                        "Linear bulk viscosity b1 of solids against ringing: rho l c b1 times the rate of dilatation. "
+                        "b1 is the share of critical damping in the highest mode of a slab. In a cube the share is "
+                        "twice b1. Its work is counted in the energy balance. [-]",
                         Double(0., 1.));
       prm.add_parameter("Quadratic viscosity", p.quadratic_viscosity,
-                        "Bulk viscosity of solids in compression, which spreads shocks over some elements; its work is "
-                        "booked. [-]",
+                        "Quadratic bulk viscosity of solids in compression. It spreads shocks over some elements. Its "
+                        "work is counted in the energy balance. [-]",
                         Double(0., 10.));
       prm.leave_subsection();
     }
@@ -80,19 +82,22 @@ namespace birdstrike
     void declare_section(dealii::ParameterHandler &prm, const std::string &name, BladeParameters::Section &p)
     {
       prm.enter_subsection(name);
-      prm.add_parameter("Material ids", p.material_ids,
-                        "Ids or names of the cells that have this section instead of the blade's own, e.g. '1, "
-                        "coating'; none: it is not used. What is not given below is the blade's. [-]",
-                        Anything());
-      declare_choice(prm, "Formulation", p.formulation, element_formulations(),
-                     "See Element/Formulation; automatic: the blade's. [-]");
-      prm.add_parameter("Points through thickness", p.n_points,
-                        "See Element/Points through thickness; 0: the blade's. [-]", Integer(0, 15));
       prm.add_parameter(
-        "Thickness", p.thickness,
-        "Thickness of shells, a number or a formula in x, y, z, before Thickness/By material; empty: the "
-        "blade's. [m]",
+        "Material ids", p.material_ids,
+        "Ids or names of the cells that have this section instead of the blade's own, e.g. '1, coating'. Entries below "
+        "that are not set take the blade's values. Empty: the section is not used. [-]",
         Anything());
+      declare_choice(
+        prm, "Formulation", p.formulation, element_formulations(),
+        "Element formulation of the section: see Element/Formulation. automatic: the blade's formulation. [-]");
+      prm.add_parameter(
+        "Points through thickness", p.n_points,
+        "Number of integration points of the section: see Element/Points through thickness. 0: the blade's number. [-]",
+        Integer(0, 15));
+      prm.add_parameter("Thickness", p.thickness,
+                        "Thickness of shells: a number or a formula in x, y, z. It takes precedence over Thickness/By "
+                        "material. Empty: the blade's thickness. [m]",
+                        Anything());
       declare_material(prm, p.material, p.laminate, false);
       prm.leave_subsection();
     }
@@ -100,35 +105,32 @@ namespace birdstrike
     void declare_supports(dealii::ParameterHandler &prm, BladeParameters::Supports &p)
     {
       prm.enter_subsection("Supports");
-      prm.add_parameter(
-        "Clamped", p.clamped,
-        "Boundary ids or names whose nodes are held in all their unknowns, e.g. '0, 2' or 'root'. Built-in parts "
-        "have root (0), tip (1), leading_edge, trailing_edge; automatic is their root. Of a mesh from a file this or "
-        "Hub must be given: names or ids of the file, 0 for all sides without a name, or nothing. [-]",
-        Anything());
-      prm.add_parameter(
-        "Hub", p.hub,
-        "Boundary ids or names that sit on the hub: clamped, and the section whose forces are reported (without "
-        "them the clamped ids are). [-]",
-        Anything());
-      prm.add_parameter("Free", p.free, "Boundary ids or names that must exist and are held by nothing. [-]",
+      prm.add_parameter("Clamped", p.clamped,
+                        "Boundary ids or names whose nodes are constrained in all degrees of freedom, e.g. '0, 2' or "
+                        "'root'. Built-in parts have root (0), tip (1), leading_edge and trailing_edge. automatic: the "
+                        "root of a built-in part. A mesh from a file needs this entry or Hub: names or ids of the "
+                        "file, 0 for all sides without a name, or nothing. [-]",
+                        Anything());
+      prm.add_parameter("Hub", p.hub,
+                        "Boundary ids or names on the hub. They are clamped, and the reported section forces are "
+                        "theirs. Empty: the clamped ids are that section. [-]",
+                        Anything());
+      prm.add_parameter("Free", p.free, "Boundary ids or names that must exist and have no constraints. [-]",
                         Anything());
       prm.add_parameter("Tip", p.tip, "Boundary ids or names of the tip row, where the tip deflection is taken. [-]",
                         Anything());
-      prm.add_parameter(
-        "Held", p.held,
-        "Components held on boundary ids or names: '3: ux uy rz; tip: hinged'; clamped is all six, hinged is ux uy "
-        "uz: on whole faces of a solid a clamp. [-]",
-        Anything());
-      prm.add_parameter("Held boxes", p.held_boxes,
-                        "Components held on all nodes in a box: 'xmin ymin zmin xmax ymax zmax: ux uy; ...'. [m]",
+      prm.add_parameter("Held", p.held,
+                        "Constrained components on boundary ids or names: '3: ux uy rz; tip: hinged'. clamped: all six "
+                        "components. hinged: ux uy uz, which clamps whole faces of a solid. [-]",
                         Anything());
       prm.add_parameter(
-        "Driven", p.driven,
-        "Displacements (rotations: rad) on boundary ids or names as formulas of the time t that begin at 0: '3: "
-        "uz = 1e-3*sin(2*pi*100*t); 2: ux uy = 5*t'. A component that is held, or driven by an earlier "
-        "piece, stays so. [m]",
-        Anything());
+        "Held boxes", p.held_boxes,
+        "Constrained components on all nodes in a box: 'xmin ymin zmin xmax ymax zmax: ux uy; ...'. [m]", Anything());
+      prm.add_parameter("Driven", p.driven,
+                        "Prescribed displacements (rotations: rad) on boundary ids or names: '3: uz = "
+                        "1e-3*sin(2*pi*100*t); 2: ux uy = 5*t'. They are formulas of the time t that begin at 0. A "
+                        "component that is constrained, or prescribed by an earlier piece, stays so. [m]",
+                        Anything());
       prm.leave_subsection();
     }
 
@@ -136,27 +138,28 @@ namespace birdstrike
     {
       prm.enter_subsection("Loads");
       prm.add_parameter("Pressure", p.pressure,
-                        "Follower pressure, a formula in x, y, z, t (reference position); positive pushes along the "
-                        "surface normal, +z on the built-in plate. [Pa]",
+                        "Follower pressure: a formula in x, y, z, t (reference position). Positive values push along "
+                        "the surface normal, which is +z on the built-in plate. [Pa]",
                         Anything());
-      prm.add_parameter(
-        "Pressure boundaries", p.pressure_boundaries,
-        "Boundary ids or names of a solid whose faces the pressure pushes inwards; 5, the built-in face on the "
-        "side of minus the normal, makes it push as on the shell. [-]",
-        Anything());
+      prm.add_parameter("Pressure boundaries", p.pressure_boundaries,
+                        "Boundary ids or names of a solid whose faces the pressure pushes inwards. 5, the built-in "
+                        "face on the side opposite to the normal, makes it push as on the shell. [-]",
+                        Anything());
       prm.add_parameter("Point loads", p.point_loads,
-                        "Dead forces, and if six formulas are given moments, on the nearest node, of a solid at the "
-                        "place: 'x y z: fx; fy; fz | ...', formulas in t. [N]",
+                        "Point loads with constant direction: 'x y z: fx; fy; fz | ...', formulas in t. Six formulas "
+                        "add moments. A load acts on the nearest node, on a solid at the place itself. [N]",
                         Anything());
       prm.add_parameter("Damping", p.damping,
-                        "Mass-proportional damping of every unknown, for dynamic relaxation; its work is booked. [1/s]",
+                        "Mass-proportional damping of all degrees of freedom, for dynamic relaxation. Its work is "
+                        "counted in the energy balance. [1/s]",
                         Double(0.));
       prm.add_parameter("Initial velocity", p.initial_velocity,
-                        "Velocity of the nodes at the start, three formulas in x, y, z: 'vx; vy; vz'. [m/s]",
+                        "Velocity of the nodes at the start: three formulas in x, y, z, 'vx; vy; vz'. [m/s]",
                         Anything());
-      prm.add_parameter("Initial spin", p.initial_spin,
-                        "Rigid rotation about the origin at the start, added to the velocity: 'wx; wy; wz'. [rad/s]",
-                        Anything());
+      prm.add_parameter(
+        "Initial spin", p.initial_spin,
+        "Rigid rotation about the origin at the start: 'wx; wy; wz'. It is added to Initial velocity. [rad/s]",
+        Anything());
       prm.leave_subsection();
     }
 
@@ -165,24 +168,23 @@ namespace birdstrike
       prm.enter_subsection("Spin");
       prm.add_parameter(
         "Speed", p.speed,
-        "Speed at which the hub turns, right-handed about the axis: a number ('5730 rpm' is allowed), or a "
-        "formula of the time t in rad/s, as of a shaft that runs down, '600 - 2e3*t'. What is clamped "
-        "follows the rotation, and the blade starts in the equilibrium of its tension at t = 0. 0: the "
-        "hub stands still. [rad/s]",
+        "Speed of the hub, right-handed about the axis: a number ('5730 rpm' is allowed), or a formula of the time t "
+        "in rad/s. A shaft that runs down has '600 - 2e3*t'. Clamped nodes follow the rotation. The blade starts in "
+        "the equilibrium of its tension at t = 0. 0: the hub stands still. [rad/s]",
         Anything());
-      declare_vector(prm, "Axis", p.axis, "Direction of the axis, of any length. [-]");
-      declare_vector(prm, "Centre", p.centre, "A point on the axis. [m]");
+      declare_vector(prm, "Axis", p.axis, "Direction of the axis of rotation, of any length. [-]");
+      declare_vector(prm, "Centre", p.centre, "Point on the axis of rotation. [m]");
       prm.add_parameter("Prestress", p.has_prestress,
-                        "Whether static equilibrium under spin and the loads of t = 0 is found before the first step; "
-                        "without it the blade starts unstressed and rings. [-]");
+                        "Static equilibrium under spin and the loads of t = 0 before the first step. false: the blade "
+                        "starts unstressed and rings. [-]");
       prm.add_parameter("Load steps", p.n_load_steps,
-                        "Steps in which the static solve applies spin and loads; halved where one does not converge. "
-                        "[-]",
+                        "Number of steps in which the static solve applies spin and loads. A step that does not "
+                        "converge is halved. [-]",
                         Integer(1, 1000));
       declare_choice(prm, "Linear solver", p.linear_solver, linear_solvers(),
-                     "What solves the linear equations of static equilibrium and modes: factors (direct), or Krylov's "
-                     "methods preconditioned by algebraic multigrid, whose memory grows as the mesh does. automatic: "
-                     "multigrid beyond 50 000 unknowns. [-]");
+                     "Linear solver of static equilibrium and modes. direct: factors. multigrid: Krylov's methods with "
+                     "algebraic multigrid as preconditioner; their memory is proportional to the size of the mesh. "
+                     "automatic: multigrid beyond 50 000 unknowns. [-]");
       prm.leave_subsection();
     }
 
@@ -190,16 +192,17 @@ namespace birdstrike
     {
       prm.enter_subsection("Rigid");
       declare_choice(prm, "Surface", p.surface, rigid_surfaces(),
-                     "Rigid surface: one rectangle, or the facets of the mesh. [-]");
+                     "Kind of the rigid surface. rectangle: one rectangle. mesh: the facets of the mesh. [-]");
       declare_vector(prm, "Centre", p.centre, "Centre of the rectangle. [m]");
       declare_vector(prm, "Normal", p.normal,
-                     "Normal of the rectangle, of any length; also the direction of the free motion. [-]");
+                     "Normal of the rectangle, of any length. It is also the direction of the free motion. [-]");
       prm.add_parameter("Length", p.length, "Length of the rectangle, along x if the normal is z. [m]", Double(tiny));
       prm.add_parameter("Width", p.width, "Width of the rectangle, along y if the normal is z. [m]", Double(tiny));
-      prm.add_parameter("Half thickness", p.half_thickness, "Material on either side of the surface. [m]", Double(0.));
+      prm.add_parameter("Half thickness", p.half_thickness,
+                        "Half of the rigid surface's thickness: the material on either side of it. [m]", Double(0.));
       declare_choice(prm, "Motion", p.motion, rigid_motions(),
-                     "Whether the surface is fixed or free to move along its normal. [-]");
-      prm.add_parameter("Mass", p.mass, "Mass of the free surface. [kg]", Double(lightest));
+                     "Motion of the rigid surface. fixed: none. free along normal: it moves along its normal. [-]");
+      prm.add_parameter("Mass", p.mass, "Mass of the rigid surface that is free to move. [kg]", Double(lightest));
       prm.leave_subsection();
     }
   } // namespace
@@ -277,9 +280,10 @@ namespace birdstrike
   void BladeParameters::declare(dealii::ParameterHandler &prm)
   {
     declare_choice(prm, "Kind", kind, blade_kinds(),
-                   "What the bird meets: a blade of shell or of solid elements, a rigid surface without finite "
-                   "elements, or nothing. [-]");
-    prm.add_parameter("Probes", probes, "Watched nodes, the nearest to each point: 'name: x y z; ...'. [m]",
+                   "Kind of the target. shell: a blade of shell elements. solid: a blade of solid elements. rigid: a "
+                   "rigid surface without finite elements. none: no target. [-]");
+    prm.add_parameter("Probes", probes,
+                      "Watched nodes: 'name: x y z; ...'. Each name takes the node nearest to its point. [m]",
                       Anything());
     mesh.declare(prm);
     thickness.declare(prm);

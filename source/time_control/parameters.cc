@@ -14,51 +14,47 @@ namespace birdstrike
     using namespace dealii::Patterns;
     prm.enter_subsection("Time");
     prm.add_parameter("End time", end_time,
-                      "Simulated time at which the run ends, counted from first contact where a bird flies. [s]",
+                      "Simulated time at which the run ends. Where a bird flies, it counts from first contact. [s]",
                       Double(0.));
     prm.add_parameter("Step scale", step_scale,
-                      "Share of the blade's largest stable step that is taken; above 1 the run is unstable. [-]",
+                      "Time step of the blade as a share of its largest stable step. Above 1 the run is unstable. [-]",
                       Double(0., 1.));
     prm.add_parameter("Bird step scale", bird_step_scale,
-                      "Share of the bird's own step limit that is taken; the limit holds a margin already. [-]",
+                      "Time step of the bird as a share of its own limit. The limit already includes a margin. [-]",
                       Double(0., 2.));
     prm.add_parameter("Multirate", multirate,
-                      "Whether bird and blade each step at their own limit, at an integer ratio. [-]", Bool());
+                      "Subcycling: bird and blade each step at their own limit, at an integer ratio. [-]", Bool());
     prm.add_parameter(
       "Maximum ratio", maximum_ratio,
       "Largest number of subcycles: steps of one part within one step of the other. The blade takes more where "
       "its elements become stiffer within that step. [-]",
       Integer(1, 1000));
     prm.add_parameter("Stop at tip peak", stop_at_tip_peak,
-                      "Whether the run ends once the tip has passed its first peak after the bird's loading. [-]",
-                      Bool());
+                      "End of the run once the tip has passed its first peak after the bird's loading. [-]", Bool());
     prm.add_parameter("Tip peak wait", tip_peak_wait,
-                      "The tip's peak has passed when no higher value came for this long. [s]", Double(0.));
+                      "Time without a higher value after which the tip's peak has passed. [s]", Double(0.));
     prm.add_parameter("Bird phase tolerance", bird_phase_tolerance,
-                      "Bird and contact are dropped once nothing touches and the impulse that the particles left could "
-                      "still give is at most this share of the impulse given; 0 waits for the last particle. [-]",
+                      "Share of the impulse at which the bird phase ends. Bird and contact are removed once nothing is "
+                      "in contact and the remaining particles could add at most this share of the impulse so far. 0: "
+                      "the phase ends with the last particle. [-]",
+                      Double(0., 1.));
+    prm.add_parameter("Smallest step", smallest_step,
+                      "Smallest stable step of bird or blade, as a share of its first value. Below it, as when "
+                      "elements are crushed to nothing, the run ends as a numerical failure. 0: no limit. [-]",
                       Double(0., 1.));
     prm.add_parameter(
-      "Smallest step", smallest_step,
-      "The run ends as a numerical failure when the stable step of bird or blade falls below this share "
-      "of its first value, as when elements are crushed to nothing; 0 never does. [-]",
-      Double(0., 1.));
-    prm.add_parameter("Energy error limit", energy_error_limit,
-                      "The run ends as a numerical failure when the energy error exceeds this share of the initial "
-                      "energy. [-]",
-                      Double(0.));
+      "Energy error limit", energy_error_limit,
+      "Largest energy error as a share of the initial energy. Above it the run ends as a numerical failure. [-]",
+      Double(0.));
     prm.add_parameter("Maximum wall time", maximum_wall_time,
-                      "The run ends, with its results written, after this time on the clock; 0 sets no limit. [s]",
-                      Double(0.));
-    prm.add_parameter("Threads", threads,
-                      "Number of threads; results do not depend on it, and 0 takes every core that the process may run "
-                      "on. More threads "
-                      "than these cores take turns and slow the run down many times: they are not started unless Force "
-                      "threads says so. "
-                      "[-]",
-                      Integer(0, 4096));
-    prm.add_parameter("Force threads", forces_threads,
-                      "Whether as many threads start as Threads says, even on fewer cores (for tests). [-]", Bool());
+                      "Wall-clock time at which the run ends, with its results written. 0: no limit. [s]", Double(0.));
+    prm.add_parameter(
+      "Threads", threads,
+      "Number of threads. Results do not depend on it. 0: all cores that the process may run on. More threads than "
+      "these cores take turns and slow the run down many times: they are started only with Force threads. [-]",
+      Integer(0, 4096));
+    prm.add_parameter("Force threads", forces_threads, "Start of all Threads, even on fewer cores (for tests). [-]",
+                      Bool());
     prm.leave_subsection();
   }
 

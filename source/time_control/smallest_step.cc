@@ -15,7 +15,7 @@ namespace birdstrike
       FailureFacts facts{"The stable step of the " + part + " is no number", "stable step", limit.value, "s"};
       facts.where   = limit.where;
       facts.details = std::string("Limited by: ") + limit.reason + ".";
-      facts.advice  = "Reduce Time/Step scale and Time/Bird step scale, and look at the last fields there.";
+      facts.advice  = "Reduce Time/Step scale and Time/Bird step scale, and check the last fields there.";
       return facts;
     }
   } // namespace
@@ -42,7 +42,7 @@ namespace birdstrike
                                    "-",
                                    share,
                                    "Time/Smallest step"}
-                    : FailureFacts{"The stable step of the " + part + " leaves more steps than anybody waits for",
+                    : FailureFacts{"The stable step of the " + part + " is too small to reach the end of the run",
                                    "steps to Time/End time",
                                    remaining / limit.value,
                                    "-",

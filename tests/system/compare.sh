@@ -51,7 +51,7 @@ require "the shell is the file's own" '[ -s kinds/quickstart-rigid/summary.json 
 
 # runs of one file are told apart by their folders, and keep what --set changed
 for mass in 0.1 0.12; do "$program" run "$a" "${fast[@]}" --set "Bird/Mass=$mass" --output runs/mass-$mass >/dev/null; done
-refuse "a run's folder" "give 'runs/mass-0.1/parameters.prm', what was run there, with all that --set changed" -- runs/mass-0.1 runs/mass-0.12
+refuse "a run's folder" "give 'runs/mass-0.1/parameters.prm', the case that was run there, with all changes by --set" -- runs/mass-0.1 runs/mass-0.12
 ask "two runs of one file" 0 "mass-0.1: the run in runs/mass-0.1 is reused" "mass-0.12: the run in runs/mass-0.12 is reused" "^mass-0.12 +shell" -- \
   runs/mass-0.1/parameters.prm runs/mass-0.12/parameters.prm --output masses
 
@@ -74,7 +74,7 @@ for _ in $(seq 300); do [ -s stopped/quickstart/parameters.prm ] && break; sleep
 kill -TERM $running
 wait $running
 code=$?
-require "a signal ends comparison and run, with the exit code of 'run'" '[ $code -eq 130 ] && grep -q "Cases that are complete will be reused" out.txt && grep -q "stopped by a signal" stopped/quickstart/summary.json'
+require "a signal ends comparison and run, with the exit code of 'run'" '[ $code -eq 130 ] && grep -q "Complete cases will be reused" out.txt && grep -q "stopped by a signal" stopped/quickstart/summary.json'
 
 # what was stopped goes on, as if nothing had happened; where 'resume' refuses, it is run anew
 long=(--set "Time/End time=240e-3" --set "Output/HDF5=false")
@@ -86,7 +86,7 @@ kill -TERM $running
 wait $running
 cp -r on anew
 echo damaged >"$(ls anew/quickstart/checkpoints/*.h5 | tail -1)"
-ask "a stopped case goes on" 0 "Case 1 of 1 to run: quickstart, into .*, from its checkpoint at" "Going on from" -- "$a" "${fast[@]}" "${long[@]}" --output on
+ask "a stopped case goes on" 0 "Case 1 of 1 to run: quickstart, into .*, from its checkpoint at" "Continuing from" -- "$a" "${fast[@]}" "${long[@]}" --output on
 ask "without a checkpoint it is run anew" 0 "Case 1 of 1 to run: quickstart, into .*a signal ended it" -- "$a" "${fast[@]}" "${long[@]}" --output anew
 "$program" run "$a" "${fast[@]}" "${long[@]}" --output through >/dev/null 2>&1
 require "the histories are those of a run without a stop" 'cmp on/quickstart/history.csv through/history.csv && cmp anew/quickstart/history.csv through/history.csv'

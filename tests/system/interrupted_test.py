@@ -18,12 +18,12 @@ FINE = ("--set", "Blade/Mesh/Elements along span=300", "--set", "Blade/Mesh/Elem
 
 # What runs, a file (or a pattern) that is there once it does, and words of its end.
 COMMANDS = {
-    "run": (("run", STRIKE, *LONG, "--output", "run"), "run/parameters.prm", "Go on with: birdstrike resume run"),
+    "run": (("run", STRIKE, *LONG, "--output", "run"), "run/parameters.prm", "Continue with: birdstrike resume run"),
     "study": (("study", STRIKE, *LONG, "--vary", "Bird/Mass=0.1, 0.11", "--output", "study"), "study/Mass=0.1/parameters.prm",
-              "Points that are complete will be reused"),
+              "Complete points will be reused"),
     "converge": (("converge", STRIKE, *LONG, "--vary", "step", "--output", "ladder"), "ladder/Step-scale=0.9-Bird-step-scale=1/parameters.prm",
                  "The ladder was stopped"),
-    "compare": (("compare", STRIKE, *LONG, "--output", "compare"), "compare/quickstart/parameters.prm", "Cases that are complete will be reused"),
+    "compare": (("compare", STRIKE, *LONG, "--output", "compare"), "compare/quickstart/parameters.prm", "Complete cases will be reused"),
     "target": (("run", STRIKE, *LONG, "--target-error", "impulse = 5 %", "--output", "target"), "target/*/parameters.prm", "The climb was stopped"),
     "static": (("static", BLADE, *FINE, "--output", "static"), None, "Interrupted by a signal."),
     "modes": (("modes", BLADE, *FINE, "--output", "modes"), None, "Interrupted by a signal."),
@@ -62,7 +62,7 @@ def main():
     # what was stopped is as it was said, and another signal ends it alike
     assert all(os.path.exists(f"study/Mass={mass}/summary.json") for mass in ("0.1", "0.11")), os.listdir("study")
     said, code = stop(COMMANDS["study"][0], lambda: not os.path.exists("study/Mass=0.11/summary.json"), signal.SIGHUP)
-    assert code == 130 and "2 will go on from a checkpoint" in said, (code, said)
+    assert code == 130 and "2 will continue from a checkpoint" in said, (code, said)
 
 
 main()

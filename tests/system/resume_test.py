@@ -173,7 +173,7 @@ class Resume(unittest.TestCase):
             files[-1].write_bytes(damage)
             text = self.program("resume", "run")
             self.assertIn(said, text)
-            self.assertIn(f"Going on from run/checkpoints/{files[-2].name}", text)
+            self.assertIn(f"Continuing from run/checkpoints/{files[-2].name}", text)
         for file in checkpoints(run):
             file.write_bytes(b"foreign")
         text = self.program("resume", "run", expect=2)
@@ -224,7 +224,7 @@ class Resume(unittest.TestCase):
         mesh.chmod(0o644)
         mesh.write_text(mesh.read_text() + "\n")
         text = self.program("resume", "run", *sets(["Time/End time=2e-4"]), expect=2)
-        self.assertIn("own.msh' is not what it was", text)
+        self.assertIn("own.msh' has changed", text)
 
         mesh.unlink()
         self.assertIn("own.msh' is not there, neither in the run folder nor seen", self.program("resume", "run", expect=2))

@@ -58,12 +58,12 @@ for _ in $(seq 300); do [ -s stopped/End-time=10/parameters.prm ] && [ -s stoppe
 kill -TERM $running
 wait $running
 code=$?
-require "a signal ends study and runs, with the exit code of 'run'" '[ $code -eq 130 ] && grep -q "Points that are complete will be reused" out.txt && [ "$(grep -l "stopped by a signal" stopped/*/summary.json | wc -l)" -eq 2 ]'
-ask "what was complete is there" 0 "3 points, 1 of them are there, 2 will go on from a checkpoint" "stopped at [0-9.]+ [mu]?s, will go on" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
+require "a signal ends study and runs, with the exit code of 'run'" '[ $code -eq 130 ] && grep -q "Complete points will be reused" out.txt && [ "$(grep -l "stopped by a signal" stopped/*/summary.json | wc -l)" -eq 2 ]'
+ask "what was complete is there" 0 "3 points, 1 of them are there, 2 will continue from a checkpoint" "stopped at [0-9.]+ [mu]?s, will continue" -- "$a" "${fast[@]}" --set "Time/Maximum wall time=60" --vary "Time/End time=0.1e-3, 10, 11" --collect --output stopped
 
 # a limit of the wall's clock cuts a point: it has no values, and goes on with the next call
-ask "points cut by the clock" 130 "stopped at [0-9.]+ [mu]?s, will go on" -- "$a" "${fast[@]}" --set "Time/End time=9" --set "Time/Maximum wall time=0.5" --vary "Bird/Mass=0.1" --output cut
-require "have no values" 'grep -qE "^1,0.1,,,.stopped at .*, will go on" cut/study.csv'
+ask "points cut by the clock" 130 "stopped at [0-9.]+ [mu]?s, will continue" -- "$a" "${fast[@]}" --set "Time/End time=9" --set "Time/Maximum wall time=0.5" --vary "Bird/Mass=0.1" --output cut
+require "have no values" 'grep -qE "^1,0.1,,,.stopped at .*, will continue" cut/study.csv'
 
 # and what was not goes on from where it was, as if nothing had happened; where 'resume' refuses, it is run anew
 long=(--set "Time/End time=240e-3" --set "Output/HDF5=false" --vary "Bird/Mass=0.1, 0.12" --jobs 2)
@@ -73,11 +73,11 @@ for _ in $(seq 300); do [ -s on/Mass=0.1/parameters.prm ] && [ -s on/Mass=0.12/p
 sleep 0.3
 kill -TERM $running
 wait $running
-require "stopped points say so" 'grep -q "Mass=0.1: stopped at .*, will go on" out.txt && ! grep -q "exit code" out.txt'
+require "stopped points say so" 'grep -q "Mass=0.1: stopped at .*, will continue" out.txt && ! grep -q "exit code" out.txt'
 ask "a launcher that hands over what was stopped" 1 "exit code 0, and there is no complete run" -- "$a" "${fast[@]}" "${long[@]}" --launcher true --output on
 echo damaged >"$(ls on/Mass=0.12/checkpoints/*.h5 | tail -1)"
-ask "a stopped study goes on" 0 "2 points, 0 of them are there, 1 will go on from a checkpoint" "^ *0.1 .* done" "^ *0.12 .* done" -- "$a" "${fast[@]}" "${long[@]}" --output on
-require "from the checkpoint" 'grep -q "Going on from" on/Mass=0.1/log.txt && ! grep -q "Going on from" on/Mass=0.12/log.txt'
+ask "a stopped study goes on" 0 "2 points, 0 of them are there, 1 will continue from a checkpoint" "^ *0.1 .* done" "^ *0.12 .* done" -- "$a" "${fast[@]}" "${long[@]}" --output on
+require "from the checkpoint" 'grep -q "Continuing from" on/Mass=0.1/log.txt && ! grep -q "Continuing from" on/Mass=0.12/log.txt'
 ask "the same without a stop" 0 "2 points, 0 of them are there$" -- "$a" "${fast[@]}" "${long[@]}" --output through
 require "has the same histories" 'cmp on/Mass=0.1/history.csv through/Mass=0.1/history.csv && cmp on/Mass=0.12/history.csv through/Mass=0.12/history.csv'
 

@@ -35,9 +35,10 @@ namespace birdstrike
           if (const double allowed = is_ridge ? blunt_ridge : std::acos(share_starts_at); angle > allowed + round_off)
             throw InputError(fmt::format(
               "Case/Symmetry plane: at ({:.4g}, 0, {:.4g}) m the blade's surface meets its mirror image in a {} of "
-              "{:.0f} degrees. Contact with such a place is not computed by half.\n  Allowed: {:.0f} degrees between "
-              "the normals.\n  Action: compute the whole blade, with Case/Symmetry plane = none.",
-              0.5 * (a[0] + b[0]), 0.5 * (a[2] + b[2]), is_ridge ? "ridge" : "fold", degrees(angle), degrees(allowed)));
+              "{:.0f} degrees. Half a scene cannot represent contact there.\n  Allowed: {:.0f} degrees between the "
+              "normals.\n  Action: compute the whole blade, with Case/Symmetry plane = none.",
+              0.5 * (a[0] + b[0]), 0.5 * (a[2] + b[2]), is_ridge ? "feature edge" : "fold", degrees(angle),
+              degrees(allowed)));
         }
   }
 } // namespace birdstrike

@@ -29,15 +29,15 @@ namespace birdstrike
     void check_angle(const BirdParameters &bird, const BladeParameters &blade)
     {
       if (!blade.loads.initial_spin.empty() || !blade.loads.initial_velocity.empty())
-        throw InputError(bird.section +
-                         "/Angle to surface: the blade moves at the start (Blade/Loads/Initial spin or Initial "
-                         "velocity), so that the angle of the bird's velocity is not that at which they meet.\nGive "
-                         "Speed with Flight direction, or Velocity; explain says at which angle they meet.");
+        throw InputError(
+          bird.section +
+          "/Angle to surface: the blade moves at the start (Blade/Loads/Initial spin or Initial velocity), so that the "
+          "bird's velocity alone does not set the angle at which they meet.\nGive Speed with Flight direction, or "
+          "Velocity; explain says at which angle they meet.");
       if (Rotor(blade.spin).turns())
-        throw InputError(bird.section +
-                         "/Angle to surface: the blade turns (Blade/Spin/Speed), so that the angle of the bird's "
-                         "velocity is not that at which they meet.\nGive Speed with Flight direction, or Velocity; "
-                         "explain says at which angle they meet.");
+        throw InputError(bird.section + "/Angle to surface: the blade turns (Blade/Spin/Speed), so that the bird's "
+                                        "velocity alone does not set the angle at which they meet.\nGive Speed with "
+                                        "Flight direction, or Velocity; explain says at which angle they meet.");
       if (const double degrees = bird.angle_to_surface[0]; degrees == 0. || std::abs(degrees) == 180.)
         throw InputError(bird.section +
                          "/Angle to surface: along the surface the bird never meets it.\nGive an angle other than 0 "

@@ -13,8 +13,8 @@ namespace birdstrike
   void refuse_difference(const BirdParameters &bird, const std::string &entry, const std::string &found,
                          const std::string &other, const std::string &there)
   {
-    throw InputError(fmt::format("{0}/{1} = {2} contradicts {0}/{3}, by which it is {4}.\nLeave one of the two out "
-                                 "(what a file says is taken back by --set \"{0}/...=default\"), or correct it.",
+    throw InputError(fmt::format("{0}/{1} = {2} contradicts {0}/{3}, which gives {4}.\nLeave one of the two out (an "
+                                 "entry of the file is reset by --set \"{0}/...=default\"), or correct it.",
                                  bird.section, entry, found, other, there));
   }
 } // namespace birdstrike

@@ -16,17 +16,17 @@ namespace birdstrike
   {
     using namespace dealii::Patterns;
     prm.enter_subsection("Study");
-    prm.add_parameter(
-      name_of(0), vary[0],
-      "Values of an entry over which 'birdstrike study' runs this case: Section/Entry = v1, v2 or a:b:n "
-      "(n numbers from a to b) or v1 | v2 (values that hold commas). [-]",
-      Anything());
+    prm.add_parameter(name_of(0), vary[0],
+                      "Values of an entry over which 'birdstrike study' runs this case: Section/Entry = v1, v2. Ranges "
+                      "are a:b:n (n numbers from a to b). Values with commas are separated by bars: v1 | v2. [-]",
+                      Anything());
     for (std::size_t k = 1; k < vary.size(); ++k)
-      prm.add_parameter(name_of(k), vary[k], "A further entry: each of its values with each of the others. [-]",
+      prm.add_parameter(name_of(k), vary[k], "Values of a further entry, combined with all values of the others. [-]",
                         Anything());
-    prm.add_parameter("Pairs", are_pairs,
-                      "Whether the values of all entries go together, first with first, instead of each with each. [-]",
-                      Bool());
+    prm.add_parameter(
+      "Pairs", are_pairs,
+      "Pairing of the values of all entries: first with first, second with second. false: all combinations. [-]",
+      Bool());
     prm.leave_subsection();
   }
 

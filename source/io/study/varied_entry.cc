@@ -113,7 +113,7 @@ namespace birdstrike
       {
         const auto count = evaluate_arithmetic(bounds[2]);
         if (!count || *count != std::floor(*count) || *count < 2.)
-          refuse(text, "how many values it is to be is no whole number of at least 2, but " + quote(bounds[2]) + ".");
+          refuse(text, "the number of values must be a whole number of at least 2, not " + quote(bounds[2]) + ".");
         if (*count > static_cast<double>(most_points))
           refuse(text, fmt::format("{:.0f} values; at most {} points make a study.", *count, most_points));
         const std::vector<std::string> ends  = with_units({bounds[0], bounds[1]}, true);

@@ -70,8 +70,8 @@ namespace birdstrike
                            " and " + std::to_string(three[2].second) + " share " + (dim == 2 ? "an edge" : "a face") +
                            ", between the nodes " + std::to_string(three->first.front()) + " and " +
                            std::to_string(three->first.back()),
-                         dim == 2 ? "A shell surface may not branch; remove what does not belong to the blade."
-                                  : "A face has a brick on either side at most; remove what lies in another.");
+                         dim == 2 ? "A shell surface must not branch: remove elements that do not belong to the blade."
+                                  : "A face has at most one brick on either side: remove bricks that lie in another.");
     }
   } // namespace
 

@@ -31,7 +31,7 @@ namespace birdstrike
     auto            text = std::filesystem::is_regular_file(path, error) ? read_text_file(path) : std::nullopt;
     if (!text) // what is no file may never end
       throw InputError(entry + ": cannot open '" + path +
-                       "'.\nA path is meant from the folder of the parameter file, else from the working directory.");
+                       "'.\nA path starts at the folder of the parameter file, else at the working directory.");
     whole = std::move(*text);
     left  = whole;
   }

@@ -18,7 +18,7 @@ namespace birdstrike
   namespace
   {
     constexpr auto stopped =
-      "The comparison was stopped. Cases that are complete will be reused, one that was begun goes on.";
+      "The comparison was stopped. Complete cases will be reused, and a case in progress will continue.";
 
     /// A case that cannot be run is refused before any other has taken its hours.
     void validate(const PlannedCase &planned)

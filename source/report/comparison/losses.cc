@@ -27,13 +27,13 @@ namespace birdstrike
   {
     if (names.empty())
       return;
-    const std::string rest = ". The table holds what the other " + others + " came to.";
+    const std::string rest = ". The table has the results of the other " + others + ".";
     if (!are_all_lawful)
       throw std::runtime_error("a case ended as none should: " + names + ".");
     if (has_refused)
       throw InputError("Refused or lost: " + names + rest);
     if (has_lost)
       throw NumericalFailure("Lost: " + names + rest);
-    throw Interrupted("Interrupted: " + names + ". The table holds what they came to until then.");
+    throw Interrupted("Interrupted: " + names + ". The table has their results until then.");
   }
 } // namespace birdstrike

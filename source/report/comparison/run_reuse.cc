@@ -103,7 +103,7 @@ namespace birdstrike
     std::string judge_files(const RunRecord &run, const CaseParameters &wanted)
     {
       const std::string file = changed_file(run, wanted);
-      return file.empty() ? "" : "'" + file + "' is not what it was";
+      return file.empty() ? "" : "'" + file + "' has changed";
     }
 
     std::string judge(const RunRecord &run, const CaseParameters &wanted)

@@ -29,9 +29,10 @@ namespace birdstrike
     {
       if (std::isfinite(value))
         return value;
-      FailureFacts facts{"A row holds what is no number, and is not written to '" + table.filename().string() + "'",
+      FailureFacts facts{"A row has a value that is no number, and is not written to '" + table.filename().string() +
+                           "'",
                          what.name, value, what.unit};
-      facts.advice = "Reduce Time/Step scale and Time/Bird step scale, and look at the rows and fields before.";
+      facts.advice = "Reduce Time/Step scale and Time/Bird step scale, and check the rows and fields before.";
       throw NumericalFailure(std::move(facts));
     }
 

@@ -146,7 +146,7 @@ namespace birdstrike
   {
     if (!std::filesystem::exists(run / "history.csv"))
       throw InputError("There is no run in " + run.string() +
-                       ": no history.csv.\nA measurement is held against the folder that 'birdstrike run' has left.");
+                       ": no history.csv.\nA measurement is compared with the folder that 'birdstrike run' has left.");
     const bool        is_turned = quantity.starts_with('-');
     const std::string name      = is_turned ? quantity.substr(1) : quantity;
     const auto        profile   = profiles().find(name);

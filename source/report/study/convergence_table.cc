@@ -70,13 +70,13 @@ namespace birdstrike
       if (n_levels < 3)
         return "";
       if (n_levels == 3)
-        return "Error bar: of the finest level, 1.25 times what Richardson's value is away where the ladder converges "
-               "(grid\nconvergence index), else three times that; without an order three times the largest change.\n";
-      return fmt::format(
-        "Order, h -> 0 and error bar by least squares over {} levels (Eca, Hoekstra 2014). Error bar: of the finest "
-        "level,\n1.25 times what h -> 0 is away where the ladder converges, else three times that, and "
-        "the scatter about the fit.\n",
-        n_levels);
+        return "Error bar of the finest level: 1.25 times the distance to Richardson's value where the ladder "
+               "converges (grid\nconvergence index), else three times that distance; without an order, three times the "
+               "largest change.\n";
+      return fmt::format("Order, h -> 0 and error bar by least squares over {} levels (Eca, Hoekstra 2014). Error bar "
+                         "of the finest level:\n1.25 times the distance to h -> 0 where the ladder converges, else "
+                         "three times that distance, and the scatter about\nthe fit.\n",
+                         n_levels);
     }
 
     std::string describe_places(const std::size_t n_places)

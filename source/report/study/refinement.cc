@@ -86,9 +86,9 @@ namespace birdstrike
           orders.push_back(value);
       }
     if (orders.size() != parts.size() || orders.front() > orders.back())
-      throw InputError(fmt::format("{} {}.\n  Allowed: above 0, at most {:g}, or bounds as 1:2; what a longer ladder "
-                                   "has shown.",
-                                   option, text, highest_order));
+      throw InputError(
+        fmt::format("{} {}.\n  Allowed: above 0, at most {:g}, or bounds as 1:2. Take the order of a longer ladder.",
+                    option, text, highest_order));
     return OrderRange{orders.front(), orders.back()};
   }
 

@@ -25,7 +25,7 @@ namespace birdstrike
       const RunRecord record = read_record(run.folder);
       return !record.is_complete() ? "stopped"
                                    : "stopped at " + format_quantity(record.summary().number("end/time"), "s") +
-                                       (find_checkpoints(run.folder).empty() ? "" : ", will go on");
+                                       (find_checkpoints(run.folder).empty() ? "" : ", will continue");
     }
 
     /// Its results are those of a part, and which depends on the machine, or on who stopped it.

@@ -76,16 +76,16 @@ namespace birdstrike
         is_list = line.starts_with("cd ") && line.find(" && ") != std::string::npos; // as make_task_list writes them
       if (!is_list)
         throw InputError("--task-list " + file +
-                         ": there is something that is no list of tasks.\n  Action: give the list a name of its own.");
+                         ": the file there is no list of tasks.\n  Action: give the list a name of its own.");
     }
 
     void write_task_list(const std::string &file, const std::vector<PointRun> &runs, const RunOptions &options)
     {
       const std::string tasks = make_task_list(runs, options);
       write_whole_file(file, {tasks});
-      const auto        n_tasks   = std::ranges::count(tasks, '\n');
-      const std::string collected = "The same command without --task-list, but with --collect, makes the table of what "
-                                    "has been run.";
+      const auto        n_tasks = std::ranges::count(tasks, '\n');
+      const std::string collected =
+        "The same command without --task-list, but with --collect, makes the table of the points that have been run.";
       if (n_tasks == 0)
         return log().info("{} is empty: no point is left to run. {}", file, collected);
       const std::string name = quote_for_shell(file);
@@ -110,7 +110,7 @@ namespace birdstrike
     const auto n_done     = std::ranges::count_if(runs, [](const PointRun &run) { return run.is_done; });
     const auto n_to_go_on = std::ranges::count_if(runs, [](const PointRun &run) { return run.goes_on; });
     log().info("{} points, {} of them are there{}", runs.size(), n_done,
-               n_to_go_on > 0 ? fmt::format(", {} will go on from a checkpoint", n_to_go_on) : "");
+               n_to_go_on > 0 ? fmt::format(", {} will continue from a checkpoint", n_to_go_on) : "");
     const bool makes_table = request.task_list.empty();
     if (makes_table && !request.is_forced)
       refuse_loss_of(find_lost_points(output / "study.csv", plan, runs), output, kind,

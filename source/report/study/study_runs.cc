@@ -43,7 +43,7 @@ namespace birdstrike
       const auto time = find_way_on(run.folder, parameters);
       run.goes_on     = time.has_value();
       if (time)
-        run.state = "stopped at " + format_quantity(*time, "s") + ", will go on";
+        run.state = "stopped at " + format_quantity(*time, "s") + ", will continue";
     }
 
     /// Runs that would be lost.
@@ -214,9 +214,9 @@ namespace birdstrike
               to_run.push_back(&run);
           }
         const int signal = run_side_by_side(to_run, options);
-        end_if_stopped(signal, "The " + options.what +
-                                 " was stopped. Points that are complete will be reused; those with a checkpoint will "
-                                 "go on from it.");
+        end_if_stopped(
+          signal, "The " + options.what +
+                    " was stopped. Complete points will be reused; points with a checkpoint will continue from it.");
       }
     while (std::ranges::any_of(runs, is_to_run));
   }

@@ -44,10 +44,9 @@ namespace birdstrike
   void Climber::require_whole_error() const
   {
     if (!is_whole_known())
-      throw NumericalFailure(
-        "The target error cannot be claimed: the error of the mesh is unknown, for it comes from "
-        "a file.\n  Action: birdstrike study with a finer file each, --vary \"Blade/Mesh/File=a.msh, "
-        "b.msh\", shows what the mesh adds.");
+      throw NumericalFailure("The target error cannot be claimed: the error of the mesh is unknown, because the mesh "
+                             "comes from a file.\n  Action: birdstrike study with finer files, --vary "
+                             "\"Blade/Mesh/File=a.msh, b.msh\", shows the error of the mesh.");
   }
 
   void Climber::refuse() const

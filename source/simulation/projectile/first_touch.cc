@@ -110,10 +110,9 @@ namespace birdstrike
     const Point3 frame =
       rotor != nullptr ? rotor->motion(parameters.arrival).velocity(aim) : find_velocity_at_aim(aim, facets);
     if (Point3(parameters.velocity.data()) == frame)
-      throw InputError(
-        fmt::format("The bird does not close in on the blade: {0}/Velocity is that of the blade where it "
-                    "aims.\nSet {0}/Velocity, in m/s, to what carries it to the blade.",
-                    parameters.section));
+      throw InputError(fmt::format("The bird does not close in on the blade: {0}/Velocity is that of the blade where "
+                                   "it aims.\nSet {0}/Velocity, in m/s, towards the blade.",
+                                   parameters.section));
     if (rotor != nullptr)
       aim_in_fixed_axes(bird, parameters, aim, frame);
     FirstTouch touch       = fly_to(bird, facets, parameters, frame);

@@ -70,8 +70,8 @@ namespace birdstrike
           frame = find_velocity_at_aim(aim, facets);
           if (velocity == frame)
             throw InputError(parameters.section +
-                             "/Velocity is that of the blade: the bird does not close in on it.\nSet it, in m/s, to "
-                             "what carries the bird from Position to the blade.");
+                             "/Velocity is that of the blade: the bird does not close in on it.\nSet it, in m/s, so "
+                             "that the bird flies from Position to the blade.");
         }
       const Point3 closing = velocity - frame;
       const double time    = time_to_first_touch(MovedPoints(points, Point3::Zero(), closing).view, facets);

@@ -127,7 +127,7 @@ namespace birdstrike
     bird->update_neighbor_list();
     bird->compute_rates();
     contact->begin_at(now);
-    log().info("Section '{}': from t = {} on this bird is near enough to be met.", parameters.section,
+    log().info("Section '{}': from t = {} on this bird is close enough for contact.", parameters.section,
                format_quantity(now, "s"));
   }
 

@@ -150,8 +150,8 @@ namespace birdstrike
           if (!names.empty() && !of_section.is_laminate())
             warnings.push_back(
               {"entry/of_another_metal", section + "/Name is now '" + of_section.material.name +
-                                           "', and what was set beside another name still holds: " + names +
-                                           ". Set it too ('table', 'default'), or once more to what it is."});
+                                           "', but entries that were set for another name still apply: " + names +
+                                           ". Reset them too ('table', 'default'), or repeat their values."});
         }
     }
 

@@ -17,10 +17,10 @@ namespace birdstrike
     if (report.n_unknowns == 0 || report.n_unstable == std::size_t(0))
       return;
     if (!report.n_unstable)
-      warnings.push_back({"blade/stability_unknown",
-                          "The stability of the static equilibrium is not known. The stiffness of the loaded blade is "
-                          "nearly singular, or pressures that follow the surface make it unsymmetric. Look at the "
-                          "motion by 'birdstrike run'."});
+      warnings.push_back(
+        {"blade/stability_unknown",
+         "The stability of the static equilibrium is not known. The stiffness of the loaded blade is nearly singular, "
+         "or pressures that follow the surface make it unsymmetric. Check the motion with 'birdstrike run'."});
     else
       warnings.push_back(
         {"blade/unstable_equilibrium",

@@ -120,8 +120,8 @@ namespace birdstrike
       if (by < little)
         warnings.push_back(
           {"blade/top_by_little",
-           fmt::format("The top face of the shell, {}, is told by a mean normal of ({:.3f}, {:.3f}, {:.3f}), which "
-                       "hardly looks up: a small turn of the mesh would change the side. Set Blade/Mesh/Top.",
+           fmt::format("The top face of the shell, {}, is found from a mean normal of ({:.3f}, {:.3f}, {:.3f}), which "
+                       "hardly points up: a small rotation of the mesh would change the side. Set Blade/Mesh/Top.",
                        is_present(parameters.loads.pressure) ? "along whose normal pressure acts"
                                                              : "to which plies are stacked",
                        mean[0], mean[1], mean[2])});
@@ -132,10 +132,10 @@ namespace birdstrike
       const std::string entry = "Blade/Laminate/Reference direction";
       const double      angle = std::acos(std::min(1., std::abs(span[0]))) * 180. / M_PI;
       if (parameters.blade.laminate.is_given() && !parameters.file.is_given(entry) && angle > 20.)
-        warnings.push_back({"laminate/direction_not_given",
-                            fmt::format("{} is not given: plies of 0 degrees lie along x, which is {:.3g} degrees from "
-                                        "the way from root to tip.",
-                                        entry, angle)});
+        warnings.push_back(
+          {"laminate/direction_not_given", fmt::format("{} is not given: plies of 0 degrees lie along x, which is "
+                                                       "{:.3g} degrees from the direction from root to tip.",
+                                                       entry, angle)});
     }
 
     void check_axis(const BladeParameters::Spin &spin, const Point3 &span, Warnings &warnings)
@@ -143,10 +143,10 @@ namespace birdstrike
       const Point3 axis  = Point3(spin.axis.data()).normalized();
       const double angle = std::acos(std::min(1., std::abs(axis.dot(span)))) * 180. / M_PI;
       if (Rotor(spin).turns() && angle < 20.)
-        warnings.push_back({"blade/axis_along_span",
-                            fmt::format("Blade/Spin/Axis is {:.3g} degrees from the way from root to tip: the blade "
-                                        "turns about its own span.",
-                                        angle)});
+        warnings.push_back(
+          {"blade/axis_along_span", fmt::format("Blade/Spin/Axis is {:.3g} degrees from the direction from root to "
+                                                "tip: the blade turns about its own span.",
+                                                angle)});
     }
 
     void check_supports(const CaseParameters &parameters, const Blade &blade, const BladeCensus &census,
@@ -158,13 +158,13 @@ namespace birdstrike
       if (census.n_held_dofs == 0)
         warnings.push_back({"blade/free", "Nothing holds the blade: it flies off (Blade/Supports)."});
       else if (n_held == census.n_nodes)
-        warnings.push_back({"blade/all_held",
-                            "Every node of the blade is held (Blade/Supports: are coordinates of Held "
-                            "boxes in m?)."});
+        warnings.push_back(
+          {"blade/all_held",
+           "Every node of the blade is constrained (Blade/Supports: are coordinates of Held boxes in m?)."});
       for (const std::string &entry : census.held_faces)
         warnings.push_back(
-          {"blade/hinge_is_clamp", entry + " holds whole faces of the solid and so their rotation, too: "
-                                           "a hinge holds one row of nodes (Held boxes); a clamp is 'clamped'."});
+          {"blade/hinge_is_clamp", entry + " constrains whole faces of the solid, and so their rotation. A hinge "
+                                           "constrains one row of nodes (Held boxes); a clamp is 'clamped'."});
       const auto line = blade.span_line();
       if (!line && parameters.blade.mesh.generator == MeshGenerator::file &&
           !parameters.file.is_given("Blade/Supports/Tip"))

@@ -74,10 +74,10 @@ namespace birdstrike
     warnings.push_back(
       {"bird/stiff_target",
        fmt::format("The target hardly gives way: at {:.2g} of the normal speed of section '{}'. With {:.0f} particles "
-                   "across the bird its impulse is about {:.1f} % too large: particles rebound from a stiff wall, "
-                   "a liquid does not. Deflection and root moment are too large by as much, a small plastic work by a "
-                   "half and more. Take 20 particles across or more ({}/Particle spacing = {:.2g} m), and look at the "
-                   "trend by 'birdstrike converge FILE.prm --vary particles'.",
+                   "across the bird its impulse is about {:.1f} % too large: particles rebound from a stiff wall, a "
+                   "liquid does not. Deflection and root moment are too large by as much, a small plastic work by a "
+                   "half and more. Take 20 particles across or more ({}/Particle spacing = {:.2g} m), and check the "
+                   "trend with 'birdstrike converge FILE.prm --vary particles'.",
                    yielding, projectile.parameters.section, n_particles_across,
                    100. * error_of_one / n_particles_across, projectile.parameters.section,
                    projectile.parameters.spacing * n_particles_across / enough)});

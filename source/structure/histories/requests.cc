@@ -10,32 +10,29 @@ namespace birdstrike
   void HistoryRequests::declare(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Histories");
-    prm.add_parameter(
-      "Axes", axes,
-      "Axes of the components in nodes.csv and elements.csv: global; blade (span, chord and normal of "
-      "the undeformed blade at the place); or six numbers, a vector along axis 1 and one in the plane of "
-      "axes 1 and 2. [-]");
+    prm.add_parameter("Axes", axes,
+                      "Axes of the components in nodes.csv and elements.csv. global: the global axes. blade: span, "
+                      "chord and normal of the undeformed blade at the place. Six numbers: a vector along axis 1 and "
+                      "one in the plane of axes 1 and 2. [-]");
     prm.add_parameter("Nodes", nodes,
-                      "Nodes whose displacement, velocity and acceleration nodes.csv follows: 'name: x y z', the "
-                      "nearest one, or 'name: node 17', the number of field 'node'; separated by semicolons. [m]");
-    prm.add_parameter(
-      "Elements", elements,
-      "Elements whose stress, strain and plastic strain elements.csv follows: 'name: x y z | layer' or "
-      "'name: element 17 | layer', separated by semicolons. The layer is a share of half the thickness, "
-      "-1 (bottom) to 1 (top), whose nearest integration point is taken (of plies itself); 0 without. Bricks have -1, "
-      "0 "
-      "and 1. [m]");
+                      "Nodes whose displacement, velocity and acceleration nodes.csv contains, separated by "
+                      "semicolons. 'name: x y z': the nearest node. 'name: node 17': the number of field 'node'. [m]");
+    prm.add_parameter("Elements", elements,
+                      "Elements whose stress, strain and plastic strain elements.csv contains: 'name: x y z | layer' "
+                      "or 'name: element 17 | layer', separated by semicolons. The layer is a share of half the "
+                      "thickness, from -1 (bottom) to 1 (top). Its nearest integration point is taken, and in a "
+                      "laminate the layer itself. Bricks have -1, 0 and 1. Without a layer: 0. [m]");
     prm.add_parameter("Gauges", gauges,
                       "Strain gauges for gauges.csv: 'name: x y z | direction | face', separated by semicolons. "
-                      "Direction: span, chord, degrees from the span towards the chord, or a vector; face: struck, "
-                      "other, top or bottom. Without, span and struck. [m]");
+                      "Direction: span, chord, degrees from the span towards the chord, or a vector. Face: struck, "
+                      "other, top or bottom. Without them: span and struck. [m]");
     prm.add_parameter("Stations", stations,
-                      "Shares of the span, from the root (0) to below 1, at which sections.csv has the section's force "
-                      "and moment, e.g. '0, 0.1, 0.5'. [-]");
+                      "Shares of the span, from the root (0) to below 1, at which sections.csv contains the section's "
+                      "force and moment, e.g. '0, 0.1, 0.5'. [-]");
     prm.add_parameter("Patches", patches,
-                      "Parts of the surface whose contact force, pressure and impulse patches.csv has: 'name: x y z "
-                      "radius' or 'name: xmin ymin zmin xmax ymax zmax', separated by semicolons; the facets whose "
-                      "undeformed centre lies within. [m]");
+                      "Parts of the surface whose contact force, pressure and impulse patches.csv contains, separated "
+                      "by semicolons. The forms are 'name: x y z radius' and 'name: xmin ymin zmin xmax ymax zmax'. A "
+                      "part consists of the facets whose undeformed centre lies within. [m]");
     prm.leave_subsection();
   }
 

@@ -48,9 +48,8 @@ namespace birdstrike
       if (is_analysed)
         require_memory();
       if (!is_analysed || solver->NumericFactorization() != 0)
-        throw NumericalFailure(
-          "Static solve: the tangent is singular. Is the blade held, and is every part of the mesh "
-          "joined to what is held?");
+        throw NumericalFailure("Static solve: the tangent is singular. Is the blade constrained, and is every part of "
+                               "the mesh joined to a constrained part?");
     }
 
     /// MUMPS estimates what its factors and fronts will take.

@@ -47,7 +47,7 @@ namespace birdstrike
         for (int iteration = 0; iteration < most_iterations; ++iteration)
           {
             if (!values.allFinite())
-              throw NumericalFailure("Modes: the stiffness of the loaded blade holds what is no number.");
+              throw NumericalFailure("Modes: the stiffness of the loaded blade has an entry that is no number.");
             if (values[0] <= 0.)
               return {{values[0]}, {}, static_cast<std::size_t>(iteration)};
             const MatrixXd residual = x.k - mass.asDiagonal() * x.v * values.asDiagonal();

@@ -18,7 +18,7 @@ namespace birdstrike
   {
     constexpr double       relative_shift = 1e-9; // of the mean of K_ii/M_ii: below all modes of stable states
     constexpr unsigned int most_shifts    = 30;   // each four times as far
-    const char *const      no_bound = "Modes: the stiffness of the loaded blade has no lower bound. Look at its loads.";
+    const char *const      no_bound = "Modes: the stiffness of the loaded blade has no lower bound. Check its loads.";
 
     VibrationModes::Mode make_mode(const Equilibrium &equilibrium, const std::vector<double> &masses,
                                    const double value, std::vector<double> shape)

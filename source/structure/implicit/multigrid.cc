@@ -48,7 +48,7 @@ namespace birdstrike
           const double stiffness = std::abs(matrix.find(k, k));
           if (!(stiffness > 0. && std::isfinite(stiffness)))
             throw NumericalFailure("Static solve: the tangent is singular, a node has no stiffness. Is every part of "
-                                   "the mesh joined to what is held?");
+                                   "the mesh joined to a constrained part?");
           result.push_back(1. / std::sqrt(stiffness));
         }
       return result;

@@ -53,11 +53,10 @@ namespace birdstrike
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {
-        throw NumericalFailure(
-          fmt::format("Static solve: multigrid leaves {:.2g} of the right-hand side after {} iterations (wanted: "
-                      "{:.2g}).\nSet Blade/Spin/Linear solver to direct if memory allows, or look at the mesh: are its "
-                      "elements slivers?",
-                      control.last_value() / size, control.last_step(), tolerance));
+        throw NumericalFailure(fmt::format(
+          "Static solve: multigrid leaves {:.2g} of the right-hand side after {} iterations (wanted: {:.2g}).\nSet "
+          "Blade/Spin/Linear solver to direct if memory allows, or check the mesh: are its elements slivers?",
+          control.last_value() / size, control.last_step(), tolerance));
       }
     n_iterations += control.last_step();
     result.resize(scale.size());

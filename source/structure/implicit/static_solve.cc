@@ -163,8 +163,8 @@ namespace birdstrike
         facts.what += fmt::format(" (forces left over: {:.2g} of theirs)", newton.residuals.back());
       if (!newton.why.empty())
         facts.details = "The last attempt ended with: " + newton.why.substr(0, newton.why.find('\n'));
-      facts.advice = "The blade buckles, flows without bound, fails or is not held. Look at 'birdstrike static' with "
-                     "smaller loads.";
+      facts.advice = "The blade buckles, flows without bound, fails or is not constrained. Try 'birdstrike static' "
+                     "with smaller loads.";
       return facts;
     }
   } // namespace

@@ -100,7 +100,7 @@ namespace birdstrike
       }
     if (mumps->answer(1) < 0)
       throw NumericalFailure(fmt::format("Static solve: the stiffness of the loaded blade is singular (MUMPS: {}, {}). "
-                                         "Is every part of the mesh joined to what is held?",
+                                         "Is every part of the mesh joined to a constrained part?",
                                          mumps->answer(1), mumps->answer(2)));
   }
 

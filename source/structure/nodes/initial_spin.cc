@@ -25,11 +25,10 @@ namespace birdstrike
   {
     constexpr double round_off = 1e-9;
     if (spin.norm() > 0. && std::abs(velocity) > round_off * spin.norm() * (1. + x.norm()))
-      throw InputError(fmt::format(
-        "Blade/Loads/Initial spin: a support holds the node at ({:.4g}, {:.4g}, {:.4g}) m, which the spin moves.\n"
-        "The blade would swing about a root that stands still: let the hub turn (Blade/Spin/Speed), or leave these "
-        "nodes "
-        "free\n(Blade/Supports/Clamped, Hub, Held).",
-        x[0], x[1], x[2]));
+      throw InputError(
+        fmt::format("Blade/Loads/Initial spin: a support constrains the node at ({:.4g}, {:.4g}, {:.4g}) m, which the "
+                    "spin moves.\nThe blade would swing about a root that stands still: let the hub turn "
+                    "(Blade/Spin/Speed), or leave these nodes free\n(Blade/Supports/Clamped, Hub, Held).",
+                    x[0], x[1], x[2]));
   }
 } // namespace birdstrike

@@ -125,16 +125,17 @@ namespace birdstrike
     using namespace dealii::Patterns;
     prm.enter_subsection("Mass scaling");
     declare_choice(prm, "Method", p.method, mass_scaling_methods(),
-                   "Selective: solids in thin layers take the step of their dimensions in the plane, for more "
-                   "inertia against rotation and stretching of the lines of nodes through the thickness; mass and "
-                   "momentum stay exact. [-]");
-    prm.add_parameter("Largest added inertia", p.largest_added,
-                      "Most that selective scaling may add to the moment of inertia of the blade about its slenderest "
-                      "axis, as a share of it; the frequency of the first torsion falls by about half of this. [-]",
-                      Double(0., 10.));
+                   "Mass scaling of solids. selective: solids in thin layers take the time step of their in-plane "
+                   "dimensions. In return the lines of nodes through the thickness get more inertia against rotation "
+                   "and stretching. Mass and momentum stay exact. [-]");
+    prm.add_parameter(
+      "Largest added inertia", p.largest_added,
+      "Largest moment of inertia that selective scaling may add to the blade about its slenderest axis, as a share of "
+      "it. The frequency of the first torsion mode falls by about half of this share. [-]",
+      Double(0., 10.));
     prm.add_parameter("Target step", p.target_step,
-                      "Stable step that selective scaling shall reach, before Time/Step scale; 0: 0.95 of what the "
-                      "dimensions in the plane allow, or less as Largest added inertia wants it. [s]",
+                      "Stable step that selective scaling must reach, before Time/Step scale. 0: 0.95 of the step that "
+                      "the in-plane dimensions allow, or less if Largest added inertia demands it. [s]",
                       Double(0.));
     prm.leave_subsection();
   }

@@ -283,8 +283,8 @@ namespace birdstrike
                                          std::vector<double> coupling) requires(n_unknowns == 3)
   {
     if (!driven.empty())
-      throw InputError("Blade/Mass scaling/Method: 'selective' does not know driven supports.\nSet it to off, or hold "
-                       "what Supports/Driven moves.");
+      throw InputError("Blade/Mass scaling/Method: 'selective' cannot be combined with prescribed displacements.\nSet "
+                       "it to off, or constrain the nodes of Supports/Driven.");
     scaled = std::make_unique<ScaledNodes>(
       ColumnMass(columns, std::move(coupling), vectors->inverse_mass.begin(), n_owned, pool), n_unknowns * n_nodes);
     scaled->update_forces(vectors->force.begin(), vectors->external.begin());

@@ -21,12 +21,12 @@ namespace birdstrike
           low  = low.cwiseMin(mesh.node(node));
           high = high.cwiseMax(mesh.node(node));
         }
-      return fmt::format(
-        "Blade/Supports/{0} = {1}: {2} of the {3} nodes of the set '{1}' are held, {4} stay free (one is node {5}). A "
-        "name holds the sides whose nodes all belong to it, no single nodes and none inside. To hold these as well, "
-        "set Blade/Supports/Held boxes = {6:.10g} {7:.10g} {8:.10g} {9:.10g} {10:.10g} {11:.10g}: clamped.",
-        entry, name, n - free.size(), n, free.size(), mesh.node_label(free.front()), low[0], low[1], low[2], high[0],
-        high[1], high[2]);
+      return fmt::format("Blade/Supports/{0} = {1}: {2} of the {3} nodes of the set '{1}' are constrained, {4} stay "
+                         "free (one is node {5}). A name selects the sides whose nodes all belong to it, no single "
+                         "nodes and none inside. To constrain these as well, set Blade/Supports/Held boxes = {6:.10g} "
+                         "{7:.10g} {8:.10g} {9:.10g} {10:.10g} {11:.10g}: clamped.",
+                         entry, name, n - free.size(), n, free.size(), mesh.node_label(free.front()), low[0], low[1],
+                         low[2], high[0], high[1], high[2]);
     }
   } // namespace
 
@@ -38,10 +38,11 @@ namespace birdstrike
     };
     if (!mesh.file_node_ids.empty() && is_clamped(0) && !mesh.boundary_names.names(0) && !mesh.boundary.empty() &&
         std::ranges::all_of(mesh.boundary, [&](const auto &side) { return is_clamped(side.id); }))
-      warnings.push_back({"blade/whole_rim_held",
-                          fmt::format("Blade/Supports/Clamped = 0 holds all sides of the mesh that have no name: here "
-                                      "the whole boundary, {} nodes. Name the root in the file if that is not meant.",
-                                      mesh.nodes_on(clamped_ids).size())});
+      warnings.push_back(
+        {"blade/whole_rim_held",
+         fmt::format("Blade/Supports/Clamped = 0 constrains all sides of the mesh without a name: here the whole "
+                     "boundary, {} nodes. Name the root in the file if that is not meant.",
+                     mesh.nodes_on(clamped_ids).size())});
   }
 
   template <unsigned int n_unknowns, class Mesh>

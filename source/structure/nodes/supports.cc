@@ -53,9 +53,9 @@ namespace birdstrike
         mesh.boundary_names.list() + "; ids: " + ids_of(mesh) + ". Set Clamped or Hub to those of the root" +
         (n_unnamed == 0
            ? std::string()
-           : fmt::format(", to 0 to hold all {} sides without a name ({} of the whole boundary)", n_unnamed,
+           : fmt::format(", to 0 to constrain all {} sides without a name ({} of the whole boundary)", n_unnamed,
                          n_unnamed == mesh.boundary.size() ? "all" : std::to_string(mesh.boundary.size()))) +
-        ", or leave Clamped empty (Clamped =) to hold nothing.");
+        ", or leave Clamped empty (Clamped =) for no constraint.");
     }
 
     template <class Mesh>
@@ -113,15 +113,14 @@ namespace birdstrike
       const auto held     = parse_components(text, "Blade/" + entry);
       const bool has_some = held[3] || held[4] || held[5], has_all = held[3] && held[4] && held[5];
       if (n_unknowns == 3 && has_some && !(has_all && held[0] && held[1] && held[2]))
-        throw InputError("Blade/" + entry + ": '" + text +
-                         "' holds rotations, which the nodes of a solid do not have.\n"
-                         "Allowed for a solid: ux uy uz, clamped or hinged (both all three). Two layers of held "
-                         "displacements hold a rotation.");
-      if (turns && std::count(held.begin(), held.begin() + n_unknowns, true) != n_unknowns)
         throw InputError(
           "Blade/" + entry + ": '" + text +
-          "' holds single components, which have no fixed direction on a blade that turns.\nAllowed with "
-          "Blade/Spin: clamped.");
+          "' constrains rotations, which the nodes of a solid do not have.\nAllowed for a solid: ux uy uz, clamped or "
+          "hinged (both all three). Constrained displacements in two layers of nodes constrain a rotation.");
+      if (turns && std::count(held.begin(), held.begin() + n_unknowns, true) != n_unknowns)
+        throw InputError("Blade/" + entry + ": '" + text +
+                         "' constrains single components, which have no fixed direction on a rotating blade.\nAllowed "
+                         "with Blade/Spin: clamped.");
       return held;
     }
 
@@ -177,11 +176,9 @@ namespace birdstrike
       root_ids = clamped_ids;
     for (const unsigned int id : require_ids(parameters.free, mesh, "Free"))
       if (std::ranges::find(clamped_ids, id) != clamped_ids.end())
-        throw InputError(fmt::format(
-          "Blade/Supports/Free = {}: boundary {} is held by Clamped (of built-in parts by default 0) or Hub "
-          "as well."
-          "\nTake it out of one of them.",
-          parameters.free, id));
+        throw InputError(fmt::format("Blade/Supports/Free = {}: boundary {} is constrained by Clamped (of built-in "
+                                     "parts by default 0) or Hub as well.\nTake it out of one of them.",
+                                     parameters.free, id));
     // The default is the tip of the built-in parts. Where a file names its sides, 1 is the first that it names.
     const BladeParameters::Supports standard;
     const bool                      are_named = mesh.boundary_names.has_names() && !mesh.boundary_names.names(0);
@@ -240,8 +237,8 @@ namespace birdstrike
           std::make_shared<const TimeLaw>(dealii::Utilities::trim(text.substr(equals + 1)), "Supports/Driven")};
         if (driven_here.dofs.empty() && !nodes.empty())
           throw InputError("Blade/Supports/Driven: '" + key + ": " + text +
-                           "' drives nothing: all that it names is clamped, held or driven already.\nLet Clamped, Hub "
-                           "and Held leave it free (Clamped = empty), and name each component once.");
+                           "' drives nothing: all its components are clamped, constrained or driven already.\nLet "
+                           "Clamped, Hub and Held leave it free (Clamped = empty), and name each component once.");
         if (driven_here.at(0.) != 0.)
           throw InputError("Blade/Supports/Driven: '" + text +
                            "' is not 0 at t = 0.\nA displacement begins where the mesh is; subtract its first value.");

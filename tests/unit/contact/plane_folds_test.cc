@@ -44,7 +44,7 @@ TEST(PlaneFolds, ARidgeOfASkinIsRefusedWhereTheWholeWouldHaveASharpEdge)
   EXPECT_EQ(refusal(0., true), "");
   EXPECT_EQ(refusal(29., true), "");
   const std::string text = refusal(62., true);
-  EXPECT_NE(text.find("ridge of 62 degrees"), std::string::npos) << text;
+  EXPECT_NE(text.find("feature edge of 62 degrees"), std::string::npos) << text;
   EXPECT_NE(text.find("(0.15, 0, 0.02)"), std::string::npos) << text;
   EXPECT_NE(text.find("Case/Symmetry plane"), std::string::npos) << text;
   EXPECT_NE(refusal(31., true), "");

@@ -150,7 +150,7 @@ TEST(CaseParameters, ThePrintedFileHasTheValuesOfTheTableAndGivesTheSameMetal)
   EXPECT_EQ(tree.find(here, "Heat capacity")->value, "table") << "nothing heats: it plays no part";
   EXPECT_EQ(tree.find({"Blade", "Section 2", "Material"}, "Yield stress")->value, "2.76e+08");
   EXPECT_NE(printed.find("# Of the table: Al 2024 Johnson-Cook.\n    set Density = 2780\n"), std::string::npos);
-  EXPECT_NE(printed.find("# Here Al 2024 Johnson-Cook, with what Blade/Material says of it."), std::string::npos);
+  EXPECT_NE(printed.find("# Here Al 2024 Johnson-Cook, with its data from Blade/Material."), std::string::npos);
 
   again.read(scratch.write("parameters.prm", printed));
   EXPECT_EQ(again.blade.material, first.blade.material);

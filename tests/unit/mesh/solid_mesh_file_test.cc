@@ -213,7 +213,7 @@ namespace birdstrike::solid_mesh_file_test
       };
       std::vector<std::vector<int>> two_legs{cell(0, 0, 1), cell(0, 1, 1), cell(1, 0, 1),
                                              cell(1, 1, 1), cell(0, 0, 0), cell(1, 1, 0)};
-      EXPECT_TRUE(says(complaint(nodes, two_legs), "along an edge only")) << complaint(nodes, two_legs);
+      EXPECT_TRUE(says(complaint(nodes, two_legs), "share an edge only")) << complaint(nodes, two_legs);
       two_legs.push_back(cell(0, 1, 0));
       EXPECT_EQ(complaint(nodes, two_legs), "");
     }

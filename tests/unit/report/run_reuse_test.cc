@@ -99,11 +99,11 @@ TEST_F(RunReuse, AMeshThatWasChangedSinceMatters)
   const auto when = std::filesystem::last_write_time(mesh);
   scratch.write("plate.msh", "mend");
   std::filesystem::last_write_time(mesh, when); // as a copy that keeps times does
-  EXPECT_EQ(reason({from_file, of_mesh}), "'" + mesh + "' is not what it was");
+  EXPECT_EQ(reason({from_file, of_mesh}), "'" + mesh + "' has changed");
   scratch.write("plate.msh", "mesh");
   EXPECT_EQ(reason({from_file, of_mesh}), "") << "the contents count";
   std::filesystem::remove(mesh);
-  EXPECT_EQ(reason({from_file, of_mesh}), "'" + mesh + "' is not what it was");
+  EXPECT_EQ(reason({from_file, of_mesh}), "'" + mesh + "' has changed");
 }
 
 TEST_F(RunReuse, AnIncompleteFolderWillNotDo)

@@ -141,6 +141,6 @@ namespace birdstrike::driven_support_test
     EXPECT_NE(said_of("0", "0: ux = 5*t", "").find("Driven: '0: ux = 5*t' drives nothing"), std::string::npos);
     EXPECT_NE(said_of("", "1: uz = t; 1: uz = 2*t", "").find("Driven: '1: uz = 2*t' drives nothing"),
               std::string::npos);
-    EXPECT_NE(said_of("0", "", "0").find("Free = 0: boundary 0 is held by Clamped"), std::string::npos);
+    EXPECT_NE(said_of("0", "", "0").find("Free = 0: boundary 0 is constrained by Clamped"), std::string::npos);
   }
 } // namespace birdstrike::driven_support_test

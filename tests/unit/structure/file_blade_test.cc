@@ -98,7 +98,7 @@ namespace birdstrike::file_blade_test
         {
           const std::string text = blades.complaint(plate(sets));
           for (const std::string &part :
-               {std::string("Blade/Supports/Clamped is not given"), std::string("to 0 to hold all"),
+               {std::string("Blade/Supports/Clamped is not given"), std::string("to 0 to constrain all"),
                 std::string(sets.empty() ? "12 sides without a name (all of the whole boundary)"
                                          : "Names in this mesh: foot, top")})
             EXPECT_NE(text.find(part), std::string::npos) << part << " is not in: " << text;

@@ -18,10 +18,10 @@ namespace birdstrike
       const double c = law.reference.dot(g.compute_e1()), s = law.reference.dot(g.compute_e2());
       const double length = std::hypot(c, s), least = 0.02;
       if (!(length > least * law.reference.norm()))
-        throw InputError("Shell " + where.text() +
-                         ": the laminate's Reference direction stands on the element, so that the angles of its plies "
-                         "mean nothing there.\nTurn Laminate/Reference direction, or give these cells a section with "
-                         "one of their own.");
+        throw InputError(
+          "Shell " + where.text() +
+          ": the laminate's Reference direction is normal to the element, so that the angles of its plies are "
+          "undefined there.\nTurn Laminate/Reference direction, or give these cells a section with one of their own.");
       return {{c / length, s / length}};
     }
 
