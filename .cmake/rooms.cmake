@@ -1,7 +1,7 @@
 # One library per room. Usage: birdstrike_room(blade DEPENDS core material LIBRARIES birdstrike_dealii ALONE elements/)
 # Most of a file's compilation is Eigen and SIMD: several files at a time read them once (BIRDSTRIKE_UNITY). Files whose path matches a
 # regular expression of ALONE are compiled by themselves: loops of a step, which the compiler optimises as they stand, and files that share
-# a name outside functions.
+# a name outside functions. Headers of PRECOMPILE, Eigen and SIMD above all, are parsed once for these.
 
 add_library(birdstrike_options INTERFACE)
 target_compile_options(birdstrike_options INTERFACE -Wall -Wextra -Wpedantic)
@@ -43,8 +43,16 @@ target_compile_options(birdstrike_options INTERFACE $<$<CONFIG:Release>:-O3> -fn
 # The build id tells stored runs of one build from those of another (core/program.h).
 target_link_options(birdstrike_options INTERFACE -Wl,--as-needed -Wl,--build-id=sha1)
 
+function(birdstrike_precompile target)
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # GCC 12 forgets in a precompiled header where number.h silences its own AVX-512 intrinsics (GCC bug 105593).
+    target_compile_options(${target} PRIVATE -Wno-uninitialized -Wno-maybe-uninitialized)
+  endif()
+endfunction()
+
 function(birdstrike_room name)
-  cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES;ALONE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES;ALONE;PRECOMPILE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/source/${name}/*.cc)
   list(TRANSFORM ROOM_DEPENDS PREPEND birdstrike_)
   add_library(birdstrike_${name} STATIC ${sources})
@@ -58,6 +66,9 @@ function(birdstrike_room name)
     endforeach()
   endif()
   target_link_libraries(birdstrike_${name} PUBLIC birdstrike_options Eigen3::Eigen ${ROOM_DEPENDS} ${ROOM_LIBRARIES})
+  if(BIRDSTRIKE_UNITY AND ROOM_PRECOMPILE)
+    birdstrike_precompile(birdstrike_${name} ${ROOM_PRECOMPILE})
+  endif()
 endfunction()
 
 # Unit tests of one room: tests/unit/<room>/*.cc become the executable <room>_tests. Those that READ_FILES of the source
@@ -75,6 +86,7 @@ function(birdstrike_unit_tests name)
   endif()
   if(BIRDSTRIKE_UNITY_TESTS)
     set_target_properties(${name}_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    birdstrike_precompile(${name}_tests <gtest/gtest.h> ${common_headers})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # it takes a batch's files for headers, whose fixtures should have a name
       target_compile_options(${name}_tests PRIVATE -Wno-subobject-linkage)
     endif()

@@ -33,11 +33,17 @@ namespace birdstrike
       }
   }
 
-  void FieldWriter::write(FieldSeries &series, FieldSnapshot snapshot, const double time)
+  void FieldWriter::wait_for_room()
   {
     std::unique_lock<std::mutex> lock(mutex);
     has_changed.wait(lock, [&] { return has_room() || error; });
     rethrow_error(lock);
+  }
+
+  void FieldWriter::write(FieldSeries &series, FieldSnapshot snapshot, const double time)
+  {
+    wait_for_room();
+    std::unique_lock<std::mutex> lock(mutex);
     queue.push_back({&series, std::move(snapshot), time});
     if (!thread.joinable())
       thread = std::thread([this] { work(); });
@@ -54,7 +60,7 @@ namespace birdstrike
 
   bool FieldWriter::has_room() const
   {
-    constexpr std::size_t most    = 64 << 20; // bytes
+    constexpr std::size_t most    = 32 << 20; // bytes
     std::size_t           n_bytes = 0;
     for (const Task &task : queue)
       n_bytes += compute_field_file_bytes(task.snapshot);

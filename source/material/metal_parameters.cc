@@ -128,6 +128,10 @@ namespace birdstrike
                            ".\nSet Hardening = curve, or leave it empty.");
         return;
       }
+    if (!curve.empty() && curve.find(':') == std::string::npos)
+      throw InputError(here + ": '" + curve +
+                       "' has no points. A file is not read here.\nGive the points themselves: '0: 880e6; 0.02: 915e6; "
+                       "0.1: 970e6' (plastic strain: true stress in Pa).");
     std::vector<std::array<double, 2>> points;
     for (const auto &[strain_text, stress_text] : parse_pairs(curve, here))
       points.push_back({parse_numbers(strain_text, 1, here)[0], parse_numbers(stress_text, 1, here)[0]});

@@ -25,8 +25,11 @@ namespace birdstrike
     FieldWriter(const FieldWriter &)            = delete;
     FieldWriter &operator=(const FieldWriter &) = delete;
 
-    /// Queues one snapshot; waits while `capacity` of them are queued, or what is queued takes more than 64 MiB. The
-    /// series must outlive the writer.
+    /// Waits while `capacity` snapshots are queued, or what is queued makes more than 32 MiB of files: before a large
+    /// one is made, lest two of them are in memory.
+    void wait_for_room();
+
+    /// Queues one snapshot, where there is room. The series must outlive the writer.
     void write(FieldSeries &series, FieldSnapshot snapshot, double time);
 
     /// Waits until all is on disk.

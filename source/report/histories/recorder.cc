@@ -52,11 +52,11 @@ namespace birdstrike
     if (run.has_bird() && run.parameters.output.bird_fields)
       {
         bird_fields.emplace(folder, "bird");
-        no_bird = run.bird_snapshot();
-        no_bird.points.clear();
-        no_bird.cells.clear();
+        no_bird        = run.bird_snapshot();
+        no_bird.points = {}; // with its memory
+        no_bird.cells  = {};
         for (Field &field : no_bird.fields)
-          field.values.clear();
+          field.values = {};
       }
   }
 
@@ -125,6 +125,7 @@ namespace birdstrike
     const bool has_bird = run.has_bird() || run.parameters.output.removed_fly_on;
     if (bird_fields && (has_bird || !std::exchange(has_left_bird, true))) // ParaView shows the last file from there on
       {
+        writer.wait_for_room();
         FieldSnapshot bird = run.has_bird() ? run.bird_snapshot() : no_bird;
         if (run.parameters.output.removed_fly_on)
           run.observed.removed_particles.add_to(bird, run.time);

@@ -88,6 +88,19 @@ namespace birdstrike
         return {g.cross(of.second).dot(normal) / area, of.first.cross(g).dot(normal) / area};
       }
 
+      double parse_degrees(const std::string &text, const std::string &name) const
+      {
+        try
+          {
+            return parse_numbers(text, 1, entry)[0];
+          }
+        catch (const InputError &)
+          {
+            throw InputError(entry + ": '" + text + "' is no direction of the gauge '" + name +
+                             "'.\nAllowed: span, chord, degrees from the span towards the chord, or a vector 'x y z'.");
+          }
+      }
+
       Point3 parse_direction(const Place &place) const
       {
         const std::string &text = place.options[0];
@@ -101,7 +114,7 @@ namespace birdstrike
         if (text == "chord")
           angle = 90.;
         else if (!text.empty() && text != "span")
-          angle = parse_numbers(text, 1, entry + " (span, chord, degrees or a vector)")[0];
+          angle = parse_degrees(text, place.name);
         angle *= std::numbers::pi / 180.;
         return std::cos(angle) * axes.row(0) + std::sin(angle) * axes.row(1);
       }
