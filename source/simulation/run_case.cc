@@ -11,8 +11,8 @@
 #include <birdstrike/core/program.h>
 #include <birdstrike/io/case_parameters.h>
 #include <birdstrike/io/input_copies.h>
+#include <birdstrike/io/output_entries.h>
 #include <birdstrike/io/run_folder.h>
-#include <birdstrike/io/telling_entries.h>
 #include <birdstrike/report/failure_record.h>
 #include <birdstrike/report/summary.h>
 #include <birdstrike/report/text.h>
@@ -29,7 +29,7 @@ namespace birdstrike
   namespace
   {
     /// What a run that goes on may change: how long it goes, what it tells and in which steps; not what it computes.
-    const EntryNames may_change = telling_entries_and(
+    const EntryNames may_change = output_entries_and(
       {"Time/End time", "Time/Threads", "Time/Force threads", "Time/Maximum wall time", "Time/Energy error limit",
        "Time/Stop at tip peak", "Time/Tip peak wait", "Time/Step scale", "Time/Bird step scale"});
 
@@ -108,7 +108,8 @@ namespace birdstrike
     }
 
     /// The last line of what a lost run says.
-    std::string describe_way_on(const Checkpoints &checkpoints, const RunFolder &folder, const TimeParameters &time)
+    std::string describe_last_checkpoint(const Checkpoints &checkpoints, const RunFolder &folder,
+                                         const TimeParameters &time)
     {
       if (checkpoints.last().empty())
         return "No checkpoint was written (Output/Checkpoint/Time interval writes them).";
@@ -133,7 +134,7 @@ namespace birdstrike
         }
       catch (NumericalFailure &failure)
         {
-          failure.add_checkpoint(checkpoints.last(), describe_way_on(checkpoints, folder, parameters.time));
+          failure.add_checkpoint(checkpoints.last(), describe_last_checkpoint(checkpoints, folder, parameters.time));
           folder.fail(failure.what(), make_failure_record(failure.facts()));
           throw;
         }

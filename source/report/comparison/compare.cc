@@ -2,7 +2,7 @@
 #include "report/comparison/compare_plan.h"
 #include "report/comparison/comparison_figures.h"
 #include "report/comparison/comparison_table.h"
-#include "report/comparison/losses.h"
+#include "report/comparison/failed_runs.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/log.h>
@@ -128,12 +128,12 @@ namespace birdstrike
         validate(planned);
 
     const ReportFolder folder(request.output, comparison_kind(), !request.is_forced); // taken before hours of computing
-    Losses             losses;
+    FailedRuns         failed;
     std::size_t        number = 0;
     for (PlannedCase &planned : cases)
       if (!planned.is_reused)
-        losses.add(planned.name, run(planned, ++number, n_to_run));
+        failed.add(planned.name, run(planned, ++number, n_to_run));
     write(folder, cases);
-    losses.raise("cases");
+    failed.raise("cases");
   }
 } // namespace birdstrike

@@ -1,11 +1,11 @@
 #include "report/comparison/compare_plan.h"
 
+#include "report/comparison/resumable.h"
 #include "report/comparison/run_reuse.h"
-#include "report/comparison/way_on.h"
 #include "report/comparison/written_table.h"
 #include <birdstrike/core/errors.h>
+#include <birdstrike/io/output_entries.h>
 #include <birdstrike/io/report_folder.h>
-#include <birdstrike/io/telling_entries.h>
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ namespace birdstrike
 
     /// What may differ between two files that describe the same case.
     const EntryNames only_names =
-      telling_entries_and({"Case/Name", "Output/Blade fields", "Output/Bird fields", "Output/HDF5"});
+      output_entries_and({"Case/Name", "Output/Blade fields", "Output/Bird fields", "Output/HDF5"});
 
     /// Of runs of one file, with values of their own, only the folders tell which is which.
     std::string name_of(const std::string &file, const CaseParameters &parameters)
@@ -102,7 +102,7 @@ namespace birdstrike
       planned.in_use    = std::move(found.in_use);
       planned.why_run   = found.why_not;
       if (!planned.is_reused)
-        planned.goes_on_from = find_way_on(planned.folder, *planned.parameters);
+        planned.goes_on_from = find_resumable_time(planned.folder, *planned.parameters);
     }
 
     /// What is there of other entries, or in a table of other cases.

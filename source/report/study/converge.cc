@@ -1,5 +1,5 @@
 #include "report/comparison/case_run.h"
-#include "report/comparison/losses.h"
+#include "report/comparison/failed_runs.h"
 #include "report/comparison/written_table.h"
 #include "report/study/convergence_table.h"
 #include "report/study/lattice_places.h"
@@ -79,9 +79,9 @@ namespace birdstrike
       if (!run.is_done)
         log().info("No value of {}: {}", run.point.name, run.state);
     log().info("Ladder in {}", folder.path().string());
-    Losses losses;
+    FailedRuns failed;
     for (const PointRun &run : runs)
-      losses.add(run.point.name, run.exit_code);
-    losses.raise(places.size() > 1 ? "runs" : "levels");
+      failed.add(run.point.name, run.exit_code);
+    failed.raise(places.size() > 1 ? "runs" : "levels");
   }
 } // namespace birdstrike

@@ -1,6 +1,6 @@
 #include "report/comparison/case_run.h"
 #include "report/comparison/comparison_figures.h"
-#include "report/comparison/losses.h"
+#include "report/comparison/failed_runs.h"
 #include "report/comparison/written_table.h"
 #include "report/study/study_figures.h"
 #include "report/study/study_table.h"
@@ -121,9 +121,9 @@ namespace birdstrike
     if (!request.only_collects)
       run_points(runs, options);
     write(folder, plan, runs);
-    Losses losses;
+    FailedRuns failed;
     for (const PointRun &run : runs)
-      losses.add(run.point.name, run.exit_code);
-    losses.raise("points");
+      failed.add(run.point.name, run.exit_code);
+    failed.raise("points");
   }
 } // namespace birdstrike

@@ -1,7 +1,7 @@
 #include "report/study/study_runs.h"
 #include "report/comparison/case_run.h"
+#include "report/comparison/resumable.h"
 #include "report/comparison/run_reuse.h"
-#include "report/comparison/way_on.h"
 #include "report/study/run_outcome.h"
 #include <birdstrike/core/child_process.h>
 #include <birdstrike/core/errors.h>
@@ -38,9 +38,9 @@ namespace birdstrike
       return all;
     }
 
-    void look_for_way_on(PointRun &run, const CaseParameters &parameters)
+    void look_for_checkpoint(PointRun &run, const CaseParameters &parameters)
     {
-      const auto time = find_way_on(run.folder, parameters);
+      const auto time = find_resumable_time(run.folder, parameters);
       run.goes_on     = time.has_value();
       if (time)
         run.state = "stopped at " + format_quantity(*time, "s") + ", will continue";
@@ -73,7 +73,7 @@ namespace birdstrike
       run.is_done = run.is_reused = found.in_use != nullptr;
       run.state                   = run.is_done ? "done" : "not run";
       if (!run.is_done)
-        look_for_way_on(run, parameters);
+        look_for_checkpoint(run, parameters);
       if (!run.is_done && !run.goes_on && !options.may_lose)
         kept.add(run.folder, reason_to_keep(run.folder, parameters));
     }

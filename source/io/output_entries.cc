@@ -1,9 +1,9 @@
+#include <birdstrike/io/output_entries.h>
 #include <birdstrike/io/study_parameters.h>
-#include <birdstrike/io/telling_entries.h>
 
 namespace birdstrike
 {
-  std::vector<std::string> telling_entries_and(const std::vector<std::string> &more)
+  std::vector<std::string> output_entries_and(const std::vector<std::string> &more)
   {
     std::vector<std::string> all{"Case/Description",
                                  "Output/Directory",

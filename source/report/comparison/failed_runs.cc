@@ -1,4 +1,4 @@
-#include "report/comparison/losses.h"
+#include "report/comparison/failed_runs.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/interrupted.h>
 #include <birdstrike/core/numerical_failure.h>
@@ -7,7 +7,7 @@
 
 namespace birdstrike
 {
-  void Losses::add(const std::string &name, const int exit_code)
+  void FailedRuns::add(const std::string &name, const int exit_code)
   {
     constexpr unsigned int most_named = 8;
     if (exit_code == 0)
@@ -23,7 +23,7 @@ namespace birdstrike
       names += " and others";
   }
 
-  void Losses::raise(const std::string &others) const
+  void FailedRuns::raise(const std::string &others) const
   {
     if (names.empty())
       return;

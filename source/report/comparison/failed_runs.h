@@ -5,7 +5,7 @@
 namespace birdstrike
 {
   /// What the runs that came to no result ended with, by the exit codes of their processes.
-  class Losses
+  class FailedRuns
   {
   public:
     void add(const std::string &name, int exit_code);

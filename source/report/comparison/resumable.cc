@@ -1,4 +1,4 @@
-#include "report/comparison/way_on.h"
+#include "report/comparison/resumable.h"
 #include "report/comparison/run_reuse.h"
 #include <birdstrike/core/errors.h>
 #include <birdstrike/core/program.h>
@@ -47,7 +47,7 @@ namespace birdstrike
     }
   } // namespace
 
-  std::optional<double> find_way_on(const fs::path &folder, const CaseParameters &wanted)
+  std::optional<double> find_resumable_time(const fs::path &folder, const CaseParameters &wanted)
   {
     const fs::path prm = folder / "parameters.prm";
     if (fs::exists(folder / "failure.json") || !fs::exists(prm))
