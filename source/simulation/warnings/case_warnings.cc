@@ -234,6 +234,7 @@ namespace birdstrike
         check_mesh(parameters, *scene.blade, warnings);
         check_thick_shells(scene, warnings);
         check_equilibrium(scene.blade->static_report(), scene.blade->rotor() != nullptr, warnings);
+        check_constant_loads(parameters.blade, scene.blade->n_nodes(), warnings);
       }
     for (const Projectile &each : scene.birds)
       check_projectile(parameters, scene, each, warnings);

@@ -50,6 +50,17 @@ TEST(CaseWarnings, AShippedCaseHasNone)
   EXPECT_EQ(of_scene({}), codes({}));
 }
 
+// The plate pressed along its span buckles at pi^2 EI/4L^2 = 1671 N (Euler), of a wide plate up to 1/(1 - nu^2) more.
+TEST(CaseWarnings, SaysThatConstantLoadsBuckleTheBlade)
+{
+  for (const auto &[load, is_unstable] :
+       {std::pair("-1340", false), {"-2500", true}, {"2500", false}, {"-2500*min(1, t/1e-3)", false}})
+    {
+      const auto all = of_scene({std::string("Blade/Loads/Point loads=0.3112 0 0: ") + load + "; 0; 0"});
+      EXPECT_EQ(std::ranges::count(all, "blade/unstable_equilibrium"), is_unstable) << load;
+    }
+}
+
 // A plate that spins about its span is softened by m w^2, and has no tension: its equilibrium ends at its first
 // frequency, 1.8751^2 t sqrt(E/(12 rho))/L^2 = 227 rad/s.
 TEST(CaseWarnings, SaysThatTheEquilibriumAtTheStartIsUnstable)
