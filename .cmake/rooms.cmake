@@ -86,7 +86,6 @@ function(birdstrike_unit_tests name)
   endif()
   if(BIRDSTRIKE_UNITY_TESTS)
     set_target_properties(${name}_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-    birdstrike_precompile(${name}_tests <gtest/gtest.h> ${common_headers})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # it takes a batch's files for headers, whose fixtures should have a name
       target_compile_options(${name}_tests PRIVATE -Wno-subobject-linkage)
     endif()
