@@ -1,9 +1,13 @@
-# cmake --install: program, cases with their meshes, manual, man page. cpack: a Debian package of the same.
+# cmake --install: program, cases with their meshes, documents, man page. cpack: a Debian package of the same.
 include(GNUInstallDirs)
-install(DIRECTORY prm meshes DESTINATION ${CMAKE_INSTALL_DATADIR}/birdstrike
-  PATTERN manual EXCLUDE PATTERN run.sh EXCLUDE PATTERN __pycache__ EXCLUDE)
-install(DIRECTORY prm/manual DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN site EXCLUDE)
-install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Documents, cases and meshes lie to each other as in the source, so that their links and paths hold.
+set(shared ${CMAKE_INSTALL_DATADIR}/birdstrike)
+install(DIRECTORY prm meshes DESTINATION ${shared}
+  PATTERN run.sh EXCLUDE PATTERN site EXCLUDE PATTERN build.sh EXCLUDE PATTERN entries.py EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${shared})
+install(FILES source/README.md source/how-to-add.md DESTINATION ${shared}/source)
+install(DIRECTORY tests DESTINATION ${shared} FILES_MATCHING PATTERN "README.md" PATTERN data EXCLUDE PATTERN unit EXCLUDE)
+install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES .cmake/birdstrike.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES .cmake/completions.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME birdstrike)
 

@@ -232,7 +232,8 @@ namespace birdstrike
 
     CLI::App       *compare = app.add_subcommand("compare", "Run cases, or take their runs, and set them side by side");
     CompareRequest &request = requests.of_comparison;
-    compare->add_option("FILE", request.prm_files, "Parameter files; differences are to the first")->required();
+    compare->add_option("FILE", request.prm_files, "Parameter files or run folders; differences are to the first")
+      ->required();
     auto *blades =
       compare
         ->add_option(

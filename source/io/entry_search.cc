@@ -88,7 +88,7 @@ namespace birdstrike
                          "\nbirdstrike parameters prints all entries.");
       }
     std::map<std::string, std::set<std::string>> repeated; // sections, by the one that is shown
-    std::set<std::string>                        shown;
+    std::map<std::string, std::string>           shown;    // section, by entry without numbers
     std::string                                  text;
     for (const KnownEntry *entry : found)
       {
@@ -96,8 +96,8 @@ namespace birdstrike
         for (const std::string &name : entry->section)
           plain += (plain.empty() ? "" : "/") + without_number(name);
         const std::string section = to_string(entry->section);
-        if (!shown.insert(plain + "/" + entry->name).second)
-          repeated[plain].insert(section);
+        if (const auto [first, is_new] = shown.emplace(plain + "/" + entry->name, section); !is_new)
+          repeated[first->second].insert(section);
         else
           text += describe(*entry);
       }

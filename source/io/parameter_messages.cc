@@ -54,6 +54,15 @@ namespace birdstrike
              quote(entry.default_value);
     }
 
+    /// By letters, else the first whose name begins with the word.
+    std::string nearest_here(const std::string &name, const std::vector<std::string> &names)
+    {
+      const std::string nearest = nearest_name(name, names);
+      const auto        found =
+        std::ranges::find_if(names, [&](const std::string &each) { return each.starts_with(name + " "); });
+      return !nearest.empty() || found == names.end() ? nearest : *found;
+    }
+
     /// Why an entry that files of earlier versions set is gone; empty: there has been none.
     std::string reason_of_removal(const SectionPath &section, const std::string &name)
     {
@@ -92,7 +101,7 @@ namespace birdstrike
         {where.text() + ", " + describe_section(section) + ": there is no entry " + quote(name) + " any more.",
          "  " + reason, "  Action: remove the line."});
     const std::vector<SectionPath> elsewhere = known.sections_with(name);
-    const std::string              here      = nearest_name(name, known.entry_names(section));
+    const std::string              here      = nearest_here(name, known.entry_names(section));
     std::string                    advice;
     if (!elsewhere.empty())
       advice = "  " + quote(name) + " is an entry of section " + list_sections(elsewhere) + ": set it there.";

@@ -40,8 +40,11 @@ namespace birdstrike
   {
     std::string text = "Metals of Blade/Material/Name. An entry beside Name replaces a constant.\n";
     for (const std::string &name : dealii::Utilities::split_string_list(metal_table().selection(), '|'))
-      if (const Metal &metal = metal_table().at(name); metal.name != Metal().name)
-        text += "\n" + describe(metal) + "\n  source: " + source_of(metal) + "\n";
+      if (Metal metal = metal_table().at(name); metal.name != Metal().name)
+        {
+          metal.hardening.heat_capacity = 0.; // plastic work heats it only where Adiabatic heating is set
+          text += "\n" + describe(metal) + "\n  source: " + source_of(metal) + "\n";
+        }
     return text +
            "\ncustom: no constants of its own; give Density, Young's modulus, Poisson's ratio and Yield stress.\n";
   }

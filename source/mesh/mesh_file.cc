@@ -64,13 +64,15 @@ namespace birdstrike
                                      "name the parts that are the blade in Blade/Mesh/Parts."
                                    : " are needed for Blade/Kind = solid.\nSet Blade/Kind = shell, or give a volume "
                                      "mesh."));
-      throw InputError("Blade/Mesh/File: '" + file + "' is not a mesh of " + cells_of<dim> +
-                       " that can be read.\nAllowed: " + cells_of<dim> + " with labelled boundary " +
-                       (dim == 2 ? "lines" : "quadrilaterals") +
-                       ", every other cell kind removed; Gmsh format 2 or 4, text; Abaqus; LS-DYNA; VTK legacy.\n"
-                       "Save again with " +
-                       (dim == 2 ? "'Recombine' on and only physical surfaces and lines."
-                                 : "only physical volumes and surfaces (transfinite or swept, recombined)."));
+      throw InputError(
+        "Blade/Mesh/File: '" + file + "' is not a mesh of " + cells_of<dim> + " that can be read.\nAllowed: " +
+        cells_of<dim> + " with labelled boundary " + (dim == 2 ? "lines" : "quadrilaterals") +
+        ", every other cell kind removed; Gmsh format 2 or 4, text; Abaqus; LS-DYNA; VTK legacy.\n"
+        "Save again with " +
+        (dim == 2
+           ? "'Recombine' on and only physical surfaces and lines. Once a curve is physical, Gmsh saves a surface only "
+             "if it is physical too: Physical Surface(\"blade\") = {1};"
+           : "only physical volumes and surfaces (transfinite or swept, recombined)."));
     }
 
     void require_memory(const std::string &file, const double needed, const std::string &what)

@@ -96,8 +96,10 @@ namespace birdstrike
   {
     const Places found = find(name);
     if (found.empty())
-      throw InputError(entry + ": the mesh has no " + nouns.at(of) + " '" + name + "'.\nNames in this mesh: " + list() +
-                       (of == Of::parts ? "." : "; or give an id, a whole number."));
+      throw InputError(
+        entry + ": the mesh has no " + nouns.at(of) + " '" + name + "'.\nNames in this mesh: " + list() +
+        (of == Of::parts ? "." : "; or give an id, a whole number.") +
+        (meanings.empty() ? "\nName them in the mesh program, e.g. in Gmsh: Physical Curve(\"root\") = {1};" : ""));
     if (!std::all_of(found.begin(), found.end(), [&](const std::size_t place) { return is_same(found[0], place); }))
       {
         std::set<std::string> all;

@@ -93,6 +93,7 @@ namespace birdstrike
           table.add("tip at the end", shown("tip/final"));
         add_peak("root peak normal stress", "root/peak_normal_stress", run.observed.root_stress.time());
         add_peak("root peak moment", "root/peak_moment", run.observed.root_moment.time());
+        add("plastic/work");
         add("plastic/max_strain",
             fmt::format("{:.4f} at {}", value("plastic/max_strain"), shown_vector("plastic/position")));
       }
@@ -122,7 +123,12 @@ namespace birdstrike
       void add_contact()
       {
         table.add_heading("Contact");
-        add("contact/impulse", shown_vector("contact/impulse"));
+        const double momentum = Point3(run.bird_at_start.momentum.data()).norm();
+        const double impulse =
+          std::hypot(value("contact/impulse/0"), value("contact/impulse/1"), value("contact/impulse/2"));
+        add("contact/impulse",
+            shown_vector("contact/impulse") +
+              (momentum > 0. ? fmt::format(", {:.2f} of the bird's momentum", impulse / momentum) : ""));
         add_detail("contact/peak_force", with_time("contact/peak_force"));
         if (!std::isnan(value("contact/filtered/peak_force")))
           table.add("peak force, " + summary.text("contact/filtered/class"),

@@ -28,7 +28,7 @@ namespace birdstrike
   void show(const Warnings &warnings)
   {
     for (const Warning &warning : warnings)
-      log().warn("Warning: {}", warning.text);
+      log().warn("Warning: {} [{}]", warning.text, warning.code);
   }
 
   void refuse_if_strict(const Warnings &warnings, const CaseRequest &request)

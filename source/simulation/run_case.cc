@@ -144,7 +144,7 @@ namespace birdstrike
           throw;
         }
       const std::string results = folder.path().string();
-      log().info("Results in {0}. Next: birdstrike compare {0}/parameters.prm draws its curves", results);
+      log().info("Results in {0}. Next: birdstrike compare {0} draws its curves", results);
       if (strike.is_interrupted())
         throw Interrupted("Interrupted by a signal before Time/End time. The results in the folder end there." +
                           std::string(checkpoints.last().empty()

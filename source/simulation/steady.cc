@@ -147,7 +147,7 @@ namespace birdstrike
     Warnings warnings;
     check_equilibrium(report, steady.blade->rotor() != nullptr, warnings);
     for (const Warning &warning : warnings)
-      log().warn("Warning: {}", warning.text);
+      log().warn("Warning: {} [{}]", warning.text, warning.code);
     log().info("Static equilibrium in {}", folder.path().string());
   }
 

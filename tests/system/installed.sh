@@ -26,7 +26,18 @@ program=$scratch/usr/bin/birdstrike
 expect "version" "$program" --version
 expect "an installed case" "$program" validate usr/share/birdstrike/prm/own-blade.prm
 expect "an installed case of certification" "$program" validate "$(ls usr/share/birdstrike/prm/certification/*.prm | head -n 1)"
-expect "the manual" test -s usr/share/doc/birdstrike/manual/README.md
+expect "the manual" test -s usr/share/birdstrike/prm/manual/README.md
+broken_links() # of the installed documents: what their links name is there
+{
+  local file link
+  find usr/share/birdstrike -name '*.md' | while read -r file; do
+    grep -oE '\]\([^)#]+' "$file" | sed 's/^](//' | grep -v '^https\?:' | while read -r link; do
+      [ -e "$(dirname "$file")/$link" ] || echo "$file: $link"
+    done
+  done
+}
+expect "links of the installed documents" test -z "$(broken_links)"
+broken_links
 expect "the man page" grep -q "materials" usr/share/man/man1/birdstrike.1
 for command in $("$program" --help | sed -n '/^Subcommands:/,$s/^  \([a-z]*\)  *.*/\1/p'); do
   expect "the man page of $command" grep -qx ".B $command" usr/share/man/man1/birdstrike.1

@@ -46,10 +46,9 @@ namespace birdstrike
         if (!map && (has_shares || has_angle))
           throw InputError(
             bird.section + "/" + (has_shares ? "Aim span fraction" : "Angle to surface") +
-            ": this blade has no span and chord to measure by.\nThey are there for built-in parts, and for whole "
-            "meshes "
-            "of a file whose root and tip Blade/Supports/Clamped (or Hub) and Tip name.\nGive Aim point and Velocity "
-            "instead.");
+            ": this blade has no span and chord to measure by.\nOf a mesh from a file they are known once "
+            "Blade/Supports/Clamped (or Hub) and Blade/Supports/Tip name its root and its tip: set these.\nOr give Aim "
+            "point and Velocity instead.");
       }
 
       /// `row` is what one blade takes of a bird that a row cuts.

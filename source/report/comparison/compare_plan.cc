@@ -37,9 +37,17 @@ namespace birdstrike
       return plain.blade.is_deformable() && !plain.file.is_given("Blade/Rigid/Surface");
     }
 
-    PlannedCase read_case(const CompareRequest &request, const std::string &file, const std::string &kind)
+    /// A run folder stands for the entries of its run.
+    std::string file_of(const std::string &path)
     {
-      PlannedCase planned;
+      const fs::path entries = fs::path(path) / "parameters.prm";
+      return fs::is_regular_file(entries) ? entries.string() : path;
+    }
+
+    PlannedCase read_case(const CompareRequest &request, const std::string &path, const std::string &kind)
+    {
+      const std::string file = file_of(path);
+      PlannedCase       planned;
       planned.prm_file  = file;
       planned.overrides = request.overrides;
       if (!kind.empty())

@@ -2,6 +2,7 @@
 
 #include <birdstrike/bird/bird.h>
 #include <birdstrike/contact/contact.h>
+#include <birdstrike/core/prices.h>
 #include <birdstrike/simulation/commands.h>
 
 #include <fmt/format.h>
@@ -114,9 +115,14 @@ TEST(Skipping, TheForecastOfTheRunTimeKnowsWhenParticlesLeave)
   // the start of the program, and the blade: by then the bird has gone
   const double others = forecast(1e-6, "true") + forecast(2. * end, "true") - forecast(end, "true");
   const double share  = (forecast(end, "true") - others) / (forecast(end, "false") - others);
-  const Strike run    = run_coarsely({fmt::format("Time/End time={:g}", end), "Time/Bird phase tolerance=0"});
-  const double all    = run.summary.number("bird/particles") * run.summary.number("steps/bird");
-  EXPECT_NEAR(std::log(share / (1. - count_of(run, "removed particles") / all)), 0., std::log(1.5));
+  // Liquid until it has spread over four diameters, spray at a quarter of its price after that, contact always: from
+  // the share of the cost to that of the particles' time.
+  constexpr double contact = prices::contact_particle / prices::riemann_particle, spray = prices::spray_share;
+  const double     dense   = (1. - spray) * 4. * 0.04069 / 177.4;
+  const double     present = (share * (dense + (spray + contact) * end) - dense) / ((spray + contact) * end);
+  const Strike     run     = run_coarsely({fmt::format("Time/End time={:g}", end), "Time/Bird phase tolerance=0"});
+  const double     all     = run.summary.number("bird/particles") * run.summary.number("steps/bird");
+  EXPECT_NEAR(std::log(present / (1. - count_of(run, "removed particles") / all)), 0., std::log(1.5));
 }
 
 TEST(Skipping, AStopAtTheTipPeakReportsWhatTheFullRunDoes)
