@@ -6,7 +6,7 @@ install(DIRECTORY prm meshes DESTINATION ${shared}
   PATTERN run.sh EXCLUDE PATTERN site EXCLUDE PATTERN build.sh EXCLUDE PATTERN entries.py EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${shared})
 install(FILES source/README.md source/how-to-add.md DESTINATION ${shared}/source)
-install(DIRECTORY tests DESTINATION ${shared} FILES_MATCHING PATTERN "README.md" PATTERN data EXCLUDE PATTERN unit EXCLUDE)
+install(DIRECTORY tests DESTINATION ${shared} FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN data EXCLUDE PATTERN unit EXCLUDE)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES .cmake/birdstrike.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES .cmake/completions.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME birdstrike)

@@ -51,7 +51,8 @@ require "the shell is the file's own" '[ -s kinds/quickstart-rigid/summary.json 
 
 # runs of one file are told apart by their folders, and keep what --set changed
 for mass in 0.1 0.12; do "$program" run "$a" "${fast[@]}" --set "Bird/Mass=$mass" --output runs/mass-$mass >/dev/null; done
-refuse "a run's folder" "give 'runs/mass-0.1/parameters.prm', the case that was run there, with all changes by --set" -- runs/mass-0.1 runs/mass-0.12
+ask "two run folders" 0 "mass-0.1: the run in runs/mass-0.1 is reused" "mass-0.12: the run in runs/mass-0.12 is reused" -- \
+  runs/mass-0.1 runs/mass-0.12 --output folders
 ask "two runs of one file" 0 "mass-0.1: the run in runs/mass-0.1 is reused" "mass-0.12: the run in runs/mass-0.12 is reused" "^mass-0.12 +shell" -- \
   runs/mass-0.1/parameters.prm runs/mass-0.12/parameters.prm --output masses
 

@@ -56,6 +56,7 @@ PLACEHOLDERS = (
     ("resume RUN", "resume runs/stopped"),
     ("runs/own-blade/parameters.prm runs/own-blade-solid/parameters.prm", "runs/frontal/parameters.prm runs/fine/parameters.prm"),
     ("runs/a/parameters.prm runs/b/parameters.prm", "runs/frontal/parameters.prm runs/fine/parameters.prm"),
+    ("my-blade.prm --mesh my-blade.msh", "own.prm --force --mesh meshes/own-blade-shell.msh"),
     ("A.prm", "prm/quickstart.prm"),
     ("B.prm", "prm/oblique.prm"),
 )

@@ -193,7 +193,7 @@ def judge_strike():
 
 
 def judge_refusals():
-    for entry, words in (("Blade/Spin/Axis=0, 0, 0", "no length"), ("Blade/Supports/Driven=0: uz = t", "follows the hub"),
+    for entry, words in (("Blade/Spin/Axis=0, 0, 0", "no length"), ("Blade/Supports/Driven=0: uz = t", "nodes follow the hub"),
                          ("Blade/Loads/Damping=1", "brake"), ("Blade/Supports/Held=1: uz", "no fixed direction"),
                          ("Blade/Kind=rigid", "does not turn"), ("Output/Histories/Stations=0.5", "turn")):
         text = call("validate", BAR, sets=(entry,), code=2)
