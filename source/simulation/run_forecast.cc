@@ -70,6 +70,8 @@ namespace birdstrike
       double              ns  = all.of_step + 0.5 * all.of_points_spared + prices::element_motion * n;
       if (parameters.blade.can_fail() && !parameters.blade.is_laminate())
         ns += prices::failing_point * n * (blade.kind() == BladeKind::shell ? parameters.blade.element.n_points : 1.);
+      if (parameters.blade.is_laminate())
+        ns += prices::ply * n * static_cast<double>(parameters.blade.laminate.layers().size());
       return ns;
     }
 

@@ -26,7 +26,7 @@ class Prices(unittest.TestCase):
     def test_every_constant_of_the_table_is_read(self):
         text = prices.HEADER.read_text(encoding="utf-8")
         # shares and figures of whole runs, which no benchmark of a loop measures
-        of_runs = {"starting", "step", "field_byte", "contact_particle", "contact_on_slope", "element_motion", "failing_point",
+        of_runs = {"starting", "step", "field_byte", "contact_particle", "contact_on_slope", "element_motion", "failing_point", "ply",
                    "spray_share", "running", "running_particle", "field_particle", "running_element"}
         declared = set(re.findall(r"constexpr double (\w+)", text))
         self.assertEqual(declared - of_runs, {row[0] for row in self.table})
