@@ -15,15 +15,15 @@ trap 'rm -rf "$tmp"' EXIT
 # Unpacks the pinned packages, and what they need and is missing here, in $tmp.
 packages=(calculix-ccx=2.20-1)
 apt-cache show "${packages[@]}" >/dev/null 2>&1 || apt-get -qq update
-mkdir -p "$tmp/debs/partial" "$tmp/root"
+mkdir -p "$tmp/debs/partial" "$tmp/unpacked"
 apt-get install -qq -y --no-install-recommends --reinstall --download-only \
   -o Debug::NoLocking=1 -o APT::Sandbox::User=root \
   -o Dir::Cache::archives="$tmp/debs" "${packages[@]}" >/dev/null 2>&1
-for deb in "$tmp"/debs/*.deb; do dpkg-deb -x "$deb" "$tmp/root"; done
-lib=$(echo "$tmp"/root/usr/lib/*-linux-gnu)
-export LD_LIBRARY_PATH="$lib:$lib/blas:$lib/lapack:$tmp/root/usr/lib"
-export PATH="$tmp/root/usr/bin:$PATH" OMP_NUM_THREADS=1
-export PYTHONPATH="$tmp/root/usr/lib/python3/dist-packages"
+for deb in "$tmp"/debs/*.deb; do dpkg-deb -x "$deb" "$tmp/unpacked"; done
+lib=$(echo "$tmp"/unpacked/usr/lib/*-linux-gnu)
+export LD_LIBRARY_PATH="$lib:$lib/blas:$lib/lapack:$tmp/unpacked/usr/lib"
+export PATH="$tmp/unpacked/usr/bin:$PATH" OMP_NUM_THREADS=1
+export PYTHONPATH="$tmp/unpacked/usr/lib/python3/dist-packages"
 cd "$tmp"
 
 deck() { # element type, connectivity, section card, thickness line

@@ -59,10 +59,9 @@ namespace birdstrike
     bool is_console = true;
     for (const auto &sink : log().sinks())
       {
-        const std::string &text = is_console && !sink->should_log(spdlog::level::debug) ? brief : whole;
-        if (sink->should_log(spdlog::level::info))
-          sink->log(spdlog::details::log_msg(log().name(), spdlog::level::info, text));
-        sink->flush();
+        spdlog::logger one(log().name(), sink); // which tells of a sink that fails, as the log does, and goes on
+        one.info("{}", is_console && !sink->should_log(spdlog::level::debug) ? brief : whole);
+        one.flush();
         is_console = false;
       }
   }

@@ -17,12 +17,6 @@ namespace birdstrike
 
     const std::string no_unit = "-";
 
-    std::string lower(std::string text)
-    {
-      std::ranges::transform(text, text.begin(), [](const unsigned char letter) { return std::tolower(letter); });
-      return text;
-    }
-
     std::string path_of(const KnownEntry &entry)
     {
       return (entry.section.empty() ? "" : to_string(entry.section) + "/") + entry.name;
@@ -40,14 +34,14 @@ namespace birdstrike
 
     Found find(const ParameterTree &tree, const std::string &asked)
     {
-      const std::string word    = lower(asked.substr(0, asked.find_last_not_of('/') + 1));
+      const std::string word    = lower_case(asked.substr(0, asked.find_last_not_of('/') + 1));
       Found             by_path = select(tree, [&](const KnownEntry &entry) {
-        const std::string path = lower(path_of(entry));
+        const std::string path = lower_case(path_of(entry));
         return path == word || path.starts_with(word + "/");
       });
       if (!by_path.empty())
         return by_path;
-      const auto has_word = [&](const std::string &text) { return lower(text).find(word) != std::string::npos; };
+      const auto has_word = [&](const std::string &text) { return lower_case(text).find(word) != std::string::npos; };
       Found      by_name  = select(tree, [&](const KnownEntry &entry) { return has_word(path_of(entry)); });
       if (!by_name.empty())
         return by_name;

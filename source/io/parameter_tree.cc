@@ -103,12 +103,6 @@ namespace birdstrike
           }
     }
 
-    std::string lower_case(std::string text)
-    {
-      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return std::tolower(c); });
-      return text;
-    }
-
     /// Levenshtein's distance by the row-wise recurrence of Wagner and Fischer (1974).
     std::size_t compute_edit_distance(const std::string &a, const std::string &b)
     {
@@ -128,6 +122,12 @@ namespace birdstrike
       return row[b.size()];
     }
   } // namespace
+
+  std::string lower_case(std::string text)
+  {
+    std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return std::tolower(c); });
+    return text;
+  }
 
   std::string to_string(const SectionPath &section)
   {

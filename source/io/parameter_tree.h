@@ -60,6 +60,8 @@ namespace birdstrike
     std::vector<SectionPath> sections;
   };
 
+  std::string lower_case(std::string text);
+
   /// The candidate with the least edit distance (Levenshtein 1966, letters compared without case), or "" if none is
   /// closer than half of the length of `name`.
   std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates);
